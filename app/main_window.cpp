@@ -124,7 +124,7 @@ void MainWindow::makeDocks() {
     connect(m_guide, &GuideView::fileRequested, this, [this](const QString& file) {
         if (m_workspace->files().contains(file)) m_tabs->openFile(file);
     });
-    QDockWidget* calls = addDock("callPath", tr("Call Path"), i(Icon::CallStack), m_callPath, Qt::RightDockWidgetArea);
+    QDockWidget* calls = addDock("callPath", tr("Call Stack"), i(Icon::CallStack), m_callPath, Qt::RightDockWidgetArea);
     QDockWidget* breakpoints =
         addDock("breakpoints", tr("Breakpoints"), i(Icon::Breakpoint), m_breakpoints, Qt::RightDockWidgetArea);
     tabifyDockWidget(calls, breakpoints);
@@ -259,7 +259,7 @@ void MainWindow::makeStatusLine() {
     };
     m_faultButton = new QToolButton(this);
     m_faultButton->setAutoRaise(true);
-    m_faultButton->setAccessibleName(tr("Fault of the controller"));
+    m_faultButton->setAccessibleName(tr("Controller fault"));
     m_faultButton->setIcon(kit::icon(kit::Icon::Error));
     m_faultButton->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_faultButton->hide();

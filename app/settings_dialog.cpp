@@ -46,10 +46,10 @@ QWidget* SettingsDialog::makeGeneral() {
     auto* page = new QWidget(this);
     auto* form = new QFormLayout(page);
     m_theme = new QComboBox(page);
-    m_theme->addItems({tr("As the system"), tr("Light"), tr("Dark")});
+    m_theme->addItems({tr("System default"), tr("Light"), tr("Dark")});
     m_theme->setCurrentIndex(static_cast<int>(m_settings.theme()));
     m_language = new QComboBox(page);
-    m_language->addItem(tr("As the system"), "");
+    m_language->addItem(tr("System default"), "");
     m_language->addItem("English", "en");
     m_language->addItem("Deutsch", "de");
     m_language->addItem("Dansk", "da");
@@ -86,7 +86,7 @@ QWidget* SettingsDialog::makeEditor() {
 QWidget* SettingsDialog::makeRun() {
     auto* page = new QWidget(this);
     auto* form = new QFormLayout(page);
-    m_changeOnSave = new QCheckBox(tr("Saving changes the running controller (online change)"), page);
+    m_changeOnSave = new QCheckBox(tr("Apply an online change when saving"), page);
     m_changeOnSave->setChecked(m_settings.changeOnSave());
     m_history = new QSpinBox(page);
     m_history->setRange(16, 16384);
@@ -135,7 +135,7 @@ QWidget* SettingsDialog::makeShortcuts() {
     m_conflict = new QLabel(page);
     m_conflict->setWordWrap(true);
     m_conflict->hide();
-    auto* defaults = new QPushButton(tr("All Defaults"), page);
+    auto* defaults = new QPushButton(tr("Restore Defaults"), page);
     connect(defaults, &QPushButton::clicked, this, [this] {
         for (int row = 0; row < m_actions.size(); ++row) keysOf(row)->setKeySequence(defaultOf(m_actions[row]));
     });

@@ -1597,7 +1597,7 @@
         <translation>{0} kan ikke være i {1}</translation>
     </message>
     <message>
-        <source>STRING holds Latin-1 only; declare the variable as WSTRING</source>
+        <source>STRING contains Latin-1 only; declare the variable as WSTRING</source>
         <translation>STRING rummer kun Latin-1; erklær variablen som WSTRING</translation>
     </message>
     <message>
@@ -1872,6 +1872,194 @@
         <source>{0} is not a time</source>
         <translation>{0} er ikke en tid</translation>
     </message>
+    <message>
+        <source>This is not an XLIFF file</source>
+        <translation>Dette er ikke en XLIFF-fil</translation>
+    </message>
+    <message>
+        <source>The XLIFF version {0} is not known; save the file as 1.2 or 2.0</source>
+        <translation>XLIFF-versionen {0} er ikke kendt; gem filen som 1.2 eller 2.0</translation>
+    </message>
+    <message>
+        <source>The file does not say into which language it is translated</source>
+        <translation>Filen angiver ikke, hvilket sprog den er oversat til</translation>
+    </message>
+    <message>
+        <source>The XML is wrong: {0}</source>
+        <translation>XML&apos;en er forkert: {0}</translation>
+    </message>
+    <message>
+        <source>The text of the key {0} in {1} has changed since the export; check the translation</source>
+        <translation>Teksten til nøglen {0} på {1} er ændret siden eksporten; kontrollér oversættelsen</translation>
+    </message>
+    <message>
+        <source>The translation of the key {0} has other placeholders than its source, so it was not taken</source>
+        <translation>Oversættelsen af nøglen {0} har andre pladsholdere end kilden og blev ikke overtaget</translation>
+    </message>
+    <message>
+        <source>The picture {0} is outside the project; copy it into the project, or set {1} to true under {2} in project.json</source>
+        <translation>Billedet {0} er uden for projektet; kopier det ind i projektet, eller sæt {1} til true under {2} i project.json</translation>
+    </message>
+    <message>
+        <source>The picture {0} is larger than {1} MB</source>
+        <translation>Billedet {0} er større end {1} MB</translation>
+    </message>
+    <message>
+        <source>The picture {0} unpacks to more than {1} MB</source>
+        <translation>Billedet {0} fylder mere end {1} MB udpakket</translation>
+    </message>
+    <message>
+        <source>The picture {0} is {1} x {2} pixels; more than {3} million are not drawn</source>
+        <translation>Billedet {0} er på {1} x {2} pixels; flere end {3} millioner tegnes ikke</translation>
+    </message>
+    <message>
+        <source>{0} is not a picture in a known format such as PNG, JPEG or SVG</source>
+        <translation>{0} er ikke et billede i et kendt format som PNG, JPEG eller SVG</translation>
+    </message>
+    <message>
+        <source>The picture {0} draws more than {1} shapes</source>
+        <translation>Billedet {0} tegner mere end {1} former</translation>
+    </message>
+    <message>
+        <source>The shapes of the picture {0} are nested more than {1} deep or contain themselves</source>
+        <translation>Formerne i billedet {0} er indlejret mere end {1} niveauer eller indeholder sig selv</translation>
+    </message>
+    <message>
+        <source>The picture {0} loads {1}; embed it in the picture as PNG or JPEG</source>
+        <translation>Billedet {0} indlæser {1}; indlejr det i billedet som PNG eller JPEG</translation>
+    </message>
+    <message>
+        <source>The picture {0} has dashed lines of more than {1} dashes</source>
+        <translation>Billedet {0} har stiplede linjer med mere end {1} streger</translation>
+    </message>
+    <message>
+        <source>This version does not know the property {0}; it is kept as it is</source>
+        <translation>Denne version kender ikke egenskaben {0}; den beholdes, som den er</translation>
+    </message>
+    <message>
+        <source>This version does not know the property {0}; did you mean {1}?</source>
+        <translation>Denne version kender ikke egenskaben {0}; mente du {1}?</translation>
+    </message>
+    <message>
+        <source>The value must be true or false</source>
+        <translation>Værdien skal være true eller false</translation>
+    </message>
+    <message>
+        <source>The value must be a whole number</source>
+        <translation>Værdien skal være et helt tal</translation>
+    </message>
+    <message>
+        <source>The value must be a number</source>
+        <translation>Værdien skal være et tal</translation>
+    </message>
+    <message>
+        <source>The value must be a list of two numbers: width and height</source>
+        <translation>Værdien skal være en liste med to tal: bredde og højde</translation>
+    </message>
+    <message>
+        <source>The value must be a list of four numbers: x, y, width and height</source>
+        <translation>Værdien skal være en liste med fire tal: x, y, bredde og højde</translation>
+    </message>
+    <message>
+        <source>The value must be a list of points, each a list of two numbers</source>
+        <translation>Værdien skal være en liste med punkter, hvert en liste med to tal</translation>
+    </message>
+    <message>
+        <source>The value must be an object with an expression for each name</source>
+        <translation>Værdien skal være et objekt med et udtryk for hvert navn</translation>
+    </message>
+    <message>
+        <source>The value must be a list of objects</source>
+        <translation>Værdien skal være en liste med objekter</translation>
+    </message>
+    <message>
+        <source>The value must be a text in quotes</source>
+        <translation>Værdien skal være en tekst i anførselstegn</translation>
+    </message>
+    <message>
+        <source>{0} is not one of the choices: {1}</source>
+        <translation>{0} er ikke en af mulighederne: {1}</translation>
+    </message>
+    <message>
+        <source>{0} is not a colour; use the name of a role of the theme or a value such as {1}</source>
+        <translation>{0} er ikke en farve; brug navnet på en rolle i temaet eller en værdi som {1}</translation>
+    </message>
+    <message>
+        <source>{0} is not a colour; did you mean {1}?</source>
+        <translation>{0} er ikke en farve; mente du {1}?</translation>
+    </message>
+    <message>
+        <source>{0} ({1}) must be greater than {2} ({3})</source>
+        <translation>{0} ({1}) skal være større end {2} ({3})</translation>
+    </message>
+    <message>
+        <source>The panel has no group or tab {0}</source>
+        <translation>Panelet har ingen gruppe og ingen faner {0}</translation>
+    </message>
+    <message>
+        <source>The group {0} contains itself</source>
+        <translation>Gruppen {0} indeholder sig selv</translation>
+    </message>
+    <message>
+        <source>{0} has no page {1}; its {2} {2:page is|pages are} numbered from 0</source>
+        <translation>{0} har ingen side {1}; dens {2} {2:side er|sider er} nummereret fra 0</translation>
+    </message>
+    <message>
+        <source>The format {0} needs a number, and {1} is none; use {2}</source>
+        <translation>Formatet {0} kræver et tal, og {1} er ikke et; brug {2}</translation>
+    </message>
+    <message>
+        <source>The project has no language {0}, so operators never see this column; add it to the languages in project.json</source>
+        <translation>Projektet har ikke sproget {0}, så operatører ser aldrig denne kolonne; føj det til sprogene i project.json</translation>
+    </message>
+    <message>
+        <source>Nothing says what this does; give it a text, or place one beside it</source>
+        <translation>Intet fortæller, hvad dette gør; giv det en tekst, eller sæt en ved siden af</translation>
+    </message>
+    <message>
+        <source>{0} is between {1} and {2} in the recording, so the range from {3} to {4} cuts it off</source>
+        <translation>{0} ligger mellem {1} og {2} i optagelsen, så området fra {3} til {4} skærer noget af</translation>
+    </message>
+    <message>
+        <source>{0} is not between {1} and {2}; {3} is used</source>
+        <translation>{0} er ikke mellem {1} og {2}; {3} bruges</translation>
+    </message>
+    <message>
+        <source>The faceplate does not say which panel it shows</source>
+        <translation>Faceplaten angiver ikke, hvilket panel den viser</translation>
+    </message>
+    <message>
+        <source>The panel {0} contains this one, so it cannot be placed in it</source>
+        <translation>Panelet {0} indeholder dette og kan derfor ikke placeres i det</translation>
+    </message>
+    <message>
+        <source>The panel {0} has no parameter {1}</source>
+        <translation>Panelet {0} har ingen parameter {1}</translation>
+    </message>
+    <message>
+        <source>The program has no type {0}; name a block or a structure, BOOL, REAL or the like, or text</source>
+        <translation>Programmet har ingen type {0}; angiv en blok eller en struktur, BOOL, REAL eller lignende, eller text</translation>
+    </message>
+    <message>
+        <source>The parameter {0} needs an argument of type {1}</source>
+        <translation>Parameteren {0} kræver et argument af typen {1}</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; the parameter {2} needs {3}</source>
+        <translation>{0} er {1}; parameteren {2} kræver {3}</translation>
+    </message>
+    <message>
+        <source>{0} (tried with {1})</source>
+        <translation>{0} (prøvet med {1})</translation>
+    </message>
+    <message>
+        <source>The program was not built from sources.</source>
+        <translation>Programmet blev ikke oversat fra kildetekster.</translation>
+    </message>
+    <message>
+        <source>The recording does not contain the program of this scan.</source>
+        <translation>Optagelsen indeholder ikke programmet for dette scan.</translation>
+    </message>
 </context>
 <context>
     <name>Exchange</name>
@@ -2142,8 +2330,8 @@
         <translation>Et ST-udtryk</translation>
     </message>
     <message>
-        <source>Shown to the operator. A typed text gets its key by itself; @key names one.</source>
-        <translation>Vises til operatøren. Indtastet tekst får automatisk en nøgle; med @nøgle vælger du en, der findes.</translation>
+        <source>Shown to the operator. A typed text gets its key automatically; @key uses an existing one.</source>
+        <translation>Vises til operatøren. Indtastet tekst får automatisk en nøgle; @nøgle bruger en, der findes.</translation>
     </message>
     <message>
         <source>X</source>
@@ -2350,7 +2538,7 @@
         <translation>Faneblad</translation>
     </message>
     <message>
-        <source>Place and size</source>
+        <source>Position and size</source>
         <translation>Position og størrelse</translation>
     </message>
     <message>
@@ -2630,11 +2818,11 @@
         <translation>Orientering</translation>
     </message>
     <message>
-        <source>Shows the value</source>
+        <source>Show the value</source>
         <translation>Vis værdien</translation>
     </message>
     <message>
-        <source>Turning knob</source>
+        <source>Rotary knob</source>
         <translation>Drejeknap</translation>
     </message>
     <message>
@@ -2670,7 +2858,7 @@
         <translation>Maske (# ciffer, A bogstav, * vilkårlig)</translation>
     </message>
     <message>
-        <source>Hides the value</source>
+        <source>Hide the value</source>
         <translation>Skjul værdien</translation>
     </message>
     <message>
@@ -2810,7 +2998,7 @@
         <translation>Første indeks</translation>
     </message>
     <message>
-        <source>Shows the numbers</source>
+        <source>Show the numbers</source>
         <translation>Vis numrene</translation>
     </message>
     <message>
@@ -2978,7 +3166,7 @@
         <translation>Geometri</translation>
     </message>
     <message>
-        <source>Look</source>
+        <source>Appearance</source>
         <translation>Udseende</translation>
     </message>
     <message>
@@ -2988,6 +3176,26 @@
     <message>
         <source>Motion</source>
         <translation>Bevægelse</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parametre</translation>
+    </message>
+    <message>
+        <source>Type (a block, a structure, BOOL, REAL, text)</source>
+        <translation>Type (en blok, en struktur, BOOL, REAL, text)</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>Standard</translation>
+    </message>
+    <message>
+        <source>Faceplate</source>
+        <translation>Faceplate</translation>
+    </message>
+    <message>
+        <source>Arguments</source>
+        <translation>Argumenter</translation>
     </message>
 </context>
 <context>
@@ -3462,10 +3670,328 @@
     </message>
 </context>
 <context>
+    <name>Inside</name>
+    <message>
+        <source>set by {0}  {1} ({2}, task {3})</source>
+        <translation>sat af {0}  {1} ({2}, task {3})</translation>
+    </message>
+    <message>
+        <source>set by {0}  {1} ({2})</source>
+        <translation>sat af {0}  {1} ({2})</translation>
+    </message>
+    <message>
+        <source>set by what the compiler adds ({0})</source>
+        <translation>sat af det, som compileren tilføjer ({0})</translation>
+    </message>
+    <message>
+        <source>written from outside</source>
+        <translation>skrevet udefra</translation>
+    </message>
+    <message>
+        <source>written from {0}</source>
+        <translation>skrevet fra {0}</translation>
+    </message>
+    <message>
+        <source>forced</source>
+        <translation>forceret</translation>
+    </message>
+    <message>
+        <source>forced from {0}</source>
+        <translation>forceret fra {0}</translation>
+    </message>
+    <message>
+        <source>put back by a reset</source>
+        <translation>sat tilbage af en nulstilling</translation>
+    </message>
+    <message>
+        <source>carried over by an online change</source>
+        <translation>overført ved en onlineændring</translation>
+    </message>
+    <message>
+        <source>restored from the retained values</source>
+        <translation>gendannet fra de remanente værdier</translation>
+    </message>
+    <message>
+        <source>its initial value</source>
+        <translation>dens startværdi</translation>
+    </message>
+    <message>
+        <source>put into the safe state when the controller stopped</source>
+        <translation>sat i sikker tilstand, da styringen stoppede</translation>
+    </message>
+    <message>
+        <source>as recorded in the scan that was resumed from</source>
+        <translation>som optaget i det scan, der blev fortsat fra</translation>
+    </message>
+    <message>
+        <source>set by a statement of a test</source>
+        <translation>sat af en sætning i en test</translation>
+    </message>
+    <message>
+        <source>not known who set it</source>
+        <translation>ukendt, hvem der satte det</translation>
+    </message>
+    <message>
+        <source>the command line</source>
+        <translation>kommandolinjen</translation>
+    </message>
+    <message>
+        <source>the studio</source>
+        <translation>studiet</translation>
+    </message>
+    <message>
+        <source>panel {0}, {1}</source>
+        <translation>panel {0}, {1}</translation>
+    </message>
+    <message>
+        <source>{0} (scan {1})</source>
+        <translation>{0} (scan {1})</translation>
+    </message>
+    <message>
+        <source>{0}  {1} from {2} to {3}, {4}</source>
+        <translation>{0}  {1} fra {2} til {3}, {4}</translation>
+    </message>
+    <message>
+        <source>{0}  {1} to {2}, {3}</source>
+        <translation>{0}  {1} til {2}, {3}</translation>
+    </message>
+    <message>
+        <source>called by {0}  {1}</source>
+        <translation>kaldt af {0}  {1}</translation>
+    </message>
+    <message>
+        <source>{0} is {1} at {2}, since {3}.</source>
+        <translation>{0} er {1} ved {2}, siden {3}.</translation>
+    </message>
+    <message>
+        <source>{0} is {1} at {2}, as it was when the recording began.</source>
+        <translation>{0} er {1} ved {2}, som da optagelsen begyndte.</translation>
+    </message>
+    <message>
+        <source>{0} is {1} at {2}.</source>
+        <translation>{0} er {1} ved {2}.</translation>
+    </message>
+    <message>
+        <source>It was {0}.</source>
+        <translation>Værdien blev {0}.</translation>
+    </message>
+    <message>
+        <source>It has its initial value.</source>
+        <translation>Variablen har sin startværdi.</translation>
+    </message>
+    <message>
+        <source>It became {0} because</source>
+        <translation>Den blev {0}, fordi</translation>
+    </message>
+    <message>
+        <source>This needed</source>
+        <translation>Det krævede</translation>
+    </message>
+    <message>
+        <source>It needs</source>
+        <translation>Det kræver</translation>
+    </message>
+    <message>
+        <source>It stays so because</source>
+        <translation>Den forbliver sådan, fordi</translation>
+    </message>
+    <message>
+        <source>Step by step</source>
+        <translation>Trin for trin</translation>
+    </message>
+    <message>
+        <source>because</source>
+        <translation>fordi</translation>
+    </message>
+    <message>
+        <source>time passed.</source>
+        <translation>tiden gik.</translation>
+    </message>
+    <message>
+        <source>it was the first scan.</source>
+        <translation>det var det første scan.</translation>
+    </message>
+    <message>
+        <source>other variables were forced.</source>
+        <translation>andre variabler var forceret.</translation>
+    </message>
+    <message>
+        <source>{0} became {1}.</source>
+        <translation>{0} blev {1}.</translation>
+    </message>
+    <message>
+        <source>{0} became {1}, {2}.</source>
+        <translation>{0} blev {1}, {2}.</translation>
+    </message>
+    <message>
+        <source>{0} changed.</source>
+        <translation>{0} ændrede sig.</translation>
+    </message>
+    <message>
+        <source>{0} changed, {1}.</source>
+        <translation>{0} ændrede sig, {1}.</translation>
+    </message>
+    <message>
+        <source>{0} was {1}.</source>
+        <translation>{0} var {1}.</translation>
+    </message>
+    <message>
+        <source>{0} was {1} since {2}, {3}.</source>
+        <translation>{0} var {1} siden {2}, {3}.</translation>
+    </message>
+    <message>
+        <source>{0}   → {1}</source>
+        <translation>{0}   → {1}</translation>
+    </message>
+    <message>
+        <source>it ran because {0} was {1}</source>
+        <translation>udført, fordi {0} var {1}</translation>
+    </message>
+    <message>
+        <source>nothing wrote it later because {0} was {1}</source>
+        <translation>ikke skrevet senere, fordi {0} var {1}</translation>
+    </message>
+    <message>
+        <source>a statement that would write it did not run because {0} was {1}</source>
+        <translation>en sætning, der ville skrive den, blev ikke udført, fordi {0} var {1}</translation>
+    </message>
+    <message>
+        <source>{0} ({1})</source>
+        <translation>{0} ({1})</translation>
+    </message>
+    <message>
+        <source>{0}</source>
+        <translation>{0}</translation>
+    </message>
+    <message>
+        <source>{0}: {1}</source>
+        <translation>{0}: {1}</translation>
+    </message>
+    <message>
+        <source>{0} was {1} when the scan began</source>
+        <translation>{0} var {1}, da scannet begyndte</translation>
+    </message>
+    <message>
+        <source>{0}   {1}</source>
+        <translation>{0}   {1}</translation>
+    </message>
+    <message>
+        <source>its time of {0} is over</source>
+        <translation>dens tid på {0} er gået</translation>
+    </message>
+    <message>
+        <source>it does not run</source>
+        <translation>kører ikke</translation>
+    </message>
+    <message>
+        <source>it has run {0} of {1}, {2} to go</source>
+        <translation>{0} af {1} er gået, {2} mangler</translation>
+    </message>
+    <message>
+        <source>it has counted {0} of {1}</source>
+        <translation>har talt {0} af {1}</translation>
+    </message>
+    <message>
+        <source>No change of up to three variables makes it {0} in this scan.</source>
+        <translation>Ingen ændring af op til tre variabler gør den {0} i dette scan.</translation>
+    </message>
+    <message>
+        <source>It would be {0} if {1}.</source>
+        <translation>Den ville være {0}, hvis {1}.</translation>
+    </message>
+    <message>
+        <source>It would also be {0} if {1}.</source>
+        <translation>Den ville også være {0}, hvis {1}.</translation>
+    </message>
+    <message>
+        <source>{0} were {1} (it is {2})</source>
+        <translation>{0} var {1} (er {2})</translation>
+    </message>
+    <message>
+        <source>{0} and {1}</source>
+        <translation>{0} og {1}</translation>
+    </message>
+    <message>
+        <source>What keeps it {0}</source>
+        <translation>Hvad der holder den {0}</translation>
+    </message>
+    <message>
+        <source>Note: {0}.</source>
+        <translation>Bemærk: {0}.</translation>
+    </message>
+    <message>
+        <source>recorded by an earlier version, which kept no journal</source>
+        <translation>optaget af en ældre version, som ikke førte journal</translation>
+    </message>
+    <message>
+        <source>it was written to while it was halted at a breakpoint</source>
+        <translation>der blev skrevet, mens det var standset ved et stoppunkt</translation>
+    </message>
+    <message>
+        <source>the scan had another result when it was run again</source>
+        <translation>scannet gav et andet resultat, da det blev kørt igen</translation>
+    </message>
+    <message>
+        <source>it has no value in this scan: {0}</source>
+        <translation>ingen værdi i dette scan: {0}</translation>
+    </message>
+    <message>
+        <source>&quot;Why not?&quot; needs a condition (BOOL), for example &quot;Main.level &gt; 80&quot;</source>
+        <translation>”Hvorfor ikke?” kræver en betingelse (BOOL), for eksempel ”Main.level &gt; 80”</translation>
+    </message>
+    <message>
+        <source>the program was not built from sources</source>
+        <translation>programmet blev ikke oversat fra kildetekster</translation>
+    </message>
+    <message>
+        <source>this scan is not in the recording</source>
+        <translation>dette scan er ikke i optagelsen</translation>
+    </message>
+    <message>
+        <source>it does not change in this recording</source>
+        <translation>ændrer sig ikke i denne optagelse</translation>
+    </message>
+    <message>
+        <source>nothing wrote it in this scan</source>
+        <translation>intet skrev den i dette scan</translation>
+    </message>
+    <message>
+        <source>no statement of the project ran in this scan</source>
+        <translation>ingen sætning i projektet blev udført i dette scan</translation>
+    </message>
+</context>
+<context>
     <name>LongTask</name>
     <message>
         <source>Cancel</source>
         <translation>Annuller</translation>
+    </message>
+</context>
+<context>
+    <name>Loops</name>
+    <message>
+        <source>The program has no controller block; name the signals with --input and --output</source>
+        <translation>Programmet har ingen regulatorblok; angiv signalerne med --input og --output</translation>
+    </message>
+    <message>
+        <source>There is no single loop {0}; the program has {1}</source>
+        <translation>Der er ikke én sløjfe {0}; programmet har {1}</translation>
+    </message>
+    <message>
+        <source>The recording contains no program that knows it</source>
+        <translation>Optagelsen indeholder intet program, der kender den</translation>
+    </message>
+    <message>
+        <source>It is not a number and cannot be a signal of a loop</source>
+        <translation>Det er ikke et tal og kan ikke være et signal i en sløjfe</translation>
+    </message>
+    <message>
+        <source>This range is no longer recorded, or the program was changed in it; choose another one</source>
+        <translation>Dette stykke er ikke længere optaget, eller programmet blev ændret i det; vælg et andet</translation>
+    </message>
+    <message>
+        <source>{0} gets an expression in the call; give the measured value a variable of its own to try settings</source>
+        <translation>{0} får et udtryk i kaldet; giv måleværdien sin egen variabel for at prøve indstillinger</translation>
     </message>
 </context>
 <context>
@@ -3979,6 +4505,241 @@
     </message>
 </context>
 <context>
+    <name>Tuning</name>
+    <message>
+        <source>The table has no column of times; name one time_s (seconds) or time_ms</source>
+        <translation>Tabellen har ingen kolonne med tider; kald en time_s (sekunder) eller time_ms</translation>
+    </message>
+    <message>
+        <source>The table has no column {0}; it has {1}</source>
+        <translation>Tabellen har ingen kolonne {0}; den har {1}</translation>
+    </message>
+    <message>
+        <source>The table has no column {0}; did you mean {1}?</source>
+        <translation>Tabellen har ingen kolonne {0}; mente du {1}?</translation>
+    </message>
+    <message>
+        <source>Line {0} has no number in column {1}</source>
+        <translation>Linje {0} har intet tal i kolonne {1}</translation>
+    </message>
+    <message>
+        <source>The time in line {0} is before that of the line above</source>
+        <translation>Tiden i linje {0} er før tiden i linjen ovenover</translation>
+    </message>
+    <message>
+        <source>{0} {0:sample is|samples are} too few for a model; record for longer</source>
+        <translation>{0} {0:måling er|målinger er} for lidt til en model; optag i længere tid</translation>
+    </message>
+    <message>
+        <source>usable</source>
+        <translation>brugbar</translation>
+    </message>
+    <message>
+        <source>the input is at a limit for {0} % of the time</source>
+        <translation>indgangen er ved en grænse i {0} % af tiden</translation>
+    </message>
+    <message>
+        <source>the output moves by only {0} times its noise</source>
+        <translation>udgangen bevæger sig kun {0} gange sin støj</translation>
+    </message>
+    <message>
+        <source>too short: {0} samples until the next change</source>
+        <translation>for kort: {0} målinger til næste ændring</translation>
+    </message>
+    <message>
+        <source>disturbed: no model explains more than {0} % of it</source>
+        <translation>forstyrret: ingen model forklarer mere end {0} % af det</translation>
+    </message>
+    <message>
+        <source>usable; it was still moving before</source>
+        <translation>brugbar; den bevægede sig stadig før</translation>
+    </message>
+    <message>
+        <source>There is no step or disturbance in the recording; change the set point or the output by hand once and record that</source>
+        <translation>Der er intet spring og ingen forstyrrelse i optagelsen; ændr setpunktet eller udgangen én gang manuelt, og optag det</translation>
+    </message>
+    <message>
+        <source>None of the {0} changes found is usable: {1}</source>
+        <translation>Ingen af de {0} fundne ændringer er brugbare: {1}</translation>
+    </message>
+    <message>
+        <source>No model explains what the output does; something else moves it</source>
+        <translation>Ingen model forklarer, hvad udgangen gør; noget andet bevæger den</translation>
+    </message>
+    <message>
+        <source>The rule {0} has no answer for this process</source>
+        <translation>Reglen {0} har intet svar for denne proces</translation>
+    </message>
+    <message>
+        <source>Unstable: the loop would swing up. Do not use this.</source>
+        <translation>Ustabil: Sløjfen ville svinge op. Brug den ikke.</translation>
+    </message>
+    <message>
+        <source>Fragile: a small change of the process makes it swing.</source>
+        <translation>Skrøbelig: En lille ændring af processen får den til at svinge.</translation>
+    </message>
+    <message>
+        <source>Brisk: quick, and it swings a little; the process should not change much.</source>
+        <translation>Rask: hurtig, og den svinger lidt; processen bør ikke ændre sig meget.</translation>
+    </message>
+    <message>
+        <source>Good: quick enough, and it tolerates the usual changes of a process.</source>
+        <translation>God: hurtig nok, og den tåler de sædvanlige ændringer af en proces.</translation>
+    </message>
+    <message>
+        <source>Calm: slow, and it tolerates a process that changes a lot.</source>
+        <translation>Rolig: langsom, og den tåler en proces, der ændrer sig meget.</translation>
+    </message>
+    <message>
+        <source>A step of the set point does not overshoot.</source>
+        <translation>Et spring i setpunktet giver intet oversving.</translation>
+    </message>
+    <message>
+        <source>A step of the set point overshoots by {0} %.</source>
+        <translation>Et spring i setpunktet giver {0} % oversving.</translation>
+    </message>
+    <message>
+        <source>Ziegler-Nichols is here to compare with: it swings and tolerates little. Take SIMC or the optimum instead.</source>
+        <translation>Ziegler-Nichols er her til sammenligning: Den svinger og tåler lidt. Tag SIMC eller optimum i stedet.</translation>
+    </message>
+    <message>
+        <source>The rule looks at one lag only; check the margins.</source>
+        <translation>Reglen ser kun på én forsinkelse; kontrollér marginerne.</translation>
+    </message>
+    <message>
+        <source>gain and dead time</source>
+        <translation>forstærkning og dødtid</translation>
+    </message>
+    <message>
+        <source>first order</source>
+        <translation>1. orden</translation>
+    </message>
+    <message>
+        <source>first order with dead time</source>
+        <translation>1. orden med dødtid</translation>
+    </message>
+    <message>
+        <source>second order</source>
+        <translation>2. orden</translation>
+    </message>
+    <message>
+        <source>second order with dead time</source>
+        <translation>2. orden med dødtid</translation>
+    </message>
+    <message>
+        <source>two equal lags</source>
+        <translation>to ens forsinkelser</translation>
+    </message>
+    <message>
+        <source>two equal lags with dead time</source>
+        <translation>to ens forsinkelser med dødtid</translation>
+    </message>
+    <message>
+        <source>oscillating</source>
+        <translation>svingende</translation>
+    </message>
+    <message>
+        <source>oscillating with dead time</source>
+        <translation>svingende med dødtid</translation>
+    </message>
+    <message>
+        <source>oscillating with a lag</source>
+        <translation>svingende med en forsinkelse</translation>
+    </message>
+    <message>
+        <source>second order with a zero</source>
+        <translation>2. orden med et nulpunkt</translation>
+    </message>
+    <message>
+        <source>second order with a zero and dead time</source>
+        <translation>2. orden med et nulpunkt og dødtid</translation>
+    </message>
+    <message>
+        <source>three equal lags</source>
+        <translation>tre ens forsinkelser</translation>
+    </message>
+    <message>
+        <source>three equal lags with a zero</source>
+        <translation>tre ens forsinkelser med et nulpunkt</translation>
+    </message>
+    <message>
+        <source>four equal lags</source>
+        <translation>fire ens forsinkelser</translation>
+    </message>
+    <message>
+        <source>five equal lags</source>
+        <translation>fem ens forsinkelser</translation>
+    </message>
+    <message>
+        <source>six equal lags</source>
+        <translation>seks ens forsinkelser</translation>
+    </message>
+    <message>
+        <source>seven equal lags</source>
+        <translation>syv ens forsinkelser</translation>
+    </message>
+    <message>
+        <source>eight equal lags</source>
+        <translation>otte ens forsinkelser</translation>
+    </message>
+    <message>
+        <source>three equal lags with dead time</source>
+        <translation>tre ens forsinkelser med dødtid</translation>
+    </message>
+    <message>
+        <source>three lags</source>
+        <translation>tre forsinkelser</translation>
+    </message>
+    <message>
+        <source>three lags with dead time</source>
+        <translation>tre forsinkelser med dødtid</translation>
+    </message>
+    <message>
+        <source>four lags</source>
+        <translation>fire forsinkelser</translation>
+    </message>
+    <message>
+        <source>integrating</source>
+        <translation>integrerende</translation>
+    </message>
+    <message>
+        <source>integrating with dead time</source>
+        <translation>integrerende med dødtid</translation>
+    </message>
+    <message>
+        <source>integrating with a lag</source>
+        <translation>integrerende med en forsinkelse</translation>
+    </message>
+    <message>
+        <source>integrating with a lag and dead time</source>
+        <translation>integrerende med en forsinkelse og dødtid</translation>
+    </message>
+    <message>
+        <source>integrating with two equal lags</source>
+        <translation>integrerende med to ens forsinkelser</translation>
+    </message>
+    <message>
+        <source>SIMC</source>
+        <translation>SIMC</translation>
+    </message>
+    <message>
+        <source>AMIGO</source>
+        <translation>AMIGO</translation>
+    </message>
+    <message>
+        <source>Optimum</source>
+        <translation>Optimum</translation>
+    </message>
+    <message>
+        <source>Chien-Hrones-Reswick</source>
+        <translation>Chien-Hrones-Reswick</translation>
+    </message>
+    <message>
+        <source>Ziegler-Nichols</source>
+        <translation>Ziegler-Nichols</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::ConversionDialog</name>
     <message>
         <source>%1 as ST</source>
@@ -3989,11 +4750,11 @@
         <translation>%1 som instruktionsliste</translation>
     </message>
     <message>
-        <source>Instruction list, as it stands</source>
+        <source>Instruction list (current text)</source>
         <translation>Instruktionsliste (nuværende tekst)</translation>
     </message>
     <message>
-        <source>ST, as it stands</source>
+        <source>ST (current text)</source>
         <translation>ST (nuværende tekst)</translation>
     </message>
     <message>
@@ -4121,6 +4882,17 @@
     </message>
 </context>
 <context>
+    <name>plc::app::GuideView</name>
+    <message>
+        <source>About this project</source>
+        <translation>Om dette projekt</translation>
+    </message>
+    <message>
+        <source>A README.md in the project&apos;s folder is shown here.</source>
+        <translation>En README.md i projektets mappe vises her.</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::ImportDialog</name>
     <message>
         <source>Place</source>
@@ -4226,11 +4998,23 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>Saving the recording…</source>
         <translation>Gemmer optagelsen…</translation>
     </message>
+    <message>
+        <source>Export the alarm history…</source>
+        <translation>Eksportér alarmhistorikken…</translation>
+    </message>
+    <message>
+        <source>Export the Alarm History</source>
+        <translation>Eksportér alarmhistorikken</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabeller (*.csv)</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MainWindow</name>
     <message>
-        <source>A panel&apos;s name is a file name: no / and no \</source>
+        <source>A panel&apos;s name cannot contain / or \</source>
         <translation>Et panels navn er et filnavn: uden / og uden \</translation>
     </message>
     <message>
@@ -4258,7 +5042,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Forcerede værdier</translation>
     </message>
     <message>
-        <source>Call Path</source>
+        <source>Call Stack</source>
         <translation>Kaldestak</translation>
     </message>
     <message>
@@ -4421,7 +5205,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Biblioteker</translation>
     </message>
     <message>
-        <source>The tests run…</source>
+        <source>Running tests…</source>
         <translation>Testene kører…</translation>
     </message>
     <message>
@@ -4481,10 +5265,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Velkommen</translation>
     </message>
     <message>
-        <source>This is a PID controller working on a simulated process: the program above, its trace below, its operator panel at the right. Nothing can break: the plant is only numbers. Press Next to look around for a minute, or F5 to run it at once.</source>
-        <translation>Dette er en PID-regulator på en simuleret proces: programmet øverst, dets trace nederst, dets operatørpanel til højre. Intet kan gå i stykker, for anlægget er kun tal. Tryk på Næste for at se dig om et minut, eller på F5 for at køre det med det samme.</translation>
-    </message>
-    <message>
         <source>The project</source>
         <translation>Projektet</translation>
     </message>
@@ -4497,15 +5277,15 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Programmet</translation>
     </message>
     <message>
-        <source>Structured Text with colours by meaning. Errors are underlined while you type; Alt+Enter mends what it can; Ctrl+Space completes.</source>
-        <translation>Struktureret tekst med farver efter betydning. Fejl understreges, mens du skriver; Alt+Enter retter, hvad der kan rettes; Ctrl+Mellemrum fuldfører.</translation>
+        <source>Structured Text with colours by meaning. Errors are underlined while you type; Alt+Enter offers quick fixes; Ctrl+Space completes.</source>
+        <translation>Struktureret tekst med farver efter betydning. Fejl understreges, mens du skriver; Alt+Enter tilbyder hurtige rettelser; Ctrl+Mellemrum fuldender.</translation>
     </message>
     <message>
         <source>Run</source>
         <translation>Kør</translation>
     </message>
     <message>
-        <source>F5 compiles to native code and runs it. Values then stand beside each line.</source>
+        <source>F5 compiles to native code and runs it. Values then appear next to each line.</source>
         <translation>F5 oversætter til maskinkode og kører den. Værdierne vises derefter ved hver linje.</translation>
     </message>
     <message>
@@ -4533,11 +5313,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Tiden går også baglæns</translation>
     </message>
     <message>
-        <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume From Here” goes on from there.</source>
-        <translation>Træk i tidsskyderen, eller tryk Ctrl+Alt+Venstre: kode, diagrammer og panel vises på det tidspunkt. ”Fortsæt herfra” fortsætter styringen derfra.</translation>
-    </message>
-    <message>
-        <source>That is it</source>
+        <source>That’s it</source>
         <translation>Det var det</translation>
     </message>
     <message>
@@ -4657,8 +5433,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Gå til definitionen</translation>
     </message>
     <message>
-        <source>Find All Uses</source>
-        <translation>Find alle anvendelser</translation>
+        <source>Find References</source>
+        <translation>Find referencer</translation>
     </message>
     <message>
         <source>Rename…</source>
@@ -4669,15 +5445,15 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Fuldfør</translation>
     </message>
     <message>
-        <source>Apply a Fix (Alt+Enter)</source>
-        <translation>Anvend en rettelse (Alt+Enter)</translation>
+        <source>Quick Fix (Alt+Enter)</source>
+        <translation>Hurtig rettelse (Alt+Enter)</translation>
     </message>
     <message>
         <source>Format</source>
         <translation>Formater</translation>
     </message>
     <message>
-        <source>Comment In or Out (Ctrl+/)</source>
+        <source>Toggle Comment (Ctrl+/)</source>
         <translation>Kommenter ind eller ud (Ctrl+/)</translation>
     </message>
     <message>
@@ -4685,12 +5461,12 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Dupliker linjen</translation>
     </message>
     <message>
-        <source>Select the Block Around</source>
+        <source>Select Enclosing Block</source>
         <translation>Marker den omgivende blok</translation>
     </message>
     <message>
-        <source>Go to the Matching Word</source>
-        <translation>Gå til det tilhørende ord</translation>
+        <source>Go to Matching Keyword</source>
+        <translation>Gå til det tilhørende nøgleord</translation>
     </message>
     <message>
         <source>Next Problem</source>
@@ -4725,7 +5501,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Enkelt scan</translation>
     </message>
     <message>
-        <source>Step In</source>
+        <source>Step Into</source>
         <translation>Trin ind</translation>
     </message>
     <message>
@@ -4801,7 +5577,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Tilbage til livevisning</translation>
     </message>
     <message>
-        <source>Resume From Here</source>
+        <source>Resume from Here</source>
         <translation>Fortsæt herfra</translation>
     </message>
     <message>
@@ -4837,7 +5613,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Mørkt tema</translation>
     </message>
     <message>
-        <source>Theme of the System</source>
+        <source>System Theme</source>
         <translation>Systemets tema</translation>
     </message>
     <message>
@@ -4928,11 +5704,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>trace</translation>
     </message>
     <message>
-        <source>A file name holds no / and no \</source>
+        <source>A file name cannot contain / or \</source>
         <translation>Et filnavn indeholder hverken / eller \</translation>
     </message>
     <message>
-        <source>There is a trace %1 already</source>
+        <source>A trace %1 already exists</source>
         <translation>Der findes allerede en trace %1</translation>
     </message>
     <message>
@@ -4940,19 +5716,19 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Nyt navn på %1:</translation>
     </message>
     <message>
-        <source>There is a file %1 already</source>
+        <source>A file %1 already exists</source>
         <translation>Der findes allerede en fil %1</translation>
     </message>
     <message>
-        <source>The file can not be renamed; check the permissions of the folder</source>
+        <source>The file cannot be renamed; check the permissions of the folder</source>
         <translation>Filen kan ikke omdøbes; kontroller mappens rettigheder</translation>
     </message>
     <message>
-        <source>These panels lead to it; their buttons will be problems: %1</source>
+        <source>These panels link to it; their buttons will be reported as errors: %1</source>
         <translation>Disse paneler henviser til det; deres knapper fører så ingen steder hen: %1</translation>
     </message>
     <message>
-        <source>The file can not be removed; check the permissions of the folder</source>
+        <source>The file cannot be removed; check the permissions of the folder</source>
         <translation>Filen kan ikke slettes; kontroller mappens rettigheder</translation>
     </message>
     <message>
@@ -4988,7 +5764,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Projektet kontrolleres stadig; prøv igen om et øjeblik</translation>
     </message>
     <message>
-        <source>It holds %1.</source>
+        <source>It contains %1.</source>
         <translation>Den indeholder %1.</translation>
     </message>
     <message>
@@ -4996,7 +5772,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Sproget skifter, når testene er færdige</translation>
     </message>
     <message>
-        <source>Fault of the controller</source>
+        <source>Controller fault</source>
         <translation>Styringsfejl</translation>
     </message>
     <message>
@@ -5058,6 +5834,58 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Diagram Beside the Text</source>
         <translation>Diagram ved siden af teksten</translation>
+    </message>
+    <message>
+        <source>Bookmark</source>
+        <translation>Bogmærke</translation>
+    </message>
+    <message>
+        <source>Next Bookmark</source>
+        <translation>Næste bogmærke</translation>
+    </message>
+    <message>
+        <source>Previous Bookmark</source>
+        <translation>Forrige bogmærke</translation>
+    </message>
+    <message>
+        <source>Open Another File Beside…</source>
+        <translation>Åbn en anden fil ved siden af…</translation>
+    </message>
+    <message>
+        <source>About This Project</source>
+        <translation>Om dette projekt</translation>
+    </message>
+    <message>
+        <source>The project has no other file</source>
+        <translation>Projektet har ingen anden fil</translation>
+    </message>
+    <message>
+        <source>Open Another File Beside</source>
+        <translation>Åbn en anden fil ved siden af</translation>
+    </message>
+    <message>
+        <source>%1 Nothing can break: the plant is only numbers. Press Next to look around for a minute, or F5 to run it at once.</source>
+        <translation>%1 Intet kan gå i stykker: Anlægget er kun tal. Tryk på Næste for at se dig om i et minut, eller på F5 for at køre det med det samme.</translation>
+    </message>
+    <message>
+        <source>This is the project %1.</source>
+        <translation>Dette er projektet %1.</translation>
+    </message>
+    <message>
+        <source>What to press</source>
+        <translation>Hvad du skal trykke på</translation>
+    </message>
+    <message>
+        <source>The page beside the program is the project&apos;s README: what it shows, what to press, what to watch.</source>
+        <translation>Siden ved siden af programmet er projektets README: hvad det viser, hvad du skal trykke på, og hvad du skal overvåge.</translation>
+    </message>
+    <message>
+        <source>What the operator sees. This project has no panel yet; new ones are drawn with the mouse.</source>
+        <translation>Hvad operatøren ser. Dette projekt har endnu intet panel; nye tegnes med musen.</translation>
+    </message>
+    <message>
+        <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume from Here” continues from there.</source>
+        <translation>Træk tidsskyderen, eller tryk på Ctrl+Alt+Venstre: kode, diagrammer og panel viser fortiden. ”Fortsæt herfra” kører videre derfra.</translation>
     </message>
 </context>
 <context>
@@ -5170,15 +5998,15 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Opret</translation>
     </message>
     <message>
-        <source>The project needs a name</source>
+        <source>Enter a project name</source>
         <translation>Projektet skal have et navn</translation>
     </message>
     <message>
-        <source>%1 exists already and is not empty</source>
+        <source>%1 already exists and is not empty</source>
         <translation>%1 findes allerede og er ikke tom</translation>
     </message>
     <message>
-        <source>Will be made in %1</source>
+        <source>Will be created in %1</source>
         <translation>Oprettes i %1</translation>
     </message>
 </context>
@@ -5249,19 +6077,19 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Opret</translation>
     </message>
     <message>
-        <source>Give it a name</source>
+        <source>Enter a name</source>
         <translation>Giv den et navn</translation>
     </message>
     <message>
-        <source>A name has letters, digits and _, begins with a letter and is no keyword</source>
+        <source>A name has letters, digits and _, starts with a letter and is not a keyword</source>
         <translation>Et navn består af bogstaver, cifre og _, begynder med et bogstav og er ikke et nøgleord</translation>
     </message>
     <message>
-        <source>There is a %1 in the project already</source>
+        <source>%1 already exists in the project</source>
         <translation>Der er allerede en %1 i projektet</translation>
     </message>
     <message>
-        <source>There is a file %1 already: choose it, or another name</source>
+        <source>A file %1 already exists: choose it, or another name</source>
         <translation>Der er allerede en fil %1: vælg den eller et andet navn</translation>
     </message>
     <message>
@@ -5498,7 +6326,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Tekst at søge i alle filer</translation>
     </message>
     <message>
-        <source>Replace by</source>
+        <source>Replace with</source>
         <translation>Erstat med</translation>
     </message>
     <message>
@@ -5538,7 +6366,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Søgeresultater</translation>
     </message>
     <message>
-        <source>Not a pattern: %1</source>
+        <source>Invalid regular expression: %1</source>
         <translation>Ugyldigt regulært udtryk: %1</translation>
     </message>
     <message>
@@ -5626,7 +6454,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Genveje</translation>
     </message>
     <message>
-        <source>As the system</source>
+        <source>System default</source>
         <translation>Som systemet</translation>
     </message>
     <message>
@@ -5666,7 +6494,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Formater ved lagring</translation>
     </message>
     <message>
-        <source>Saving changes the running controller (online change)</source>
+        <source>Apply an online change when saving</source>
         <translation>Udfør onlineændring, når der gemmes</translation>
     </message>
     <message>
@@ -5698,7 +6526,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Filter for kommandoerne</translation>
     </message>
     <message>
-        <source>All Defaults</source>
+        <source>Restore Defaults</source>
         <translation>Gendan standarder</translation>
     </message>
     <message>
@@ -5723,6 +6551,10 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Make Writable</source>
         <translation>Gør skrivbar</translation>
+    </message>
+    <message>
+        <source>Close this side</source>
+        <translation>Luk denne side</translation>
     </message>
 </context>
 <context>
@@ -5903,7 +6735,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Linje</translation>
     </message>
     <message>
-        <source>Call path</source>
+        <source>Call stack</source>
         <translation>Kaldestak</translation>
     </message>
     <message>
@@ -5926,11 +6758,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>SFC-diagram</translation>
     </message>
     <message>
-        <source>Insert a step behind (Ins)</source>
+        <source>Insert a step after it (Ins)</source>
         <translation>Indsæt et trin efter (Ins)</translation>
     </message>
     <message>
-        <source>Insert a branch beside</source>
+        <source>Insert an alternative branch</source>
         <translation>Indsæt en alternativgren</translation>
     </message>
     <message>
@@ -5950,7 +6782,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Slet (Del)</translation>
     </message>
     <message>
-        <source>The unit %1 is not in the text any more</source>
+        <source>The unit %1 is no longer in the text</source>
         <translation>Programenheden %1 er ikke længere i teksten</translation>
     </message>
     <message>
@@ -5958,15 +6790,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Teksten har fejl: dette er den sidste gyldige tegning</translation>
     </message>
     <message>
-        <source>%1 is not a chart</source>
-        <translation>%1 er ikke et SFC-diagram</translation>
-    </message>
-    <message>
         <source>Select the step from which the branch goes out</source>
         <translation>Vælg det trin, grenen går ud fra</translation>
     </message>
     <message>
-        <source>Select the transition behind which the steps run at the same time</source>
+        <source>Select the transition after which the steps run at the same time</source>
         <translation>Vælg den transition, efter hvilken trinnene kører samtidig</translation>
     </message>
     <message>
@@ -5974,11 +6802,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Vælg det trin, der får aktionen</translation>
     </message>
     <message>
-        <source>Insert a Step Behind</source>
+        <source>Insert a Step After It</source>
         <translation>Indsæt et trin efter</translation>
     </message>
     <message>
-        <source>Insert a Branch Beside</source>
+        <source>Insert an Alternative Branch</source>
         <translation>Indsæt en alternativgren</translation>
     </message>
     <message>
@@ -5990,11 +6818,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Tilføj en aktion</translation>
     </message>
     <message>
-        <source>Make It the Initial Step</source>
+        <source>Set as Initial Step</source>
         <translation>Gør til starttrin</translation>
     </message>
     <message>
-        <source>Force the Step On</source>
+        <source>Force the Step Active</source>
         <translation>Forcer trinnet aktivt</translation>
     </message>
     <message>
@@ -6030,7 +6858,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Gren til højre</translation>
     </message>
     <message>
-        <source>%1 behind this transition</source>
+        <source>%1 after this transition</source>
         <translation>%1 efter denne transition</translation>
     </message>
     <message>
@@ -6062,15 +6890,15 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>aktion</translation>
     </message>
     <message>
-        <source>To the chart around (Backspace)</source>
+        <source>To the enclosing chart (Backspace)</source>
         <translation>Til det overordnede SFC-diagram (Backspace)</translation>
     </message>
     <message>
-        <source>Breakpoint: stops when the step becomes active, when the transition is taken (F9)</source>
+        <source>Breakpoint: stops when the step becomes active or the transition is taken (F9)</source>
         <translation>Stoppunkt: stopper, når trinnet bliver aktivt, eller transitionen udløses (F9)</translation>
     </message>
     <message>
-        <source>Force the step on</source>
+        <source>Force the step active</source>
         <translation>Forcer trinnet aktivt</translation>
     </message>
     <message>
@@ -6108,6 +6936,50 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Delete the Whole Branch</source>
         <translation>Slet hele grenen</translation>
+    </message>
+    <message>
+        <source>Select what is to be copied</source>
+        <translation>Vælg det, der skal kopieres</translation>
+    </message>
+    <message>
+        <source>Select what is to be cut</source>
+        <translation>Vælg det, der skal klippes</translation>
+    </message>
+    <message>
+        <source>The clipboard contains no step, action or transition</source>
+        <translation>Udklipsholderen indeholder intet trin, ingen aktion og ingen transition</translation>
+    </message>
+    <message>
+        <source>Select the step or transition to paste after</source>
+        <translation>Vælg det trin eller den transition, der skal indsættes efter</translation>
+    </message>
+    <message>
+        <source>Select the transition that gets the condition</source>
+        <translation>Vælg den transition, der får betingelsen</translation>
+    </message>
+    <message>
+        <source>Start a Chart</source>
+        <translation>Start et SFC-diagram</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Klip</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopier</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Sæt ind</translation>
+    </message>
+    <message>
+        <source>%1 has no chart yet. A chart starts with an initial step; more steps are inserted after it with Ins, and F2 edits names and conditions.</source>
+        <translation>%1 har endnu intet SFC-diagram. Et SFC-diagram begynder med et starttrin; flere trin indsættes efter det med Ins, og F2 redigerer navne og betingelser.</translation>
+    </message>
+    <message>
+        <source>%1 is not a chart: its body has statements. A chart can be started in a program or function block whose body is empty.</source>
+        <translation>%1 er ikke et SFC-diagram: Kroppen indeholder sætninger. Et SFC-diagram kan startes i et program eller en funktionsblok med tom krop.</translation>
     </message>
 </context>
 <context>
@@ -6228,7 +7100,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Tekst at finde</translation>
     </message>
     <message>
-        <source>Replace by</source>
+        <source>Replace with</source>
         <translation>Erstat med</translation>
     </message>
     <message>
@@ -6275,7 +7147,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         </translation>
     </message>
     <message>
-        <source>not a pattern</source>
+        <source>invalid regular expression</source>
         <translation>ugyldigt regulært udtryk</translation>
     </message>
     <message numerus="yes">
@@ -6395,7 +7267,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Vis som ladderdiagram</translation>
     </message>
     <message>
-        <source>%1 is not in the text any more</source>
+        <source>%1 is no longer in the text</source>
         <translation>%1 er ikke længere i teksten</translation>
     </message>
     <message>
@@ -6574,6 +7446,106 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>Toggle Breakpoint</source>
         <translation>Slå stoppunkt til/fra</translation>
     </message>
+    <message>
+        <source>Contacts as Bars (IEC 61131-3, ANSI)</source>
+        <translation>Kontakter som streger (IEC 61131-3, ANSI)</translation>
+    </message>
+    <message>
+        <source>Contacts as in Circuit Diagrams (IEC 60617)</source>
+        <translation>Kontakter som i kredsløbsdiagrammer (IEC 60617)</translation>
+    </message>
+    <message>
+        <source>Names</source>
+        <translation>Navne</translation>
+    </message>
+    <message>
+        <source>Addresses</source>
+        <translation>Adresser</translation>
+    </message>
+    <message>
+        <source>Names and Addresses</source>
+        <translation>Navne og adresser</translation>
+    </message>
+    <message>
+        <source>Comments of the Variables</source>
+        <translation>Variablernes kommentarer</translation>
+    </message>
+    <message>
+        <source>Comments of the Rungs</source>
+        <translation>Netværkenes kommentarer</translation>
+    </message>
+    <message>
+        <source>High Contrast</source>
+        <translation>Høj kontrast</translation>
+    </message>
+    <message>
+        <source>What is shown</source>
+        <translation>Hvad der vises</translation>
+    </message>
+    <message>
+        <source>type</source>
+        <translation>type</translation>
+    </message>
+    <message>
+        <source>Rename the variable everywhere</source>
+        <translation>Omdøb variablen overalt</translation>
+    </message>
+    <message>
+        <source>Go to the declaration</source>
+        <translation>Gå til erklæringen</translation>
+    </message>
+    <message>
+        <source>References to the variable</source>
+        <translation>Referencer til variablen</translation>
+    </message>
+    <message>
+        <source>Quick fix</source>
+        <translation>Hurtig rettelse</translation>
+    </message>
+    <message>
+        <source>Bookmark on the rung</source>
+        <translation>Bogmærke på netværket</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Omdøb…</translation>
+    </message>
+    <message>
+        <source>Find References</source>
+        <translation>Find referencer</translation>
+    </message>
+    <message>
+        <source>Go to Definition</source>
+        <translation>Gå til definitionen</translation>
+    </message>
+    <message>
+        <source>Quick Fix</source>
+        <translation>Hurtig rettelse</translation>
+    </message>
+    <message>
+        <source>Write TRUE</source>
+        <translation>Skriv TRUE</translation>
+    </message>
+    <message>
+        <source>Write FALSE</source>
+        <translation>Skriv FALSE</translation>
+    </message>
+    <message>
+        <source>Toggle Bookmark</source>
+        <translation>Slå bogmærke til eller fra</translation>
+    </message>
+    <message>
+        <source>Contact Here</source>
+        <translation>Kontakt her</translation>
+    </message>
+    <message>
+        <source>Negated Contact Here</source>
+        <translation>Negeret kontakt her</translation>
+    </message>
+    <message>
+        <source>Function Block Here</source>
+        <translation>Funktionsblok her</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::RunArchive</name>
@@ -6651,8 +7623,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Gå til definitionen</translation>
     </message>
     <message>
-        <source>Find All Uses</source>
-        <translation>Find alle anvendelser</translation>
+        <source>Find References</source>
+        <translation>Find referencer</translation>
     </message>
     <message>
         <source>Rename…</source>
@@ -6892,7 +7864,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Talformat</translation>
     </message>
     <message>
-        <source>As the list</source>
+        <source>As in the list</source>
         <translation>Som listen</translation>
     </message>
 </context>
@@ -6952,6 +7924,49 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
 </context>
 <context>
+    <name>plc::hmi::ArrayArrangementDialog</name>
+    <message>
+        <source>Arrange over array</source>
+        <translation>Arrangér over et array</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Array</source>
+        <translation>Array</translation>
+    </message>
+    <message>
+        <source>First index</source>
+        <translation>Første indeks</translation>
+    </message>
+    <message>
+        <source>Last index</source>
+        <translation>Sidste indeks</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Kolonner</translation>
+    </message>
+    <message>
+        <source>Horizontal gap</source>
+        <translation>Vandret afstand</translation>
+    </message>
+    <message>
+        <source>Vertical gap</source>
+        <translation>Lodret afstand</translation>
+    </message>
+    <message>
+        <source>In the other arguments, # becomes the index.</source>
+        <translation>I de andre argumenter bliver # til indekset.</translation>
+    </message>
+    <message>
+        <source>Choose an array with one index, for example Plant.Valves.</source>
+        <translation>Vælg et array med ét indeks, for eksempel Plant.Valves.</translation>
+    </message>
+</context>
+<context>
     <name>plc::hmi::ArrayDialog</name>
     <message>
         <source>Duplicate as array</source>
@@ -6966,7 +7981,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Kolonner</translation>
     </message>
     <message>
-        <source>Gap down</source>
+        <source>Vertical gap</source>
         <translation>Afstand lodret</translation>
     </message>
     <message>
@@ -6974,7 +7989,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Indekstrin</translation>
     </message>
     <message>
-        <source>Gap across</source>
+        <source>Horizontal gap</source>
         <translation>Vandret afstand</translation>
     </message>
 </context>
@@ -7003,6 +8018,10 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Resize</source>
         <translation>Ændr størrelse</translation>
+    </message>
+    <message>
+        <source>Bind</source>
+        <translation>Bind</translation>
     </message>
 </context>
 <context>
@@ -7037,11 +8056,15 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>Search elements</source>
         <translation>Søg elementer</translation>
     </message>
+    <message>
+        <source>Faceplates</source>
+        <translation>Faceplates</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::PanelDesigner</name>
     <message>
-        <source>Finding</source>
+        <source>Issue</source>
         <translation>Meddelelse</translation>
     </message>
     <message>
@@ -7105,11 +8128,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Juster forneden</translation>
     </message>
     <message>
-        <source>Equal gaps across</source>
+        <source>Distribute horizontally</source>
         <translation>Ens afstande vandret</translation>
     </message>
     <message>
-        <source>Equal gaps down</source>
+        <source>Distribute vertically</source>
         <translation>Ens afstande lodret</translation>
     </message>
     <message>
@@ -7215,6 +8238,18 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Same size</source>
         <translation>Samme størrelse</translation>
+    </message>
+    <message>
+        <source>Paste in place</source>
+        <translation>Sæt ind på samme sted</translation>
+    </message>
+    <message>
+        <source>Arrange over array…</source>
+        <translation>Arrangér over et array…</translation>
+    </message>
+    <message>
+        <source>Arrange over array</source>
+        <translation>Arrangér over et array</translation>
     </message>
 </context>
 <context>
@@ -7326,6 +8361,51 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>%1 is used by %2</source>
         <translation>%1 bruges af %2</translation>
+    </message>
+    <message>
+        <source>Import XLIFF</source>
+        <translation>Importér XLIFF</translation>
+    </message>
+    <message>
+        <source>Translations (*.xlf *.xliff)</source>
+        <translation>Oversættelser (*.xlf *.xliff)</translation>
+    </message>
+    <message>
+        <source>Export XLIFF</source>
+        <translation>Eksportér XLIFF</translation>
+    </message>
+    <message>
+        <source>Translated from</source>
+        <translation>Oversat fra</translation>
+    </message>
+    <message>
+        <source>Translated into</source>
+        <translation>Oversat til</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>Version</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n text(s) taken.</source>
+        <translation>
+            <numerusform>%n tekst overtaget.</numerusform>
+            <numerusform>%n tekster overtaget.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n text(s) as they were.</source>
+        <translation>
+            <numerusform>%n tekst som før.</numerusform>
+            <numerusform>%n tekster som før.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n text(s) without a translation.</source>
+        <translation>
+            <numerusform>%n tekst uden oversættelse.</numerusform>
+            <numerusform>%n tekster uden oversættelse.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7725,6 +8805,14 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
         <source>Move channel</source>
         <translation>Flyt kanal</translation>
     </message>
+    <message>
+        <source>Compared recording</source>
+        <translation>Sammenlignet optagelse</translation>
+    </message>
+    <message>
+        <source>Offset in time</source>
+        <translation>Forskydning i tid</translation>
+    </message>
 </context>
 <context>
     <name>plc::trace::TimeBar</name>
@@ -7762,7 +8850,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
         <translation>Ét scan tilbage (Venstre)</translation>
     </message>
     <message>
-        <source>One scan forth (Right)</source>
+        <source>One scan forward (Right)</source>
         <translation>Ét scan frem (Højre)</translation>
     </message>
     <message>
@@ -7941,31 +9029,31 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
         <translation>Optagelser (*.rec);;Alle filer (*)</translation>
     </message>
     <message>
-        <source>Trace set-up</source>
+        <source>Trace configuration</source>
         <translation>Traceopsætning</translation>
     </message>
     <message>
-        <source>Open set-up…</source>
+        <source>Open configuration…</source>
         <translation>Åbn opsætning…</translation>
     </message>
     <message>
-        <source>Open trace set-up</source>
+        <source>Open trace configuration</source>
         <translation>Åbn traceopsætning</translation>
     </message>
     <message>
-        <source>Trace set-ups (*.trace.json)</source>
+        <source>Trace configurations (*.trace.json)</source>
         <translation>Traceopsætninger (*.trace.json)</translation>
     </message>
     <message>
-        <source>Save trace set-up</source>
+        <source>Save trace configuration</source>
         <translation>Gem traceopsætning</translation>
     </message>
     <message>
-        <source>Save set-up</source>
+        <source>Save configuration</source>
         <translation>Gem opsætning</translation>
     </message>
     <message>
-        <source>Save set-up as…</source>
+        <source>Save configuration as…</source>
         <translation>Gem opsætning som…</translation>
     </message>
     <message>
@@ -8082,6 +9170,14 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     <message>
         <source>Saving the recording…</source>
         <translation>Gemmer optagelsen…</translation>
+    </message>
+    <message>
+        <source>%1, %2 later</source>
+        <translation>%1, %2 senere</translation>
+    </message>
+    <message>
+        <source>%1, %2 earlier</source>
+        <translation>%1, %2 tidligere</translation>
     </message>
 </context>
 </TS>

@@ -1597,7 +1597,7 @@
         <translation>{0} passt nicht in {1}</translation>
     </message>
     <message>
-        <source>STRING holds Latin-1 only; declare the variable as WSTRING</source>
+        <source>STRING contains Latin-1 only; declare the variable as WSTRING</source>
         <translation>STRING fasst nur Latin-1; deklarieren Sie die Variable als WSTRING</translation>
     </message>
     <message>
@@ -1872,6 +1872,194 @@
         <source>{0} is not a time</source>
         <translation>{0} ist keine Zeit</translation>
     </message>
+    <message>
+        <source>This is not an XLIFF file</source>
+        <translation>Das ist keine XLIFF-Datei</translation>
+    </message>
+    <message>
+        <source>The XLIFF version {0} is not known; save the file as 1.2 or 2.0</source>
+        <translation>Die XLIFF-Version {0} ist nicht bekannt; speichern Sie die Datei als 1.2 oder 2.0</translation>
+    </message>
+    <message>
+        <source>The file does not say into which language it is translated</source>
+        <translation>Die Datei gibt nicht an, in welche Sprache sie übersetzt ist</translation>
+    </message>
+    <message>
+        <source>The XML is wrong: {0}</source>
+        <translation>Das XML ist fehlerhaft: {0}</translation>
+    </message>
+    <message>
+        <source>The text of the key {0} in {1} has changed since the export; check the translation</source>
+        <translation>Der Text des Schlüssels {0} in {1} hat sich seit dem Export geändert; prüfen Sie die Übersetzung</translation>
+    </message>
+    <message>
+        <source>The translation of the key {0} has other placeholders than its source, so it was not taken</source>
+        <translation>Die Übersetzung des Schlüssels {0} hat andere Platzhalter als ihre Quelle und wurde nicht übernommen</translation>
+    </message>
+    <message>
+        <source>The picture {0} is outside the project; copy it into the project, or set {1} to true under {2} in project.json</source>
+        <translation>Das Bild {0} liegt außerhalb des Projekts; kopieren Sie es in das Projekt, oder setzen Sie {1} unter {2} in project.json auf true</translation>
+    </message>
+    <message>
+        <source>The picture {0} is larger than {1} MB</source>
+        <translation>Das Bild {0} ist größer als {1} MB</translation>
+    </message>
+    <message>
+        <source>The picture {0} unpacks to more than {1} MB</source>
+        <translation>Das Bild {0} wird entpackt größer als {1} MB</translation>
+    </message>
+    <message>
+        <source>The picture {0} is {1} x {2} pixels; more than {3} million are not drawn</source>
+        <translation>Das Bild {0} hat {1} x {2} Pixel; mehr als {3} Millionen werden nicht gezeichnet</translation>
+    </message>
+    <message>
+        <source>{0} is not a picture in a known format such as PNG, JPEG or SVG</source>
+        <translation>{0} ist kein Bild in einem bekannten Format wie PNG, JPEG oder SVG</translation>
+    </message>
+    <message>
+        <source>The picture {0} draws more than {1} shapes</source>
+        <translation>Das Bild {0} zeichnet mehr als {1} Formen</translation>
+    </message>
+    <message>
+        <source>The shapes of the picture {0} are nested more than {1} deep or contain themselves</source>
+        <translation>Die Formen des Bildes {0} sind mehr als {1} tief verschachtelt oder enthalten sich selbst</translation>
+    </message>
+    <message>
+        <source>The picture {0} loads {1}; embed it in the picture as PNG or JPEG</source>
+        <translation>Das Bild {0} lädt {1}; betten Sie es als PNG oder JPEG in das Bild ein</translation>
+    </message>
+    <message>
+        <source>The picture {0} has dashed lines of more than {1} dashes</source>
+        <translation>Das Bild {0} hat gestrichelte Linien mit mehr als {1} Strichen</translation>
+    </message>
+    <message>
+        <source>This version does not know the property {0}; it is kept as it is</source>
+        <translation>Diese Version kennt die Eigenschaft {0} nicht; sie bleibt, wie sie ist</translation>
+    </message>
+    <message>
+        <source>This version does not know the property {0}; did you mean {1}?</source>
+        <translation>Diese Version kennt die Eigenschaft {0} nicht; meinten Sie {1}?</translation>
+    </message>
+    <message>
+        <source>The value must be true or false</source>
+        <translation>Der Wert muss true oder false sein</translation>
+    </message>
+    <message>
+        <source>The value must be a whole number</source>
+        <translation>Der Wert muss eine ganze Zahl sein</translation>
+    </message>
+    <message>
+        <source>The value must be a number</source>
+        <translation>Der Wert muss eine Zahl sein</translation>
+    </message>
+    <message>
+        <source>The value must be a list of two numbers: width and height</source>
+        <translation>Der Wert muss eine Liste aus zwei Zahlen sein: Breite und Höhe</translation>
+    </message>
+    <message>
+        <source>The value must be a list of four numbers: x, y, width and height</source>
+        <translation>Der Wert muss eine Liste aus vier Zahlen sein: x, y, Breite und Höhe</translation>
+    </message>
+    <message>
+        <source>The value must be a list of points, each a list of two numbers</source>
+        <translation>Der Wert muss eine Liste von Punkten sein, jeder eine Liste aus zwei Zahlen</translation>
+    </message>
+    <message>
+        <source>The value must be an object with an expression for each name</source>
+        <translation>Der Wert muss ein Objekt mit einem Ausdruck je Name sein</translation>
+    </message>
+    <message>
+        <source>The value must be a list of objects</source>
+        <translation>Der Wert muss eine Liste von Objekten sein</translation>
+    </message>
+    <message>
+        <source>The value must be a text in quotes</source>
+        <translation>Der Wert muss ein Text in Anführungszeichen sein</translation>
+    </message>
+    <message>
+        <source>{0} is not one of the choices: {1}</source>
+        <translation>{0} ist keine der Möglichkeiten: {1}</translation>
+    </message>
+    <message>
+        <source>{0} is not a colour; use the name of a role of the theme or a value such as {1}</source>
+        <translation>{0} ist keine Farbe; verwenden Sie den Namen einer Rolle des Farbschemas oder einen Wert wie {1}</translation>
+    </message>
+    <message>
+        <source>{0} is not a colour; did you mean {1}?</source>
+        <translation>{0} ist keine Farbe; meinten Sie {1}?</translation>
+    </message>
+    <message>
+        <source>{0} ({1}) must be greater than {2} ({3})</source>
+        <translation>{0} ({1}) muss größer als {2} ({3}) sein</translation>
+    </message>
+    <message>
+        <source>The panel has no group or tab {0}</source>
+        <translation>Das Panel hat keine Gruppe und keine Registerkarten {0}</translation>
+    </message>
+    <message>
+        <source>The group {0} contains itself</source>
+        <translation>Die Gruppe {0} enthält sich selbst</translation>
+    </message>
+    <message>
+        <source>{0} has no page {1}; its {2} {2:page is|pages are} numbered from 0</source>
+        <translation>{0} hat keine Seite {1}; {2:die eine Seite hat die Nummer 0|die {2} Seiten sind ab 0 nummeriert}</translation>
+    </message>
+    <message>
+        <source>The format {0} needs a number, and {1} is none; use {2}</source>
+        <translation>Das Format {0} braucht eine Zahl, und {1} ist keine; verwenden Sie {2}</translation>
+    </message>
+    <message>
+        <source>The project has no language {0}, so operators never see this column; add it to the languages in project.json</source>
+        <translation>Das Projekt hat die Sprache {0} nicht, Bediener sehen diese Spalte also nie; fügen Sie sie in project.json zu den Sprachen hinzu</translation>
+    </message>
+    <message>
+        <source>Nothing says what this does; give it a text, or place one beside it</source>
+        <translation>Nichts sagt, was das bewirkt; geben Sie ihm einen Text, oder setzen Sie einen daneben</translation>
+    </message>
+    <message>
+        <source>{0} is between {1} and {2} in the recording, so the range from {3} to {4} cuts it off</source>
+        <translation>{0} liegt in der Aufzeichnung zwischen {1} und {2}, der Bereich von {3} bis {4} schneidet also etwas ab</translation>
+    </message>
+    <message>
+        <source>{0} is not between {1} and {2}; {3} is used</source>
+        <translation>{0} liegt nicht zwischen {1} und {2}; verwendet wird {3}</translation>
+    </message>
+    <message>
+        <source>The faceplate does not say which panel it shows</source>
+        <translation>Das Faceplate gibt nicht an, welches Panel angezeigt wird</translation>
+    </message>
+    <message>
+        <source>The panel {0} contains this one, so it cannot be placed in it</source>
+        <translation>Das Panel {0} enthält dieses hier und kann deshalb nicht darin platziert werden</translation>
+    </message>
+    <message>
+        <source>The panel {0} has no parameter {1}</source>
+        <translation>Das Panel {0} hat keinen Parameter {1}</translation>
+    </message>
+    <message>
+        <source>The program has no type {0}; name a block or a structure, BOOL, REAL or the like, or text</source>
+        <translation>Das Programm hat keinen Typ {0}; geben Sie einen Baustein oder eine Struktur an, BOOL, REAL oder dergleichen, oder text</translation>
+    </message>
+    <message>
+        <source>The parameter {0} needs an argument of type {1}</source>
+        <translation>Der Parameter {0} braucht ein Argument vom Typ {1}</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; the parameter {2} needs {3}</source>
+        <translation>{0} ist {1}; der Parameter {2} braucht {3}</translation>
+    </message>
+    <message>
+        <source>{0} (tried with {1})</source>
+        <translation>{0} (versucht mit {1})</translation>
+    </message>
+    <message>
+        <source>The program was not built from sources.</source>
+        <translation>Das Programm wurde nicht aus Quelltexten übersetzt.</translation>
+    </message>
+    <message>
+        <source>The recording does not contain the program of this scan.</source>
+        <translation>Die Aufzeichnung enthält das Programm dieses Zyklus nicht.</translation>
+    </message>
 </context>
 <context>
     <name>Exchange</name>
@@ -2142,8 +2330,8 @@
         <translation>Ein ST-Ausdruck</translation>
     </message>
     <message>
-        <source>Shown to the operator. A typed text gets its key by itself; @key names one.</source>
-        <translation>Wird dem Bediener angezeigt. Eingegebener Text erhält automatisch einen Schlüssel; mit @Schlüssel wählen Sie einen vorhandenen.</translation>
+        <source>Shown to the operator. A typed text gets its key automatically; @key uses an existing one.</source>
+        <translation>Wird dem Bediener angezeigt. Eingegebener Text erhält automatisch einen Schlüssel; @Schlüssel verwendet einen vorhandenen.</translation>
     </message>
     <message>
         <source>X</source>
@@ -2350,7 +2538,7 @@
         <translation>Registerkarte</translation>
     </message>
     <message>
-        <source>Place and size</source>
+        <source>Position and size</source>
         <translation>Position und Größe</translation>
     </message>
     <message>
@@ -2630,11 +2818,11 @@
         <translation>Orientierung</translation>
     </message>
     <message>
-        <source>Shows the value</source>
+        <source>Show the value</source>
         <translation>Wert anzeigen</translation>
     </message>
     <message>
-        <source>Turning knob</source>
+        <source>Rotary knob</source>
         <translation>Drehknopf</translation>
     </message>
     <message>
@@ -2670,7 +2858,7 @@
         <translation>Maske (# Ziffer, A Buchstabe, * beliebig)</translation>
     </message>
     <message>
-        <source>Hides the value</source>
+        <source>Hide the value</source>
         <translation>Wert verbergen</translation>
     </message>
     <message>
@@ -2810,7 +2998,7 @@
         <translation>Erster Index</translation>
     </message>
     <message>
-        <source>Shows the numbers</source>
+        <source>Show the numbers</source>
         <translation>Nummern anzeigen</translation>
     </message>
     <message>
@@ -2978,7 +3166,7 @@
         <translation>Geometrie</translation>
     </message>
     <message>
-        <source>Look</source>
+        <source>Appearance</source>
         <translation>Aussehen</translation>
     </message>
     <message>
@@ -2988,6 +3176,26 @@
     <message>
         <source>Motion</source>
         <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Type (a block, a structure, BOOL, REAL, text)</source>
+        <translation>Typ (ein Baustein, eine Struktur, BOOL, REAL, text)</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>Vorgabe</translation>
+    </message>
+    <message>
+        <source>Faceplate</source>
+        <translation>Faceplate</translation>
+    </message>
+    <message>
+        <source>Arguments</source>
+        <translation>Argumente</translation>
     </message>
 </context>
 <context>
@@ -3462,10 +3670,328 @@
     </message>
 </context>
 <context>
+    <name>Inside</name>
+    <message>
+        <source>set by {0}  {1} ({2}, task {3})</source>
+        <translation>gesetzt von {0}  {1} ({2}, Task {3})</translation>
+    </message>
+    <message>
+        <source>set by {0}  {1} ({2})</source>
+        <translation>gesetzt von {0}  {1} ({2})</translation>
+    </message>
+    <message>
+        <source>set by what the compiler adds ({0})</source>
+        <translation>gesetzt von Code, den der Compiler ergänzt ({0})</translation>
+    </message>
+    <message>
+        <source>written from outside</source>
+        <translation>von außen geschrieben</translation>
+    </message>
+    <message>
+        <source>written from {0}</source>
+        <translation>geschrieben von: {0}</translation>
+    </message>
+    <message>
+        <source>forced</source>
+        <translation>geforct</translation>
+    </message>
+    <message>
+        <source>forced from {0}</source>
+        <translation>geforct von: {0}</translation>
+    </message>
+    <message>
+        <source>put back by a reset</source>
+        <translation>durch einen Reset zurückgesetzt</translation>
+    </message>
+    <message>
+        <source>carried over by an online change</source>
+        <translation>bei einem Online-Change übernommen</translation>
+    </message>
+    <message>
+        <source>restored from the retained values</source>
+        <translation>aus den remanenten Werten wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>its initial value</source>
+        <translation>sein Initialwert</translation>
+    </message>
+    <message>
+        <source>put into the safe state when the controller stopped</source>
+        <translation>beim Anhalten der Steuerung in den sicheren Zustand gesetzt</translation>
+    </message>
+    <message>
+        <source>as recorded in the scan that was resumed from</source>
+        <translation>wie aufgezeichnet in dem Zyklus, ab dem fortgesetzt wurde</translation>
+    </message>
+    <message>
+        <source>set by a statement of a test</source>
+        <translation>von einer Anweisung eines Tests gesetzt</translation>
+    </message>
+    <message>
+        <source>not known who set it</source>
+        <translation>unbekannt, wer es gesetzt hat</translation>
+    </message>
+    <message>
+        <source>the command line</source>
+        <translation>Befehlszeile</translation>
+    </message>
+    <message>
+        <source>the studio</source>
+        <translation>Studio</translation>
+    </message>
+    <message>
+        <source>panel {0}, {1}</source>
+        <translation>Panel {0}, {1}</translation>
+    </message>
+    <message>
+        <source>{0} (scan {1})</source>
+        <translation>{0} (Zyklus {1})</translation>
+    </message>
+    <message>
+        <source>{0}  {1} from {2} to {3}, {4}</source>
+        <translation>{0}  {1} von {2} auf {3}, {4}</translation>
+    </message>
+    <message>
+        <source>{0}  {1} to {2}, {3}</source>
+        <translation>{0}  {1} auf {2}, {3}</translation>
+    </message>
+    <message>
+        <source>called by {0}  {1}</source>
+        <translation>aufgerufen von {0}  {1}</translation>
+    </message>
+    <message>
+        <source>{0} is {1} at {2}, since {3}.</source>
+        <translation>{0} ist bei {2} {1}, seit {3}.</translation>
+    </message>
+    <message>
+        <source>{0} is {1} at {2}, as it was when the recording began.</source>
+        <translation>{0} ist bei {2} {1}, wie zu Beginn der Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>{0} is {1} at {2}.</source>
+        <translation>{0} ist bei {2} {1}.</translation>
+    </message>
+    <message>
+        <source>It was {0}.</source>
+        <translation>Der Wert wurde {0}.</translation>
+    </message>
+    <message>
+        <source>It has its initial value.</source>
+        <translation>Die Variable hat ihren Initialwert.</translation>
+    </message>
+    <message>
+        <source>It became {0} because</source>
+        <translation>Sie wurde {0}, weil</translation>
+    </message>
+    <message>
+        <source>This needed</source>
+        <translation>Voraussetzung war</translation>
+    </message>
+    <message>
+        <source>It needs</source>
+        <translation>Voraussetzung ist</translation>
+    </message>
+    <message>
+        <source>It stays so because</source>
+        <translation>Sie bleibt so, weil</translation>
+    </message>
+    <message>
+        <source>Step by step</source>
+        <translation>Schritt für Schritt</translation>
+    </message>
+    <message>
+        <source>because</source>
+        <translation>weil</translation>
+    </message>
+    <message>
+        <source>time passed.</source>
+        <translation>Zeit verging.</translation>
+    </message>
+    <message>
+        <source>it was the first scan.</source>
+        <translation>es der erste Zyklus war.</translation>
+    </message>
+    <message>
+        <source>other variables were forced.</source>
+        <translation>andere Variablen geforct waren.</translation>
+    </message>
+    <message>
+        <source>{0} became {1}.</source>
+        <translation>{0} wurde {1}.</translation>
+    </message>
+    <message>
+        <source>{0} became {1}, {2}.</source>
+        <translation>{0} wurde {1}, {2}.</translation>
+    </message>
+    <message>
+        <source>{0} changed.</source>
+        <translation>{0} hat sich geändert.</translation>
+    </message>
+    <message>
+        <source>{0} changed, {1}.</source>
+        <translation>{0} hat sich geändert, {1}.</translation>
+    </message>
+    <message>
+        <source>{0} was {1}.</source>
+        <translation>{0} war {1}.</translation>
+    </message>
+    <message>
+        <source>{0} was {1} since {2}, {3}.</source>
+        <translation>{0} war {1} seit {2}, {3}.</translation>
+    </message>
+    <message>
+        <source>{0}   → {1}</source>
+        <translation>{0}   → {1}</translation>
+    </message>
+    <message>
+        <source>it ran because {0} was {1}</source>
+        <translation>ausgeführt, weil {0} {1} war</translation>
+    </message>
+    <message>
+        <source>nothing wrote it later because {0} was {1}</source>
+        <translation>danach nicht mehr geschrieben, weil {0} {1} war</translation>
+    </message>
+    <message>
+        <source>a statement that would write it did not run because {0} was {1}</source>
+        <translation>eine Anweisung, die den Wert schreiben würde, wurde nicht ausgeführt, weil {0} {1} war</translation>
+    </message>
+    <message>
+        <source>{0} ({1})</source>
+        <translation>{0} ({1})</translation>
+    </message>
+    <message>
+        <source>{0}</source>
+        <translation>{0}</translation>
+    </message>
+    <message>
+        <source>{0}: {1}</source>
+        <translation>{0}: {1}</translation>
+    </message>
+    <message>
+        <source>{0} was {1} when the scan began</source>
+        <translation>{0} war {1}, als der Zyklus begann</translation>
+    </message>
+    <message>
+        <source>{0}   {1}</source>
+        <translation>{0}   {1}</translation>
+    </message>
+    <message>
+        <source>its time of {0} is over</source>
+        <translation>die Zeit von {0} ist abgelaufen</translation>
+    </message>
+    <message>
+        <source>it does not run</source>
+        <translation>läuft nicht</translation>
+    </message>
+    <message>
+        <source>it has run {0} of {1}, {2} to go</source>
+        <translation>{0} von {1} sind abgelaufen, {2} fehlen noch</translation>
+    </message>
+    <message>
+        <source>it has counted {0} of {1}</source>
+        <translation>hat {0} von {1} gezählt</translation>
+    </message>
+    <message>
+        <source>No change of up to three variables makes it {0} in this scan.</source>
+        <translation>Keine Änderung von bis zu drei Variablen macht sie in diesem Zyklus {0}.</translation>
+    </message>
+    <message>
+        <source>It would be {0} if {1}.</source>
+        <translation>Sie wäre {0}, wenn {1}.</translation>
+    </message>
+    <message>
+        <source>It would also be {0} if {1}.</source>
+        <translation>Sie wäre auch {0}, wenn {1}.</translation>
+    </message>
+    <message>
+        <source>{0} were {1} (it is {2})</source>
+        <translation>{0} {1} wäre (ist {2})</translation>
+    </message>
+    <message>
+        <source>{0} and {1}</source>
+        <translation>{0} und {1}</translation>
+    </message>
+    <message>
+        <source>What keeps it {0}</source>
+        <translation>Was sie auf {0} hält</translation>
+    </message>
+    <message>
+        <source>Note: {0}.</source>
+        <translation>Hinweis: {0}.</translation>
+    </message>
+    <message>
+        <source>recorded by an earlier version, which kept no journal</source>
+        <translation>von einer älteren Version aufgezeichnet, die kein Journal führte</translation>
+    </message>
+    <message>
+        <source>it was written to while it was halted at a breakpoint</source>
+        <translation>während des Halts an einem Haltepunkt wurde geschrieben</translation>
+    </message>
+    <message>
+        <source>the scan had another result when it was run again</source>
+        <translation>der Zyklus hatte bei der Wiederholung ein anderes Ergebnis</translation>
+    </message>
+    <message>
+        <source>it has no value in this scan: {0}</source>
+        <translation>kein Wert in diesem Zyklus: {0}</translation>
+    </message>
+    <message>
+        <source>&quot;Why not?&quot; needs a condition (BOOL), for example &quot;Main.level &gt; 80&quot;</source>
+        <translation>„Warum nicht?“ braucht eine Bedingung (BOOL), zum Beispiel „Main.level &gt; 80“</translation>
+    </message>
+    <message>
+        <source>the program was not built from sources</source>
+        <translation>das Programm wurde nicht aus Quelltexten übersetzt</translation>
+    </message>
+    <message>
+        <source>this scan is not in the recording</source>
+        <translation>dieser Zyklus ist nicht in der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>it does not change in this recording</source>
+        <translation>ändert sich in dieser Aufzeichnung nicht</translation>
+    </message>
+    <message>
+        <source>nothing wrote it in this scan</source>
+        <translation>in diesem Zyklus nicht geschrieben</translation>
+    </message>
+    <message>
+        <source>no statement of the project ran in this scan</source>
+        <translation>keine Anweisung des Projekts wurde in diesem Zyklus ausgeführt</translation>
+    </message>
+</context>
+<context>
     <name>LongTask</name>
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>Loops</name>
+    <message>
+        <source>The program has no controller block; name the signals with --input and --output</source>
+        <translation>Das Programm hat keinen Reglerbaustein; geben Sie die Signale mit --input und --output an</translation>
+    </message>
+    <message>
+        <source>There is no single loop {0}; the program has {1}</source>
+        <translation>Es gibt keinen eindeutigen Regelkreis {0}; das Programm hat {1}</translation>
+    </message>
+    <message>
+        <source>The recording contains no program that knows it</source>
+        <translation>Die Aufzeichnung enthält kein Programm, das sie kennt</translation>
+    </message>
+    <message>
+        <source>It is not a number and cannot be a signal of a loop</source>
+        <translation>Das ist keine Zahl und kann kein Signal eines Regelkreises sein</translation>
+    </message>
+    <message>
+        <source>This range is no longer recorded, or the program was changed in it; choose another one</source>
+        <translation>Dieser Bereich ist nicht mehr aufgezeichnet, oder das Programm wurde darin geändert; wählen Sie einen anderen</translation>
+    </message>
+    <message>
+        <source>{0} gets an expression in the call; give the measured value a variable of its own to try settings</source>
+        <translation>{0} erhält im Aufruf einen Ausdruck; geben Sie dem Messwert eine eigene Variable, um Einstellungen zu erproben</translation>
     </message>
 </context>
 <context>
@@ -3979,6 +4505,241 @@
     </message>
 </context>
 <context>
+    <name>Tuning</name>
+    <message>
+        <source>The table has no column of times; name one time_s (seconds) or time_ms</source>
+        <translation>Die Tabelle hat keine Zeitspalte; nennen Sie eine time_s (Sekunden) oder time_ms</translation>
+    </message>
+    <message>
+        <source>The table has no column {0}; it has {1}</source>
+        <translation>Die Tabelle hat keine Spalte {0}; sie hat {1}</translation>
+    </message>
+    <message>
+        <source>The table has no column {0}; did you mean {1}?</source>
+        <translation>Die Tabelle hat keine Spalte {0}; meinten Sie {1}?</translation>
+    </message>
+    <message>
+        <source>Line {0} has no number in column {1}</source>
+        <translation>Zeile {0} hat keine Zahl in Spalte {1}</translation>
+    </message>
+    <message>
+        <source>The time in line {0} is before that of the line above</source>
+        <translation>Die Zeit in Zeile {0} liegt vor der Zeit in der Zeile darüber</translation>
+    </message>
+    <message>
+        <source>{0} {0:sample is|samples are} too few for a model; record for longer</source>
+        <translation>{0} {0:Messwert ist|Messwerte sind} zu wenig für ein Modell; länger aufzeichnen</translation>
+    </message>
+    <message>
+        <source>usable</source>
+        <translation>brauchbar</translation>
+    </message>
+    <message>
+        <source>the input is at a limit for {0} % of the time</source>
+        <translation>der Eingang ist während {0} % der Zeit an einer Grenze</translation>
+    </message>
+    <message>
+        <source>the output moves by only {0} times its noise</source>
+        <translation>der Ausgang bewegt sich nur um das {0}-Fache seines Rauschens</translation>
+    </message>
+    <message>
+        <source>too short: {0} samples until the next change</source>
+        <translation>zu kurz: {0} Messwerte bis zur nächsten Änderung</translation>
+    </message>
+    <message>
+        <source>disturbed: no model explains more than {0} % of it</source>
+        <translation>gestört: kein Modell erklärt mehr als {0} % davon</translation>
+    </message>
+    <message>
+        <source>usable; it was still moving before</source>
+        <translation>brauchbar; war davor noch in Bewegung</translation>
+    </message>
+    <message>
+        <source>There is no step or disturbance in the recording; change the set point or the output by hand once and record that</source>
+        <translation>In der Aufzeichnung ist kein Sprung und keine Störung; ändern Sie den Sollwert oder den Ausgang einmal von Hand und zeichnen Sie das auf</translation>
+    </message>
+    <message>
+        <source>None of the {0} changes found is usable: {1}</source>
+        <translation>Keine der {0} gefundenen Änderungen ist brauchbar: {1}</translation>
+    </message>
+    <message>
+        <source>No model explains what the output does; something else moves it</source>
+        <translation>Kein Modell erklärt den Verlauf des Ausgangs; etwas anderes bewegt ihn</translation>
+    </message>
+    <message>
+        <source>The rule {0} has no answer for this process</source>
+        <translation>Die Regel {0} hat für diese Strecke keine Lösung</translation>
+    </message>
+    <message>
+        <source>Unstable: the loop would swing up. Do not use this.</source>
+        <translation>Instabil: Der Regelkreis würde sich aufschwingen. Nicht verwenden.</translation>
+    </message>
+    <message>
+        <source>Fragile: a small change of the process makes it swing.</source>
+        <translation>Empfindlich: Eine kleine Änderung der Strecke bringt sie zum Schwingen.</translation>
+    </message>
+    <message>
+        <source>Brisk: quick, and it swings a little; the process should not change much.</source>
+        <translation>Zügig: schnell, mit leichtem Schwingen; die Strecke sollte sich nicht stark ändern.</translation>
+    </message>
+    <message>
+        <source>Good: quick enough, and it tolerates the usual changes of a process.</source>
+        <translation>Gut: schnell genug, und es verträgt die üblichen Änderungen einer Strecke.</translation>
+    </message>
+    <message>
+        <source>Calm: slow, and it tolerates a process that changes a lot.</source>
+        <translation>Ruhig: langsam, und es verträgt eine Strecke, die sich stark ändert.</translation>
+    </message>
+    <message>
+        <source>A step of the set point does not overshoot.</source>
+        <translation>Ein Sprung des Sollwerts führt zu keinem Überschwingen.</translation>
+    </message>
+    <message>
+        <source>A step of the set point overshoots by {0} %.</source>
+        <translation>Ein Sprung des Sollwerts führt zu {0} % Überschwingen.</translation>
+    </message>
+    <message>
+        <source>Ziegler-Nichols is here to compare with: it swings and tolerates little. Take SIMC or the optimum instead.</source>
+        <translation>Ziegler-Nichols dient hier zum Vergleich: Es schwingt und verträgt wenig. Nehmen Sie stattdessen SIMC oder das Optimum.</translation>
+    </message>
+    <message>
+        <source>The rule looks at one lag only; check the margins.</source>
+        <translation>Die Regel berücksichtigt nur eine Verzögerung; die Reserven prüfen.</translation>
+    </message>
+    <message>
+        <source>gain and dead time</source>
+        <translation>Verstärkung und Totzeit</translation>
+    </message>
+    <message>
+        <source>first order</source>
+        <translation>1. Ordnung</translation>
+    </message>
+    <message>
+        <source>first order with dead time</source>
+        <translation>1. Ordnung mit Totzeit</translation>
+    </message>
+    <message>
+        <source>second order</source>
+        <translation>2. Ordnung</translation>
+    </message>
+    <message>
+        <source>second order with dead time</source>
+        <translation>2. Ordnung mit Totzeit</translation>
+    </message>
+    <message>
+        <source>two equal lags</source>
+        <translation>zwei gleiche Verzögerungen</translation>
+    </message>
+    <message>
+        <source>two equal lags with dead time</source>
+        <translation>zwei gleiche Verzögerungen mit Totzeit</translation>
+    </message>
+    <message>
+        <source>oscillating</source>
+        <translation>schwingend</translation>
+    </message>
+    <message>
+        <source>oscillating with dead time</source>
+        <translation>schwingend mit Totzeit</translation>
+    </message>
+    <message>
+        <source>oscillating with a lag</source>
+        <translation>schwingend mit einer Verzögerung</translation>
+    </message>
+    <message>
+        <source>second order with a zero</source>
+        <translation>2. Ordnung mit einer Nullstelle</translation>
+    </message>
+    <message>
+        <source>second order with a zero and dead time</source>
+        <translation>2. Ordnung mit einer Nullstelle und Totzeit</translation>
+    </message>
+    <message>
+        <source>three equal lags</source>
+        <translation>drei gleiche Verzögerungen</translation>
+    </message>
+    <message>
+        <source>three equal lags with a zero</source>
+        <translation>drei gleiche Verzögerungen mit einer Nullstelle</translation>
+    </message>
+    <message>
+        <source>four equal lags</source>
+        <translation>vier gleiche Verzögerungen</translation>
+    </message>
+    <message>
+        <source>five equal lags</source>
+        <translation>fünf gleiche Verzögerungen</translation>
+    </message>
+    <message>
+        <source>six equal lags</source>
+        <translation>sechs gleiche Verzögerungen</translation>
+    </message>
+    <message>
+        <source>seven equal lags</source>
+        <translation>sieben gleiche Verzögerungen</translation>
+    </message>
+    <message>
+        <source>eight equal lags</source>
+        <translation>acht gleiche Verzögerungen</translation>
+    </message>
+    <message>
+        <source>three equal lags with dead time</source>
+        <translation>drei gleiche Verzögerungen mit Totzeit</translation>
+    </message>
+    <message>
+        <source>three lags</source>
+        <translation>drei Verzögerungen</translation>
+    </message>
+    <message>
+        <source>three lags with dead time</source>
+        <translation>drei Verzögerungen mit Totzeit</translation>
+    </message>
+    <message>
+        <source>four lags</source>
+        <translation>vier Verzögerungen</translation>
+    </message>
+    <message>
+        <source>integrating</source>
+        <translation>integrierend</translation>
+    </message>
+    <message>
+        <source>integrating with dead time</source>
+        <translation>integrierend mit Totzeit</translation>
+    </message>
+    <message>
+        <source>integrating with a lag</source>
+        <translation>integrierend mit einer Verzögerung</translation>
+    </message>
+    <message>
+        <source>integrating with a lag and dead time</source>
+        <translation>integrierend mit einer Verzögerung und Totzeit</translation>
+    </message>
+    <message>
+        <source>integrating with two equal lags</source>
+        <translation>integrierend mit zwei gleichen Verzögerungen</translation>
+    </message>
+    <message>
+        <source>SIMC</source>
+        <translation>SIMC</translation>
+    </message>
+    <message>
+        <source>AMIGO</source>
+        <translation>AMIGO</translation>
+    </message>
+    <message>
+        <source>Optimum</source>
+        <translation>Optimum</translation>
+    </message>
+    <message>
+        <source>Chien-Hrones-Reswick</source>
+        <translation>Chien-Hrones-Reswick</translation>
+    </message>
+    <message>
+        <source>Ziegler-Nichols</source>
+        <translation>Ziegler-Nichols</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::ConversionDialog</name>
     <message>
         <source>%1 as ST</source>
@@ -3989,11 +4750,11 @@
         <translation>%1 als Anweisungsliste</translation>
     </message>
     <message>
-        <source>Instruction list, as it stands</source>
+        <source>Instruction list (current text)</source>
         <translation>Anweisungsliste (vorhandener Text)</translation>
     </message>
     <message>
-        <source>ST, as it stands</source>
+        <source>ST (current text)</source>
         <translation>ST (vorhandener Text)</translation>
     </message>
     <message>
@@ -4121,6 +4882,17 @@
     </message>
 </context>
 <context>
+    <name>plc::app::GuideView</name>
+    <message>
+        <source>About this project</source>
+        <translation>Über dieses Projekt</translation>
+    </message>
+    <message>
+        <source>A README.md in the project&apos;s folder is shown here.</source>
+        <translation>Eine README.md im Projektordner wird hier angezeigt.</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::ImportDialog</name>
     <message>
         <source>Place</source>
@@ -4226,11 +4998,23 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>Saving the recording…</source>
         <translation>Die Aufzeichnung wird gespeichert…</translation>
     </message>
+    <message>
+        <source>Export the alarm history…</source>
+        <translation>Alarmhistorie exportieren…</translation>
+    </message>
+    <message>
+        <source>Export the Alarm History</source>
+        <translation>Alarmhistorie exportieren</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MainWindow</name>
     <message>
-        <source>A panel&apos;s name is a file name: no / and no \</source>
+        <source>A panel&apos;s name cannot contain / or \</source>
         <translation>Der Name eines Panels ist ein Dateiname: ohne / und ohne \</translation>
     </message>
     <message>
@@ -4258,7 +5042,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Geforcte Werte</translation>
     </message>
     <message>
-        <source>Call Path</source>
+        <source>Call Stack</source>
         <translation>Aufrufliste</translation>
     </message>
     <message>
@@ -4421,7 +5205,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Bibliotheken</translation>
     </message>
     <message>
-        <source>The tests run…</source>
+        <source>Running tests…</source>
         <translation>Die Tests laufen…</translation>
     </message>
     <message>
@@ -4481,10 +5265,6 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Willkommen</translation>
     </message>
     <message>
-        <source>This is a PID controller working on a simulated process: the program above, its trace below, its operator panel at the right. Nothing can break: the plant is only numbers. Press Next to look around for a minute, or F5 to run it at once.</source>
-        <translation>Das ist ein PID-Regler an einem simulierten Prozess: oben das Programm, unten sein Trace, rechts sein Bedienpanel. Kaputtgehen kann nichts, die Strecke besteht nur aus Zahlen. „Weiter“ führt eine Minute lang herum, F5 startet sofort.</translation>
-    </message>
-    <message>
         <source>The project</source>
         <translation>Das Projekt</translation>
     </message>
@@ -4497,15 +5277,15 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Das Programm</translation>
     </message>
     <message>
-        <source>Structured Text with colours by meaning. Errors are underlined while you type; Alt+Enter mends what it can; Ctrl+Space completes.</source>
-        <translation>Strukturierter Text mit Farben nach Bedeutung. Fehler werden beim Tippen unterstrichen; Alt+Enter behebt, was geht; Strg+Leertaste ergänzt.</translation>
+        <source>Structured Text with colours by meaning. Errors are underlined while you type; Alt+Enter offers quick fixes; Ctrl+Space completes.</source>
+        <translation>Strukturierter Text mit Farben nach Bedeutung. Fehler werden beim Tippen unterstrichen; Alt+Enter bietet Schnellkorrekturen an; Strg+Leertaste ergänzt.</translation>
     </message>
     <message>
         <source>Run</source>
         <translation>Start</translation>
     </message>
     <message>
-        <source>F5 compiles to native code and runs it. Values then stand beside each line.</source>
+        <source>F5 compiles to native code and runs it. Values then appear next to each line.</source>
         <translation>F5 übersetzt in Maschinencode und führt ihn aus. Die Werte erscheinen dann neben jeder Zeile.</translation>
     </message>
     <message>
@@ -4533,11 +5313,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Die Zeit läuft auch rückwärts</translation>
     </message>
     <message>
-        <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume From Here” goes on from there.</source>
-        <translation>Den Zeitschieber ziehen oder Strg+Alt+Links drücken: Code, Diagramme und Panel werden zu diesem Zeitpunkt angezeigt. „Ab hier fortsetzen“ setzt die Steuerung von dort fort.</translation>
-    </message>
-    <message>
-        <source>That is it</source>
+        <source>That’s it</source>
         <translation>Das war es</translation>
     </message>
     <message>
@@ -4657,8 +5433,8 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Gehe zur Definition</translation>
     </message>
     <message>
-        <source>Find All Uses</source>
-        <translation>Alle Verwendungen suchen</translation>
+        <source>Find References</source>
+        <translation>Referenzen suchen</translation>
     </message>
     <message>
         <source>Rename…</source>
@@ -4669,15 +5445,15 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Vervollständigen</translation>
     </message>
     <message>
-        <source>Apply a Fix (Alt+Enter)</source>
-        <translation>Korrektur anwenden (Alt+Enter)</translation>
+        <source>Quick Fix (Alt+Enter)</source>
+        <translation>Schnellkorrektur (Alt+Enter)</translation>
     </message>
     <message>
         <source>Format</source>
         <translation>Formatieren</translation>
     </message>
     <message>
-        <source>Comment In or Out (Ctrl+/)</source>
+        <source>Toggle Comment (Ctrl+/)</source>
         <translation>Ein- oder auskommentieren (Strg+/)</translation>
     </message>
     <message>
@@ -4685,12 +5461,12 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Zeile duplizieren</translation>
     </message>
     <message>
-        <source>Select the Block Around</source>
+        <source>Select Enclosing Block</source>
         <translation>Umgebenden Block markieren</translation>
     </message>
     <message>
-        <source>Go to the Matching Word</source>
-        <translation>Gehe zum Gegenstück</translation>
+        <source>Go to Matching Keyword</source>
+        <translation>Gehe zum zugehörigen Schlüsselwort</translation>
     </message>
     <message>
         <source>Next Problem</source>
@@ -4725,7 +5501,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Einzelzyklus</translation>
     </message>
     <message>
-        <source>Step In</source>
+        <source>Step Into</source>
         <translation>Einzelschritt</translation>
     </message>
     <message>
@@ -4801,7 +5577,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Zurück zum Livebetrieb</translation>
     </message>
     <message>
-        <source>Resume From Here</source>
+        <source>Resume from Here</source>
         <translation>Ab hier fortsetzen</translation>
     </message>
     <message>
@@ -4837,7 +5613,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Dunkles Farbschema</translation>
     </message>
     <message>
-        <source>Theme of the System</source>
+        <source>System Theme</source>
         <translation>Farbschema des Systems</translation>
     </message>
     <message>
@@ -4928,11 +5704,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>trace</translation>
     </message>
     <message>
-        <source>A file name holds no / and no \</source>
+        <source>A file name cannot contain / or \</source>
         <translation>Ein Dateiname enthält weder / noch \</translation>
     </message>
     <message>
-        <source>There is a trace %1 already</source>
+        <source>A trace %1 already exists</source>
         <translation>Ein Trace %1 ist bereits vorhanden</translation>
     </message>
     <message>
@@ -4940,19 +5716,19 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Neuer Name von %1:</translation>
     </message>
     <message>
-        <source>There is a file %1 already</source>
+        <source>A file %1 already exists</source>
         <translation>Eine Datei %1 ist bereits vorhanden</translation>
     </message>
     <message>
-        <source>The file can not be renamed; check the permissions of the folder</source>
+        <source>The file cannot be renamed; check the permissions of the folder</source>
         <translation>Die Datei kann nicht umbenannt werden; prüfen Sie die Rechte des Ordners</translation>
     </message>
     <message>
-        <source>These panels lead to it; their buttons will be problems: %1</source>
+        <source>These panels link to it; their buttons will be reported as errors: %1</source>
         <translation>Diese Panels verweisen darauf; ihre Schaltflächen führen dann ins Leere: %1</translation>
     </message>
     <message>
-        <source>The file can not be removed; check the permissions of the folder</source>
+        <source>The file cannot be removed; check the permissions of the folder</source>
         <translation>Die Datei kann nicht gelöscht werden; prüfen Sie die Rechte des Ordners</translation>
     </message>
     <message>
@@ -4988,7 +5764,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Das Projekt wird noch geprüft; versuchen Sie es gleich noch einmal</translation>
     </message>
     <message>
-        <source>It holds %1.</source>
+        <source>It contains %1.</source>
         <translation>Sie enthält %1.</translation>
     </message>
     <message>
@@ -4996,7 +5772,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Die Sprache wechselt, wenn die Tests zu Ende sind</translation>
     </message>
     <message>
-        <source>Fault of the controller</source>
+        <source>Controller fault</source>
         <translation>Steuerungsfehler</translation>
     </message>
     <message>
@@ -5058,6 +5834,58 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Diagram Beside the Text</source>
         <translation>Diagramm neben dem Text</translation>
+    </message>
+    <message>
+        <source>Bookmark</source>
+        <translation>Lesezeichen</translation>
+    </message>
+    <message>
+        <source>Next Bookmark</source>
+        <translation>Nächstes Lesezeichen</translation>
+    </message>
+    <message>
+        <source>Previous Bookmark</source>
+        <translation>Voriges Lesezeichen</translation>
+    </message>
+    <message>
+        <source>Open Another File Beside…</source>
+        <translation>Andere Datei daneben öffnen…</translation>
+    </message>
+    <message>
+        <source>About This Project</source>
+        <translation>Über dieses Projekt</translation>
+    </message>
+    <message>
+        <source>The project has no other file</source>
+        <translation>Das Projekt hat keine andere Datei</translation>
+    </message>
+    <message>
+        <source>Open Another File Beside</source>
+        <translation>Andere Datei daneben öffnen</translation>
+    </message>
+    <message>
+        <source>%1 Nothing can break: the plant is only numbers. Press Next to look around for a minute, or F5 to run it at once.</source>
+        <translation>%1 Es kann nichts kaputtgehen: Die Anlage besteht nur aus Zahlen. Mit „Weiter“ sehen Sie sich eine Minute lang um, mit F5 starten Sie sofort.</translation>
+    </message>
+    <message>
+        <source>This is the project %1.</source>
+        <translation>Dies ist das Projekt %1.</translation>
+    </message>
+    <message>
+        <source>What to press</source>
+        <translation>Was zu drücken ist</translation>
+    </message>
+    <message>
+        <source>The page beside the program is the project&apos;s README: what it shows, what to press, what to watch.</source>
+        <translation>Die Seite neben dem Programm ist die README des Projekts: was es anzeigt, was zu drücken und was zu überwachen ist.</translation>
+    </message>
+    <message>
+        <source>What the operator sees. This project has no panel yet; new ones are drawn with the mouse.</source>
+        <translation>Was der Bediener sieht. Dieses Projekt hat noch kein Panel; neue zeichnen Sie mit der Maus.</translation>
+    </message>
+    <message>
+        <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume from Here” continues from there.</source>
+        <translation>Ziehen Sie den Zeitschieber, oder drücken Sie Strg+Alt+Links: Code, Diagramme und Panel werden im Zustand von damals angezeigt. „Ab hier fortsetzen“ läuft von dort weiter.</translation>
     </message>
 </context>
 <context>
@@ -5170,15 +5998,15 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Anlegen</translation>
     </message>
     <message>
-        <source>The project needs a name</source>
+        <source>Enter a project name</source>
         <translation>Das Projekt braucht einen Namen</translation>
     </message>
     <message>
-        <source>%1 exists already and is not empty</source>
+        <source>%1 already exists and is not empty</source>
         <translation>%1 ist bereits vorhanden und nicht leer</translation>
     </message>
     <message>
-        <source>Will be made in %1</source>
+        <source>Will be created in %1</source>
         <translation>Wird in %1 angelegt</translation>
     </message>
 </context>
@@ -5249,19 +6077,19 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Anlegen</translation>
     </message>
     <message>
-        <source>Give it a name</source>
+        <source>Enter a name</source>
         <translation>Geben Sie einen Namen an</translation>
     </message>
     <message>
-        <source>A name has letters, digits and _, begins with a letter and is no keyword</source>
+        <source>A name has letters, digits and _, starts with a letter and is not a keyword</source>
         <translation>Ein Name besteht aus Buchstaben, Ziffern und _, beginnt mit einem Buchstaben und ist kein Schlüsselwort</translation>
     </message>
     <message>
-        <source>There is a %1 in the project already</source>
+        <source>%1 already exists in the project</source>
         <translation>%1 ist im Projekt bereits vorhanden</translation>
     </message>
     <message>
-        <source>There is a file %1 already: choose it, or another name</source>
+        <source>A file %1 already exists: choose it, or another name</source>
         <translation>Die Datei %1 ist bereits vorhanden: Wählen Sie sie oder einen anderen Namen</translation>
     </message>
     <message>
@@ -5498,7 +6326,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>In allen Dateien gesuchter Text</translation>
     </message>
     <message>
-        <source>Replace by</source>
+        <source>Replace with</source>
         <translation>Ersetzen durch</translation>
     </message>
     <message>
@@ -5538,7 +6366,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Suchergebnisse</translation>
     </message>
     <message>
-        <source>Not a pattern: %1</source>
+        <source>Invalid regular expression: %1</source>
         <translation>Ungültiger regulärer Ausdruck: %1</translation>
     </message>
     <message>
@@ -5626,7 +6454,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Tastenkürzel</translation>
     </message>
     <message>
-        <source>As the system</source>
+        <source>System default</source>
         <translation>Wie das System</translation>
     </message>
     <message>
@@ -5666,7 +6494,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Beim Speichern formatieren</translation>
     </message>
     <message>
-        <source>Saving changes the running controller (online change)</source>
+        <source>Apply an online change when saving</source>
         <translation>Beim Speichern Online-Change ausführen</translation>
     </message>
     <message>
@@ -5698,7 +6526,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Filter der Befehle</translation>
     </message>
     <message>
-        <source>All Defaults</source>
+        <source>Restore Defaults</source>
         <translation>Standard wiederherstellen</translation>
     </message>
     <message>
@@ -5723,6 +6551,10 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Make Writable</source>
         <translation>Schreibbar machen</translation>
+    </message>
+    <message>
+        <source>Close this side</source>
+        <translation>Diese Seite schließen</translation>
     </message>
 </context>
 <context>
@@ -5903,7 +6735,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Zeile</translation>
     </message>
     <message>
-        <source>Call path</source>
+        <source>Call stack</source>
         <translation>Aufrufliste</translation>
     </message>
     <message>
@@ -5926,11 +6758,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Schrittkette</translation>
     </message>
     <message>
-        <source>Insert a step behind (Ins)</source>
+        <source>Insert a step after it (Ins)</source>
         <translation>Schritt danach einfügen (Einfg)</translation>
     </message>
     <message>
-        <source>Insert a branch beside</source>
+        <source>Insert an alternative branch</source>
         <translation>Alternativzweig einfügen</translation>
     </message>
     <message>
@@ -5950,7 +6782,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Löschen (Entf)</translation>
     </message>
     <message>
-        <source>The unit %1 is not in the text any more</source>
+        <source>The unit %1 is no longer in the text</source>
         <translation>Der Baustein %1 ist im Text nicht mehr vorhanden</translation>
     </message>
     <message>
@@ -5958,15 +6790,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Der Text hat Fehler: Dies ist die letzte gültige Zeichnung</translation>
     </message>
     <message>
-        <source>%1 is not a chart</source>
-        <translation>%1 ist keine Schrittkette</translation>
-    </message>
-    <message>
         <source>Select the step from which the branch goes out</source>
         <translation>Wählen Sie den Schritt, von dem der Zweig ausgeht</translation>
     </message>
     <message>
-        <source>Select the transition behind which the steps run at the same time</source>
+        <source>Select the transition after which the steps run at the same time</source>
         <translation>Wählen Sie die Transition, nach der die Schritte gleichzeitig laufen</translation>
     </message>
     <message>
@@ -5974,11 +6802,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Wählen Sie den Schritt, der die Aktion bekommt</translation>
     </message>
     <message>
-        <source>Insert a Step Behind</source>
+        <source>Insert a Step After It</source>
         <translation>Schritt danach einfügen</translation>
     </message>
     <message>
-        <source>Insert a Branch Beside</source>
+        <source>Insert an Alternative Branch</source>
         <translation>Alternativzweig einfügen</translation>
     </message>
     <message>
@@ -5990,11 +6818,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Aktion hinzufügen</translation>
     </message>
     <message>
-        <source>Make It the Initial Step</source>
+        <source>Set as Initial Step</source>
         <translation>Zum Initialschritt machen</translation>
     </message>
     <message>
-        <source>Force the Step On</source>
+        <source>Force the Step Active</source>
         <translation>Schritt aktiv forcen</translation>
     </message>
     <message>
@@ -6030,7 +6858,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Zweig nach rechts</translation>
     </message>
     <message>
-        <source>%1 behind this transition</source>
+        <source>%1 after this transition</source>
         <translation>%1 nach dieser Transition</translation>
     </message>
     <message>
@@ -6062,15 +6890,15 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Aktion</translation>
     </message>
     <message>
-        <source>To the chart around (Backspace)</source>
+        <source>To the enclosing chart (Backspace)</source>
         <translation>Zur übergeordneten Schrittkette (Rücktaste)</translation>
     </message>
     <message>
-        <source>Breakpoint: stops when the step becomes active, when the transition is taken (F9)</source>
+        <source>Breakpoint: stops when the step becomes active or the transition is taken (F9)</source>
         <translation>Haltepunkt: hält, wenn der Schritt aktiv wird oder die Transition schaltet (F9)</translation>
     </message>
     <message>
-        <source>Force the step on</source>
+        <source>Force the step active</source>
         <translation>Schritt aktiv forcen</translation>
     </message>
     <message>
@@ -6108,6 +6936,50 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Delete the Whole Branch</source>
         <translation>Ganzen Zweig löschen</translation>
+    </message>
+    <message>
+        <source>Select what is to be copied</source>
+        <translation>Wählen Sie aus, was kopiert werden soll</translation>
+    </message>
+    <message>
+        <source>Select what is to be cut</source>
+        <translation>Wählen Sie aus, was ausgeschnitten werden soll</translation>
+    </message>
+    <message>
+        <source>The clipboard contains no step, action or transition</source>
+        <translation>Die Zwischenablage enthält keinen Schritt, keine Aktion und keine Transition</translation>
+    </message>
+    <message>
+        <source>Select the step or transition to paste after</source>
+        <translation>Wählen Sie den Schritt oder die Transition, nach der eingefügt wird</translation>
+    </message>
+    <message>
+        <source>Select the transition that gets the condition</source>
+        <translation>Wählen Sie die Transition, die die Bedingung erhält</translation>
+    </message>
+    <message>
+        <source>Start a Chart</source>
+        <translation>Schrittkette beginnen</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Ausschneiden</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Einfügen</translation>
+    </message>
+    <message>
+        <source>%1 has no chart yet. A chart starts with an initial step; more steps are inserted after it with Ins, and F2 edits names and conditions.</source>
+        <translation>%1 hat noch keine Schrittkette. Eine Schrittkette beginnt mit einem Initialschritt; weitere Schritte werden mit Einfg dahinter eingefügt, F2 bearbeitet Namen und Bedingungen.</translation>
+    </message>
+    <message>
+        <source>%1 is not a chart: its body has statements. A chart can be started in a program or function block whose body is empty.</source>
+        <translation>%1 ist keine Schrittkette: Der Rumpf enthält Anweisungen. Eine Schrittkette kann in einem Programm oder Funktionsbaustein mit leerem Rumpf begonnen werden.</translation>
     </message>
 </context>
 <context>
@@ -6228,7 +7100,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Gesuchter Text</translation>
     </message>
     <message>
-        <source>Replace by</source>
+        <source>Replace with</source>
         <translation>Ersetzen durch</translation>
     </message>
     <message>
@@ -6275,7 +7147,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         </translation>
     </message>
     <message>
-        <source>not a pattern</source>
+        <source>invalid regular expression</source>
         <translation>ungültiger regulärer Ausdruck</translation>
     </message>
     <message numerus="yes">
@@ -6395,7 +7267,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Als Kontaktplan anzeigen</translation>
     </message>
     <message>
-        <source>%1 is not in the text any more</source>
+        <source>%1 is no longer in the text</source>
         <translation>%1 steht nicht mehr im Text</translation>
     </message>
     <message>
@@ -6574,6 +7446,106 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>Toggle Breakpoint</source>
         <translation>Haltepunkt umschalten</translation>
     </message>
+    <message>
+        <source>Contacts as Bars (IEC 61131-3, ANSI)</source>
+        <translation>Kontakte als Striche (IEC 61131-3, ANSI)</translation>
+    </message>
+    <message>
+        <source>Contacts as in Circuit Diagrams (IEC 60617)</source>
+        <translation>Kontakte wie in Stromlaufplänen (IEC 60617)</translation>
+    </message>
+    <message>
+        <source>Names</source>
+        <translation>Namen</translation>
+    </message>
+    <message>
+        <source>Addresses</source>
+        <translation>Adressen</translation>
+    </message>
+    <message>
+        <source>Names and Addresses</source>
+        <translation>Namen und Adressen</translation>
+    </message>
+    <message>
+        <source>Comments of the Variables</source>
+        <translation>Kommentare der Variablen</translation>
+    </message>
+    <message>
+        <source>Comments of the Rungs</source>
+        <translation>Kommentare der Netzwerke</translation>
+    </message>
+    <message>
+        <source>High Contrast</source>
+        <translation>Hoher Kontrast</translation>
+    </message>
+    <message>
+        <source>What is shown</source>
+        <translation>Was angezeigt wird</translation>
+    </message>
+    <message>
+        <source>type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>Rename the variable everywhere</source>
+        <translation>Variable überall umbenennen</translation>
+    </message>
+    <message>
+        <source>Go to the declaration</source>
+        <translation>Gehe zur Deklaration</translation>
+    </message>
+    <message>
+        <source>References to the variable</source>
+        <translation>Referenzen der Variable</translation>
+    </message>
+    <message>
+        <source>Quick fix</source>
+        <translation>Schnellkorrektur</translation>
+    </message>
+    <message>
+        <source>Bookmark on the rung</source>
+        <translation>Lesezeichen am Netzwerk</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Umbenennen…</translation>
+    </message>
+    <message>
+        <source>Find References</source>
+        <translation>Referenzen suchen</translation>
+    </message>
+    <message>
+        <source>Go to Definition</source>
+        <translation>Gehe zur Definition</translation>
+    </message>
+    <message>
+        <source>Quick Fix</source>
+        <translation>Schnellkorrektur</translation>
+    </message>
+    <message>
+        <source>Write TRUE</source>
+        <translation>TRUE schreiben</translation>
+    </message>
+    <message>
+        <source>Write FALSE</source>
+        <translation>FALSE schreiben</translation>
+    </message>
+    <message>
+        <source>Toggle Bookmark</source>
+        <translation>Lesezeichen umschalten</translation>
+    </message>
+    <message>
+        <source>Contact Here</source>
+        <translation>Kontakt hier</translation>
+    </message>
+    <message>
+        <source>Negated Contact Here</source>
+        <translation>Negierter Kontakt hier</translation>
+    </message>
+    <message>
+        <source>Function Block Here</source>
+        <translation>Funktionsbaustein hier</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::RunArchive</name>
@@ -6651,8 +7623,8 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Gehe zur Definition</translation>
     </message>
     <message>
-        <source>Find All Uses</source>
-        <translation>Alle Verwendungen suchen</translation>
+        <source>Find References</source>
+        <translation>Referenzen suchen</translation>
     </message>
     <message>
         <source>Rename…</source>
@@ -6892,7 +7864,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Zahlenformat</translation>
     </message>
     <message>
-        <source>As the list</source>
+        <source>As in the list</source>
         <translation>Wie die Liste</translation>
     </message>
 </context>
@@ -6952,6 +7924,49 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
 </context>
 <context>
+    <name>plc::hmi::ArrayArrangementDialog</name>
+    <message>
+        <source>Arrange over array</source>
+        <translation>Über ein Array anordnen</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Array</source>
+        <translation>Array</translation>
+    </message>
+    <message>
+        <source>First index</source>
+        <translation>Erster Index</translation>
+    </message>
+    <message>
+        <source>Last index</source>
+        <translation>Letzter Index</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Spalten</translation>
+    </message>
+    <message>
+        <source>Horizontal gap</source>
+        <translation>Abstand waagrecht</translation>
+    </message>
+    <message>
+        <source>Vertical gap</source>
+        <translation>Abstand senkrecht</translation>
+    </message>
+    <message>
+        <source>In the other arguments, # becomes the index.</source>
+        <translation>In den anderen Argumenten wird # zum Index.</translation>
+    </message>
+    <message>
+        <source>Choose an array with one index, for example Plant.Valves.</source>
+        <translation>Wählen Sie ein Array mit einem Index, zum Beispiel Plant.Valves.</translation>
+    </message>
+</context>
+<context>
     <name>plc::hmi::ArrayDialog</name>
     <message>
         <source>Duplicate as array</source>
@@ -6966,7 +7981,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Spalten</translation>
     </message>
     <message>
-        <source>Gap down</source>
+        <source>Vertical gap</source>
         <translation>Abstand senkrecht</translation>
     </message>
     <message>
@@ -6974,7 +7989,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Indexschritt</translation>
     </message>
     <message>
-        <source>Gap across</source>
+        <source>Horizontal gap</source>
         <translation>Abstand waagrecht</translation>
     </message>
 </context>
@@ -7003,6 +8018,10 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Resize</source>
         <translation>Größe ändern</translation>
+    </message>
+    <message>
+        <source>Bind</source>
+        <translation>Verknüpfen</translation>
     </message>
 </context>
 <context>
@@ -7037,11 +8056,15 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>Search elements</source>
         <translation>Elemente suchen</translation>
     </message>
+    <message>
+        <source>Faceplates</source>
+        <translation>Faceplates</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::PanelDesigner</name>
     <message>
-        <source>Finding</source>
+        <source>Issue</source>
         <translation>Meldung</translation>
     </message>
     <message>
@@ -7105,11 +8128,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Unten ausrichten</translation>
     </message>
     <message>
-        <source>Equal gaps across</source>
+        <source>Distribute horizontally</source>
         <translation>Gleiche Abstände waagrecht</translation>
     </message>
     <message>
-        <source>Equal gaps down</source>
+        <source>Distribute vertically</source>
         <translation>Gleiche Abstände senkrecht</translation>
     </message>
     <message>
@@ -7215,6 +8238,18 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Same size</source>
         <translation>Gleiche Größe</translation>
+    </message>
+    <message>
+        <source>Paste in place</source>
+        <translation>An derselben Stelle einfügen</translation>
+    </message>
+    <message>
+        <source>Arrange over array…</source>
+        <translation>Über ein Array anordnen…</translation>
+    </message>
+    <message>
+        <source>Arrange over array</source>
+        <translation>Über ein Array anordnen</translation>
     </message>
 </context>
 <context>
@@ -7326,6 +8361,51 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>%1 is used by %2</source>
         <translation>%1 wird von %2 verwendet</translation>
+    </message>
+    <message>
+        <source>Import XLIFF</source>
+        <translation>XLIFF importieren</translation>
+    </message>
+    <message>
+        <source>Translations (*.xlf *.xliff)</source>
+        <translation>Übersetzungen (*.xlf *.xliff)</translation>
+    </message>
+    <message>
+        <source>Export XLIFF</source>
+        <translation>XLIFF exportieren</translation>
+    </message>
+    <message>
+        <source>Translated from</source>
+        <translation>Übersetzt aus</translation>
+    </message>
+    <message>
+        <source>Translated into</source>
+        <translation>Übersetzt in</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>Version</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n text(s) taken.</source>
+        <translation>
+            <numerusform>%n Text übernommen.</numerusform>
+            <numerusform>%n Texte übernommen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n text(s) as they were.</source>
+        <translation>
+            <numerusform>%n Text unverändert.</numerusform>
+            <numerusform>%n Texte unverändert.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n text(s) without a translation.</source>
+        <translation>
+            <numerusform>%n Text ohne Übersetzung.</numerusform>
+            <numerusform>%n Texte ohne Übersetzung.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7725,6 +8805,14 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
         <source>Move channel</source>
         <translation>Kanal verschieben</translation>
     </message>
+    <message>
+        <source>Compared recording</source>
+        <translation>Verglichene Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Offset in time</source>
+        <translation>Zeitversatz</translation>
+    </message>
 </context>
 <context>
     <name>plc::trace::TimeBar</name>
@@ -7762,7 +8850,7 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
         <translation>Einen Zyklus zurück (Links)</translation>
     </message>
     <message>
-        <source>One scan forth (Right)</source>
+        <source>One scan forward (Right)</source>
         <translation>Einen Zyklus vor (Rechts)</translation>
     </message>
     <message>
@@ -7941,31 +9029,31 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
         <translation>Aufzeichnungen (*.rec);;Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>Trace set-up</source>
+        <source>Trace configuration</source>
         <translation>Trace-Konfiguration</translation>
     </message>
     <message>
-        <source>Open set-up…</source>
+        <source>Open configuration…</source>
         <translation>Konfiguration öffnen…</translation>
     </message>
     <message>
-        <source>Open trace set-up</source>
+        <source>Open trace configuration</source>
         <translation>Trace-Konfiguration öffnen</translation>
     </message>
     <message>
-        <source>Trace set-ups (*.trace.json)</source>
+        <source>Trace configurations (*.trace.json)</source>
         <translation>Trace-Konfigurationen (*.trace.json)</translation>
     </message>
     <message>
-        <source>Save trace set-up</source>
+        <source>Save trace configuration</source>
         <translation>Trace-Konfiguration speichern</translation>
     </message>
     <message>
-        <source>Save set-up</source>
+        <source>Save configuration</source>
         <translation>Konfiguration speichern</translation>
     </message>
     <message>
-        <source>Save set-up as…</source>
+        <source>Save configuration as…</source>
         <translation>Konfiguration speichern unter…</translation>
     </message>
     <message>
@@ -8082,6 +9170,14 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
     <message>
         <source>Saving the recording…</source>
         <translation>Die Aufzeichnung wird gespeichert…</translation>
+    </message>
+    <message>
+        <source>%1, %2 later</source>
+        <translation>%1, %2 später</translation>
+    </message>
+    <message>
+        <source>%1, %2 earlier</source>
+        <translation>%1, %2 früher</translation>
     </message>
 </context>
 </TS>

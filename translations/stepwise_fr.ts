@@ -1597,7 +1597,7 @@
         <translation>{0} dépasse la plage de {1}</translation>
     </message>
     <message>
-        <source>STRING holds Latin-1 only; declare the variable as WSTRING</source>
+        <source>STRING contains Latin-1 only; declare the variable as WSTRING</source>
         <translation>STRING ne contient que du Latin-1&#x202f;; déclarez la variable en WSTRING</translation>
     </message>
     <message>
@@ -1872,6 +1872,194 @@
         <source>{0} is not a time</source>
         <translation>{0} n’est pas un temps</translation>
     </message>
+    <message>
+        <source>This is not an XLIFF file</source>
+        <translation>Ce n’est pas un fichier XLIFF</translation>
+    </message>
+    <message>
+        <source>The XLIFF version {0} is not known; save the file as 1.2 or 2.0</source>
+        <translation>La version XLIFF {0} est inconnue&#x202f;; enregistrez le fichier en 1.2 ou 2.0</translation>
+    </message>
+    <message>
+        <source>The file does not say into which language it is translated</source>
+        <translation>Le fichier n’indique pas dans quelle langue il est traduit</translation>
+    </message>
+    <message>
+        <source>The XML is wrong: {0}</source>
+        <translation>Le XML est incorrect&#xa0;: {0}</translation>
+    </message>
+    <message>
+        <source>The text of the key {0} in {1} has changed since the export; check the translation</source>
+        <translation>Le texte de la clé {0} en {1} a changé depuis l’exportation&#x202f;; vérifiez la traduction</translation>
+    </message>
+    <message>
+        <source>The translation of the key {0} has other placeholders than its source, so it was not taken</source>
+        <translation>La traduction de la clé {0} n’a pas les mêmes espaces réservés que sa source et n’a pas été reprise</translation>
+    </message>
+    <message>
+        <source>The picture {0} is outside the project; copy it into the project, or set {1} to true under {2} in project.json</source>
+        <translation>L’image {0} est en dehors du projet&#x202f;; copiez-la dans le projet, ou mettez {1} à true sous {2} dans project.json</translation>
+    </message>
+    <message>
+        <source>The picture {0} is larger than {1} MB</source>
+        <translation>L’image {0} dépasse {1}&#xa0;Mo</translation>
+    </message>
+    <message>
+        <source>The picture {0} unpacks to more than {1} MB</source>
+        <translation>L’image {0} dépasse {1}&#xa0;Mo une fois décompressée</translation>
+    </message>
+    <message>
+        <source>The picture {0} is {1} x {2} pixels; more than {3} million are not drawn</source>
+        <translation>L’image {0} fait {1} x {2} pixels&#x202f;; au-delà de {3} millions, elle n’est pas dessinée</translation>
+    </message>
+    <message>
+        <source>{0} is not a picture in a known format such as PNG, JPEG or SVG</source>
+        <translation>{0} n’est pas une image dans un format connu tel que PNG, JPEG ou SVG</translation>
+    </message>
+    <message>
+        <source>The picture {0} draws more than {1} shapes</source>
+        <translation>L’image {0} dessine plus de {1} formes</translation>
+    </message>
+    <message>
+        <source>The shapes of the picture {0} are nested more than {1} deep or contain themselves</source>
+        <translation>Les formes de l’image {0} sont imbriquées sur plus de {1} niveaux ou se contiennent elles-mêmes</translation>
+    </message>
+    <message>
+        <source>The picture {0} loads {1}; embed it in the picture as PNG or JPEG</source>
+        <translation>L’image {0} charge {1}&#x202f;; intégrez-le dans l’image en PNG ou JPEG</translation>
+    </message>
+    <message>
+        <source>The picture {0} has dashed lines of more than {1} dashes</source>
+        <translation>L’image {0} a des lignes pointillées de plus de {1} tirets</translation>
+    </message>
+    <message>
+        <source>This version does not know the property {0}; it is kept as it is</source>
+        <translation>Cette version ne connaît pas la propriété {0}&#x202f;; elle est conservée telle quelle</translation>
+    </message>
+    <message>
+        <source>This version does not know the property {0}; did you mean {1}?</source>
+        <translation>Cette version ne connaît pas la propriété {0}&#x202f;; vouliez-vous dire {1}&#x202f;?</translation>
+    </message>
+    <message>
+        <source>The value must be true or false</source>
+        <translation>La valeur doit être true ou false</translation>
+    </message>
+    <message>
+        <source>The value must be a whole number</source>
+        <translation>La valeur doit être un nombre entier</translation>
+    </message>
+    <message>
+        <source>The value must be a number</source>
+        <translation>La valeur doit être un nombre</translation>
+    </message>
+    <message>
+        <source>The value must be a list of two numbers: width and height</source>
+        <translation>La valeur doit être une liste de deux nombres&#xa0;: largeur et hauteur</translation>
+    </message>
+    <message>
+        <source>The value must be a list of four numbers: x, y, width and height</source>
+        <translation>La valeur doit être une liste de quatre nombres&#xa0;: x, y, largeur et hauteur</translation>
+    </message>
+    <message>
+        <source>The value must be a list of points, each a list of two numbers</source>
+        <translation>La valeur doit être une liste de points, chacun une liste de deux nombres</translation>
+    </message>
+    <message>
+        <source>The value must be an object with an expression for each name</source>
+        <translation>La valeur doit être un objet avec une expression par nom</translation>
+    </message>
+    <message>
+        <source>The value must be a list of objects</source>
+        <translation>La valeur doit être une liste d’objets</translation>
+    </message>
+    <message>
+        <source>The value must be a text in quotes</source>
+        <translation>La valeur doit être un texte entre guillemets</translation>
+    </message>
+    <message>
+        <source>{0} is not one of the choices: {1}</source>
+        <translation>{0} n’est pas l’un des choix&#xa0;: {1}</translation>
+    </message>
+    <message>
+        <source>{0} is not a colour; use the name of a role of the theme or a value such as {1}</source>
+        <translation>{0} n’est pas une couleur&#x202f;; utilisez le nom d’un rôle du thème ou une valeur telle que {1}</translation>
+    </message>
+    <message>
+        <source>{0} is not a colour; did you mean {1}?</source>
+        <translation>{0} n’est pas une couleur&#x202f;; vouliez-vous dire {1}&#x202f;?</translation>
+    </message>
+    <message>
+        <source>{0} ({1}) must be greater than {2} ({3})</source>
+        <translation>{0} ({1}) doit être supérieur à {2} ({3})</translation>
+    </message>
+    <message>
+        <source>The panel has no group or tab {0}</source>
+        <translation>La vue n’a ni groupe ni onglets {0}</translation>
+    </message>
+    <message>
+        <source>The group {0} contains itself</source>
+        <translation>Le groupe {0} se contient lui-même</translation>
+    </message>
+    <message>
+        <source>{0} has no page {1}; its {2} {2:page is|pages are} numbered from 0</source>
+        <translation>{0} n’a pas de page {1}&#x202f;; {2:sa page est numérotée|ses {2} pages sont numérotées} à partir de 0</translation>
+    </message>
+    <message>
+        <source>The format {0} needs a number, and {1} is none; use {2}</source>
+        <translation>Le format {0} demande un nombre, et {1} n’en est pas un&#x202f;; utilisez {2}</translation>
+    </message>
+    <message>
+        <source>The project has no language {0}, so operators never see this column; add it to the languages in project.json</source>
+        <translation>Le projet n’a pas la langue {0}, les opérateurs ne voient donc jamais cette colonne&#x202f;; ajoutez-la aux langues dans project.json</translation>
+    </message>
+    <message>
+        <source>Nothing says what this does; give it a text, or place one beside it</source>
+        <translation>Rien n’indique à quoi cela sert&#x202f;; donnez-lui un texte, ou placez-en un à côté</translation>
+    </message>
+    <message>
+        <source>{0} is between {1} and {2} in the recording, so the range from {3} to {4} cuts it off</source>
+        <translation>{0} est entre {1} et {2} dans l’enregistrement, la plage de {3} à {4} le tronque donc</translation>
+    </message>
+    <message>
+        <source>{0} is not between {1} and {2}; {3} is used</source>
+        <translation>{0} n’est pas entre {1} et {2}&#x202f;; {3} est utilisé</translation>
+    </message>
+    <message>
+        <source>The faceplate does not say which panel it shows</source>
+        <translation>La vue d’objet n’indique pas quelle vue elle affiche</translation>
+    </message>
+    <message>
+        <source>The panel {0} contains this one, so it cannot be placed in it</source>
+        <translation>La vue {0} contient celle-ci et ne peut donc pas y être placée</translation>
+    </message>
+    <message>
+        <source>The panel {0} has no parameter {1}</source>
+        <translation>La vue {0} n’a pas de paramètre {1}</translation>
+    </message>
+    <message>
+        <source>The program has no type {0}; name a block or a structure, BOOL, REAL or the like, or text</source>
+        <translation>Le programme n’a pas de type {0}&#x202f;; indiquez un bloc ou une structure, BOOL, REAL ou similaire, ou text</translation>
+    </message>
+    <message>
+        <source>The parameter {0} needs an argument of type {1}</source>
+        <translation>Le paramètre {0} demande un argument de type {1}</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; the parameter {2} needs {3}</source>
+        <translation>{0} est {1}&#x202f;; le paramètre {2} demande {3}</translation>
+    </message>
+    <message>
+        <source>{0} (tried with {1})</source>
+        <translation>{0} (essayé avec {1})</translation>
+    </message>
+    <message>
+        <source>The program was not built from sources.</source>
+        <translation>Le programme n’a pas été compilé à partir de sources.</translation>
+    </message>
+    <message>
+        <source>The recording does not contain the program of this scan.</source>
+        <translation>L’enregistrement ne contient pas le programme de ce cycle.</translation>
+    </message>
 </context>
 <context>
     <name>Exchange</name>
@@ -2142,8 +2330,8 @@
         <translation>Une expression ST</translation>
     </message>
     <message>
-        <source>Shown to the operator. A typed text gets its key by itself; @key names one.</source>
-        <translation>Affiché à l’opérateur. Un texte saisi reçoit automatiquement sa clé&#x202f;; @clé en désigne une existante.</translation>
+        <source>Shown to the operator. A typed text gets its key automatically; @key uses an existing one.</source>
+        <translation>Affiché à l’opérateur. Un texte saisi reçoit automatiquement sa clé&#x202f;; @clé en utilise une existante.</translation>
     </message>
     <message>
         <source>X</source>
@@ -2350,7 +2538,7 @@
         <translation>Page d’onglet</translation>
     </message>
     <message>
-        <source>Place and size</source>
+        <source>Position and size</source>
         <translation>Position et taille</translation>
     </message>
     <message>
@@ -2630,11 +2818,11 @@
         <translation>Orientation</translation>
     </message>
     <message>
-        <source>Shows the value</source>
+        <source>Show the value</source>
         <translation>Afficher la valeur</translation>
     </message>
     <message>
-        <source>Turning knob</source>
+        <source>Rotary knob</source>
         <translation>Bouton rotatif</translation>
     </message>
     <message>
@@ -2670,7 +2858,7 @@
         <translation>Masque (# chiffre, A lettre, * quelconque)</translation>
     </message>
     <message>
-        <source>Hides the value</source>
+        <source>Hide the value</source>
         <translation>Masquer la valeur</translation>
     </message>
     <message>
@@ -2810,7 +2998,7 @@
         <translation>Premier indice</translation>
     </message>
     <message>
-        <source>Shows the numbers</source>
+        <source>Show the numbers</source>
         <translation>Afficher les numéros</translation>
     </message>
     <message>
@@ -2978,7 +3166,7 @@
         <translation>Géométrie</translation>
     </message>
     <message>
-        <source>Look</source>
+        <source>Appearance</source>
         <translation>Apparence</translation>
     </message>
     <message>
@@ -2988,6 +3176,26 @@
     <message>
         <source>Motion</source>
         <translation>Mouvement</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Paramètres</translation>
+    </message>
+    <message>
+        <source>Type (a block, a structure, BOOL, REAL, text)</source>
+        <translation>Type (un bloc, une structure, BOOL, REAL, text)</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>Valeur par défaut</translation>
+    </message>
+    <message>
+        <source>Faceplate</source>
+        <translation>Vue d’objet</translation>
+    </message>
+    <message>
+        <source>Arguments</source>
+        <translation>Arguments</translation>
     </message>
 </context>
 <context>
@@ -3462,10 +3670,328 @@
     </message>
 </context>
 <context>
+    <name>Inside</name>
+    <message>
+        <source>set by {0}  {1} ({2}, task {3})</source>
+        <translation>écrit par {0}  {1} ({2}, tâche {3})</translation>
+    </message>
+    <message>
+        <source>set by {0}  {1} ({2})</source>
+        <translation>écrit par {0}  {1} ({2})</translation>
+    </message>
+    <message>
+        <source>set by what the compiler adds ({0})</source>
+        <translation>écrit par ce que le compilateur ajoute ({0})</translation>
+    </message>
+    <message>
+        <source>written from outside</source>
+        <translation>écrit de l’extérieur</translation>
+    </message>
+    <message>
+        <source>written from {0}</source>
+        <translation>écrit depuis {0}</translation>
+    </message>
+    <message>
+        <source>forced</source>
+        <translation>forcé</translation>
+    </message>
+    <message>
+        <source>forced from {0}</source>
+        <translation>forcé depuis {0}</translation>
+    </message>
+    <message>
+        <source>put back by a reset</source>
+        <translation>remis à sa valeur par un reset</translation>
+    </message>
+    <message>
+        <source>carried over by an online change</source>
+        <translation>repris lors d’une modification en ligne</translation>
+    </message>
+    <message>
+        <source>restored from the retained values</source>
+        <translation>restauré à partir des valeurs rémanentes</translation>
+    </message>
+    <message>
+        <source>its initial value</source>
+        <translation>sa valeur initiale</translation>
+    </message>
+    <message>
+        <source>put into the safe state when the controller stopped</source>
+        <translation>mis à l’état sûr à l’arrêt de l’automate</translation>
+    </message>
+    <message>
+        <source>as recorded in the scan that was resumed from</source>
+        <translation>tel qu’enregistré dans le cycle à partir duquel l’exécution a repris</translation>
+    </message>
+    <message>
+        <source>set by a statement of a test</source>
+        <translation>écrit par une instruction d’un test</translation>
+    </message>
+    <message>
+        <source>not known who set it</source>
+        <translation>auteur inconnu</translation>
+    </message>
+    <message>
+        <source>the command line</source>
+        <translation>la ligne de commande</translation>
+    </message>
+    <message>
+        <source>the studio</source>
+        <translation>le studio</translation>
+    </message>
+    <message>
+        <source>panel {0}, {1}</source>
+        <translation>la vue {0}, {1}</translation>
+    </message>
+    <message>
+        <source>{0} (scan {1})</source>
+        <translation>{0} (cycle {1})</translation>
+    </message>
+    <message>
+        <source>{0}  {1} from {2} to {3}, {4}</source>
+        <translation>{0}  {1} de {2} à {3}, {4}</translation>
+    </message>
+    <message>
+        <source>{0}  {1} to {2}, {3}</source>
+        <translation>{0}  {1} à {2}, {3}</translation>
+    </message>
+    <message>
+        <source>called by {0}  {1}</source>
+        <translation>appelé par {0}  {1}</translation>
+    </message>
+    <message>
+        <source>{0} is {1} at {2}, since {3}.</source>
+        <translation>{0} est {1} à {2}, depuis {3}.</translation>
+    </message>
+    <message>
+        <source>{0} is {1} at {2}, as it was when the recording began.</source>
+        <translation>{0} est {1} à {2}, comme au début de l’enregistrement.</translation>
+    </message>
+    <message>
+        <source>{0} is {1} at {2}.</source>
+        <translation>{0} est {1} à {2}.</translation>
+    </message>
+    <message>
+        <source>It was {0}.</source>
+        <translation>Valeur&#xa0;: {0}.</translation>
+    </message>
+    <message>
+        <source>It has its initial value.</source>
+        <translation>La variable a sa valeur initiale.</translation>
+    </message>
+    <message>
+        <source>It became {0} because</source>
+        <translation>Elle est devenue {0} parce que</translation>
+    </message>
+    <message>
+        <source>This needed</source>
+        <translation>Il fallait</translation>
+    </message>
+    <message>
+        <source>It needs</source>
+        <translation>Il faut</translation>
+    </message>
+    <message>
+        <source>It stays so because</source>
+        <translation>Elle le reste parce que</translation>
+    </message>
+    <message>
+        <source>Step by step</source>
+        <translation>Étape par étape</translation>
+    </message>
+    <message>
+        <source>because</source>
+        <translation>parce que</translation>
+    </message>
+    <message>
+        <source>time passed.</source>
+        <translation>du temps s’est écoulé.</translation>
+    </message>
+    <message>
+        <source>it was the first scan.</source>
+        <translation>c’était le premier cycle.</translation>
+    </message>
+    <message>
+        <source>other variables were forced.</source>
+        <translation>d’autres variables étaient forcées.</translation>
+    </message>
+    <message>
+        <source>{0} became {1}.</source>
+        <translation>{0} est devenu {1}.</translation>
+    </message>
+    <message>
+        <source>{0} became {1}, {2}.</source>
+        <translation>{0} est devenu {1}, {2}.</translation>
+    </message>
+    <message>
+        <source>{0} changed.</source>
+        <translation>{0} a changé.</translation>
+    </message>
+    <message>
+        <source>{0} changed, {1}.</source>
+        <translation>{0} a changé, {1}.</translation>
+    </message>
+    <message>
+        <source>{0} was {1}.</source>
+        <translation>{0} était {1}.</translation>
+    </message>
+    <message>
+        <source>{0} was {1} since {2}, {3}.</source>
+        <translation>{0} était {1} depuis {2}, {3}.</translation>
+    </message>
+    <message>
+        <source>{0}   → {1}</source>
+        <translation>{0}   → {1}</translation>
+    </message>
+    <message>
+        <source>it ran because {0} was {1}</source>
+        <translation>exécuté parce que {0} était {1}</translation>
+    </message>
+    <message>
+        <source>nothing wrote it later because {0} was {1}</source>
+        <translation>rien ne l’a écrit ensuite parce que {0} était {1}</translation>
+    </message>
+    <message>
+        <source>a statement that would write it did not run because {0} was {1}</source>
+        <translation>une instruction qui l’écrirait n’a pas été exécutée parce que {0} était {1}</translation>
+    </message>
+    <message>
+        <source>{0} ({1})</source>
+        <translation>{0} ({1})</translation>
+    </message>
+    <message>
+        <source>{0}</source>
+        <translation>{0}</translation>
+    </message>
+    <message>
+        <source>{0}: {1}</source>
+        <translation>{0}&#xa0;: {1}</translation>
+    </message>
+    <message>
+        <source>{0} was {1} when the scan began</source>
+        <translation>{0} était {1} au début du cycle</translation>
+    </message>
+    <message>
+        <source>{0}   {1}</source>
+        <translation>{0}   {1}</translation>
+    </message>
+    <message>
+        <source>its time of {0} is over</source>
+        <translation>son temps de {0} est écoulé</translation>
+    </message>
+    <message>
+        <source>it does not run</source>
+        <translation>ne tourne pas</translation>
+    </message>
+    <message>
+        <source>it has run {0} of {1}, {2} to go</source>
+        <translation>{0} sur {1} écoulés, reste {2}</translation>
+    </message>
+    <message>
+        <source>it has counted {0} of {1}</source>
+        <translation>a compté {0} sur {1}</translation>
+    </message>
+    <message>
+        <source>No change of up to three variables makes it {0} in this scan.</source>
+        <translation>Aucun changement de trois variables au plus ne la rend {0} dans ce cycle.</translation>
+    </message>
+    <message>
+        <source>It would be {0} if {1}.</source>
+        <translation>Elle serait {0} si {1}.</translation>
+    </message>
+    <message>
+        <source>It would also be {0} if {1}.</source>
+        <translation>Elle serait aussi {0} si {1}.</translation>
+    </message>
+    <message>
+        <source>{0} were {1} (it is {2})</source>
+        <translation>{0} était {1} (actuellement {2})</translation>
+    </message>
+    <message>
+        <source>{0} and {1}</source>
+        <translation>{0} et {1}</translation>
+    </message>
+    <message>
+        <source>What keeps it {0}</source>
+        <translation>Ce qui la maintient à {0}</translation>
+    </message>
+    <message>
+        <source>Note: {0}.</source>
+        <translation>Remarque&#xa0;: {0}.</translation>
+    </message>
+    <message>
+        <source>recorded by an earlier version, which kept no journal</source>
+        <translation>enregistré par une version antérieure, qui ne tenait pas de journal</translation>
+    </message>
+    <message>
+        <source>it was written to while it was halted at a breakpoint</source>
+        <translation>des valeurs ont été écrites pendant l’arrêt à un point d’arrêt</translation>
+    </message>
+    <message>
+        <source>the scan had another result when it was run again</source>
+        <translation>le cycle a donné un autre résultat lors de sa réexécution</translation>
+    </message>
+    <message>
+        <source>it has no value in this scan: {0}</source>
+        <translation>pas de valeur dans ce cycle&#xa0;: {0}</translation>
+    </message>
+    <message>
+        <source>&quot;Why not?&quot; needs a condition (BOOL), for example &quot;Main.level &gt; 80&quot;</source>
+        <translation>«&#xa0;Pourquoi pas&#x202f;?&#xa0;» demande une condition (BOOL), par exemple «&#xa0;Main.level &gt; 80&#xa0;»</translation>
+    </message>
+    <message>
+        <source>the program was not built from sources</source>
+        <translation>le programme n’a pas été compilé à partir de sources</translation>
+    </message>
+    <message>
+        <source>this scan is not in the recording</source>
+        <translation>ce cycle n’est pas dans l’enregistrement</translation>
+    </message>
+    <message>
+        <source>it does not change in this recording</source>
+        <translation>ne change pas dans cet enregistrement</translation>
+    </message>
+    <message>
+        <source>nothing wrote it in this scan</source>
+        <translation>rien ne l’a écrit dans ce cycle</translation>
+    </message>
+    <message>
+        <source>no statement of the project ran in this scan</source>
+        <translation>aucune instruction du projet n’a été exécutée dans ce cycle</translation>
+    </message>
+</context>
+<context>
     <name>LongTask</name>
     <message>
         <source>Cancel</source>
         <translation>Annuler</translation>
+    </message>
+</context>
+<context>
+    <name>Loops</name>
+    <message>
+        <source>The program has no controller block; name the signals with --input and --output</source>
+        <translation>Le programme n’a pas de bloc régulateur&#x202f;; indiquez les signaux avec --input et --output</translation>
+    </message>
+    <message>
+        <source>There is no single loop {0}; the program has {1}</source>
+        <translation>Il n’y a pas de boucle unique {0}&#x202f;; le programme a {1}</translation>
+    </message>
+    <message>
+        <source>The recording contains no program that knows it</source>
+        <translation>L’enregistrement ne contient aucun programme qui la connaît</translation>
+    </message>
+    <message>
+        <source>It is not a number and cannot be a signal of a loop</source>
+        <translation>Ce n’est pas un nombre et ne peut pas être un signal de boucle</translation>
+    </message>
+    <message>
+        <source>This range is no longer recorded, or the program was changed in it; choose another one</source>
+        <translation>Cette plage n’est plus enregistrée, ou le programme y a été modifié&#x202f;; choisissez-en une autre</translation>
+    </message>
+    <message>
+        <source>{0} gets an expression in the call; give the measured value a variable of its own to try settings</source>
+        <translation>{0} reçoit une expression dans l’appel&#x202f;; donnez à la valeur mesurée sa propre variable pour essayer des paramètres</translation>
     </message>
 </context>
 <context>
@@ -3979,6 +4505,241 @@
     </message>
 </context>
 <context>
+    <name>Tuning</name>
+    <message>
+        <source>The table has no column of times; name one time_s (seconds) or time_ms</source>
+        <translation>Le tableau n’a pas de colonne de temps&#x202f;; nommez-en une time_s (secondes) ou time_ms</translation>
+    </message>
+    <message>
+        <source>The table has no column {0}; it has {1}</source>
+        <translation>Le tableau n’a pas de colonne {0}&#x202f;; il a {1}</translation>
+    </message>
+    <message>
+        <source>The table has no column {0}; did you mean {1}?</source>
+        <translation>Le tableau n’a pas de colonne {0}&#x202f;; vouliez-vous dire {1}&#x202f;?</translation>
+    </message>
+    <message>
+        <source>Line {0} has no number in column {1}</source>
+        <translation>La ligne {0} n’a pas de nombre dans la colonne {1}</translation>
+    </message>
+    <message>
+        <source>The time in line {0} is before that of the line above</source>
+        <translation>Le temps de la ligne {0} est antérieur à celui de la ligne précédente</translation>
+    </message>
+    <message>
+        <source>{0} {0:sample is|samples are} too few for a model; record for longer</source>
+        <translation>{0} {0:échantillon ne suffit|échantillons ne suffisent} pas pour un modèle&#x202f;; enregistrez plus longtemps</translation>
+    </message>
+    <message>
+        <source>usable</source>
+        <translation>utilisable</translation>
+    </message>
+    <message>
+        <source>the input is at a limit for {0} % of the time</source>
+        <translation>l’entrée est à une limite pendant {0}&#xa0;% du temps</translation>
+    </message>
+    <message>
+        <source>the output moves by only {0} times its noise</source>
+        <translation>la sortie ne bouge que de {0} fois son bruit</translation>
+    </message>
+    <message>
+        <source>too short: {0} samples until the next change</source>
+        <translation>trop court&#xa0;: {0} échantillons jusqu’au changement suivant</translation>
+    </message>
+    <message>
+        <source>disturbed: no model explains more than {0} % of it</source>
+        <translation>perturbé&#xa0;: aucun modèle n’en explique plus de {0}&#xa0;%</translation>
+    </message>
+    <message>
+        <source>usable; it was still moving before</source>
+        <translation>utilisable&#x202f;; elle bougeait encore avant</translation>
+    </message>
+    <message>
+        <source>There is no step or disturbance in the recording; change the set point or the output by hand once and record that</source>
+        <translation>Il n’y a ni échelon ni perturbation dans l’enregistrement&#x202f;; changez une fois la consigne ou la sortie en manuel et enregistrez cela</translation>
+    </message>
+    <message>
+        <source>None of the {0} changes found is usable: {1}</source>
+        <translation>Aucun des {0} changements trouvés n’est utilisable&#xa0;: {1}</translation>
+    </message>
+    <message>
+        <source>No model explains what the output does; something else moves it</source>
+        <translation>Aucun modèle n’explique le comportement de la sortie&#x202f;; autre chose la fait bouger</translation>
+    </message>
+    <message>
+        <source>The rule {0} has no answer for this process</source>
+        <translation>La règle {0} n’a pas de réponse pour ce procédé</translation>
+    </message>
+    <message>
+        <source>Unstable: the loop would swing up. Do not use this.</source>
+        <translation>Instable&#xa0;: la boucle entrerait en oscillation croissante. À ne pas utiliser.</translation>
+    </message>
+    <message>
+        <source>Fragile: a small change of the process makes it swing.</source>
+        <translation>Fragile&#xa0;: un petit changement du procédé la fait osciller.</translation>
+    </message>
+    <message>
+        <source>Brisk: quick, and it swings a little; the process should not change much.</source>
+        <translation>Vif&#xa0;: rapide, avec une légère oscillation&#x202f;; le procédé ne doit pas beaucoup changer.</translation>
+    </message>
+    <message>
+        <source>Good: quick enough, and it tolerates the usual changes of a process.</source>
+        <translation>Bon&#xa0;: assez rapide, et tolère les changements habituels d’un procédé.</translation>
+    </message>
+    <message>
+        <source>Calm: slow, and it tolerates a process that changes a lot.</source>
+        <translation>Calme&#xa0;: lent, et tolère un procédé qui change beaucoup.</translation>
+    </message>
+    <message>
+        <source>A step of the set point does not overshoot.</source>
+        <translation>Un échelon de consigne ne provoque pas de dépassement.</translation>
+    </message>
+    <message>
+        <source>A step of the set point overshoots by {0} %.</source>
+        <translation>Un échelon de consigne provoque un dépassement de {0}&#xa0;%.</translation>
+    </message>
+    <message>
+        <source>Ziegler-Nichols is here to compare with: it swings and tolerates little. Take SIMC or the optimum instead.</source>
+        <translation>Ziegler-Nichols sert ici à comparer&#xa0;: il oscille et tolère peu. Prenez plutôt SIMC ou l’optimum.</translation>
+    </message>
+    <message>
+        <source>The rule looks at one lag only; check the margins.</source>
+        <translation>La règle ne tient compte que d’un seul retard&#x202f;; vérifiez les marges.</translation>
+    </message>
+    <message>
+        <source>gain and dead time</source>
+        <translation>gain et temps mort</translation>
+    </message>
+    <message>
+        <source>first order</source>
+        <translation>premier ordre</translation>
+    </message>
+    <message>
+        <source>first order with dead time</source>
+        <translation>premier ordre avec temps mort</translation>
+    </message>
+    <message>
+        <source>second order</source>
+        <translation>deuxième ordre</translation>
+    </message>
+    <message>
+        <source>second order with dead time</source>
+        <translation>deuxième ordre avec temps mort</translation>
+    </message>
+    <message>
+        <source>two equal lags</source>
+        <translation>deux retards égaux</translation>
+    </message>
+    <message>
+        <source>two equal lags with dead time</source>
+        <translation>deux retards égaux avec temps mort</translation>
+    </message>
+    <message>
+        <source>oscillating</source>
+        <translation>oscillant</translation>
+    </message>
+    <message>
+        <source>oscillating with dead time</source>
+        <translation>oscillant avec temps mort</translation>
+    </message>
+    <message>
+        <source>oscillating with a lag</source>
+        <translation>oscillant avec un retard</translation>
+    </message>
+    <message>
+        <source>second order with a zero</source>
+        <translation>deuxième ordre avec un zéro</translation>
+    </message>
+    <message>
+        <source>second order with a zero and dead time</source>
+        <translation>deuxième ordre avec un zéro et temps mort</translation>
+    </message>
+    <message>
+        <source>three equal lags</source>
+        <translation>trois retards égaux</translation>
+    </message>
+    <message>
+        <source>three equal lags with a zero</source>
+        <translation>trois retards égaux avec un zéro</translation>
+    </message>
+    <message>
+        <source>four equal lags</source>
+        <translation>quatre retards égaux</translation>
+    </message>
+    <message>
+        <source>five equal lags</source>
+        <translation>cinq retards égaux</translation>
+    </message>
+    <message>
+        <source>six equal lags</source>
+        <translation>six retards égaux</translation>
+    </message>
+    <message>
+        <source>seven equal lags</source>
+        <translation>sept retards égaux</translation>
+    </message>
+    <message>
+        <source>eight equal lags</source>
+        <translation>huit retards égaux</translation>
+    </message>
+    <message>
+        <source>three equal lags with dead time</source>
+        <translation>trois retards égaux avec temps mort</translation>
+    </message>
+    <message>
+        <source>three lags</source>
+        <translation>trois retards</translation>
+    </message>
+    <message>
+        <source>three lags with dead time</source>
+        <translation>trois retards avec temps mort</translation>
+    </message>
+    <message>
+        <source>four lags</source>
+        <translation>quatre retards</translation>
+    </message>
+    <message>
+        <source>integrating</source>
+        <translation>intégrateur</translation>
+    </message>
+    <message>
+        <source>integrating with dead time</source>
+        <translation>intégrateur avec temps mort</translation>
+    </message>
+    <message>
+        <source>integrating with a lag</source>
+        <translation>intégrateur avec un retard</translation>
+    </message>
+    <message>
+        <source>integrating with a lag and dead time</source>
+        <translation>intégrateur avec un retard et temps mort</translation>
+    </message>
+    <message>
+        <source>integrating with two equal lags</source>
+        <translation>intégrateur avec deux retards égaux</translation>
+    </message>
+    <message>
+        <source>SIMC</source>
+        <translation>SIMC</translation>
+    </message>
+    <message>
+        <source>AMIGO</source>
+        <translation>AMIGO</translation>
+    </message>
+    <message>
+        <source>Optimum</source>
+        <translation>Optimum</translation>
+    </message>
+    <message>
+        <source>Chien-Hrones-Reswick</source>
+        <translation>Chien-Hrones-Reswick</translation>
+    </message>
+    <message>
+        <source>Ziegler-Nichols</source>
+        <translation>Ziegler-Nichols</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::ConversionDialog</name>
     <message>
         <source>%1 as ST</source>
@@ -3989,11 +4750,11 @@
         <translation>%1 en liste d’instructions</translation>
     </message>
     <message>
-        <source>Instruction list, as it stands</source>
+        <source>Instruction list (current text)</source>
         <translation>Liste d’instructions (texte actuel)</translation>
     </message>
     <message>
-        <source>ST, as it stands</source>
+        <source>ST (current text)</source>
         <translation>ST (texte actuel)</translation>
     </message>
     <message>
@@ -4121,6 +4882,17 @@
     </message>
 </context>
 <context>
+    <name>plc::app::GuideView</name>
+    <message>
+        <source>About this project</source>
+        <translation>À propos de ce projet</translation>
+    </message>
+    <message>
+        <source>A README.md in the project&apos;s folder is shown here.</source>
+        <translation>Un README.md dans le dossier du projet est affiché ici.</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::ImportDialog</name>
     <message>
         <source>Place</source>
@@ -4226,11 +4998,23 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <source>Saving the recording…</source>
         <translation>Écriture de l’enregistrement…</translation>
     </message>
+    <message>
+        <source>Export the alarm history…</source>
+        <translation>Exporter l’historique des alarmes…</translation>
+    </message>
+    <message>
+        <source>Export the Alarm History</source>
+        <translation>Exporter l’historique des alarmes</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tableaux (*.csv)</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MainWindow</name>
     <message>
-        <source>A panel&apos;s name is a file name: no / and no \</source>
+        <source>A panel&apos;s name cannot contain / or \</source>
         <translation>Le nom d’une vue est un nom de fichier&#xa0;: ni / ni \</translation>
     </message>
     <message>
@@ -4258,7 +5042,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Forçages</translation>
     </message>
     <message>
-        <source>Call Path</source>
+        <source>Call Stack</source>
         <translation>Pile d’appels</translation>
     </message>
     <message>
@@ -4421,7 +5205,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Bibliothèques</translation>
     </message>
     <message>
-        <source>The tests run…</source>
+        <source>Running tests…</source>
         <translation>Les tests sont en cours…</translation>
     </message>
     <message>
@@ -4481,10 +5265,6 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Bienvenue</translation>
     </message>
     <message>
-        <source>This is a PID controller working on a simulated process: the program above, its trace below, its operator panel at the right. Nothing can break: the plant is only numbers. Press Next to look around for a minute, or F5 to run it at once.</source>
-        <translation>Voici un régulateur PID sur un procédé simulé&#xa0;: le programme en haut, sa trace en bas, sa vue opérateur à droite. Rien ne peut être endommagé&#xa0;: l’installation n’est faite que de nombres. Cliquez sur Suivant pour une courte visite, ou appuyez sur F5 pour démarrer tout de suite.</translation>
-    </message>
-    <message>
         <source>The project</source>
         <translation>Le projet</translation>
     </message>
@@ -4497,15 +5277,15 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Le programme</translation>
     </message>
     <message>
-        <source>Structured Text with colours by meaning. Errors are underlined while you type; Alt+Enter mends what it can; Ctrl+Space completes.</source>
-        <translation>Texte structuré coloré selon le sens. Les erreurs sont soulignées pendant la saisie&#x202f;; Alt+Entrée corrige ce qui peut l’être&#x202f;; Ctrl+Espace complète.</translation>
+        <source>Structured Text with colours by meaning. Errors are underlined while you type; Alt+Enter offers quick fixes; Ctrl+Space completes.</source>
+        <translation>Texte structuré coloré selon le sens. Les erreurs sont soulignées pendant la saisie&#x202f;; Alt+Entrée propose des corrections rapides&#x202f;; Ctrl+Espace complète.</translation>
     </message>
     <message>
         <source>Run</source>
         <translation>Exécution</translation>
     </message>
     <message>
-        <source>F5 compiles to native code and runs it. Values then stand beside each line.</source>
+        <source>F5 compiles to native code and runs it. Values then appear next to each line.</source>
         <translation>F5 compile en code natif et exécute. Les valeurs s’affichent alors à côté de chaque ligne.</translation>
     </message>
     <message>
@@ -4533,11 +5313,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Le temps s’écoule aussi à rebours</translation>
     </message>
     <message>
-        <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume From Here” goes on from there.</source>
-        <translation>Faites glisser le curseur temporel, ou appuyez sur Ctrl+Alt+Gauche&#xa0;: le code, les courbes et la vue affichent le passé. «&#xa0;Reprendre ici&#xa0;» repart de là.</translation>
-    </message>
-    <message>
-        <source>That is it</source>
+        <source>That’s it</source>
         <translation>C’est tout</translation>
     </message>
     <message>
@@ -4657,8 +5433,8 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Aller à la définition</translation>
     </message>
     <message>
-        <source>Find All Uses</source>
-        <translation>Rechercher les utilisations</translation>
+        <source>Find References</source>
+        <translation>Rechercher les références</translation>
     </message>
     <message>
         <source>Rename…</source>
@@ -4669,15 +5445,15 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Compléter</translation>
     </message>
     <message>
-        <source>Apply a Fix (Alt+Enter)</source>
-        <translation>Appliquer une correction (Alt+Entrée)</translation>
+        <source>Quick Fix (Alt+Enter)</source>
+        <translation>Correction rapide (Alt+Entrée)</translation>
     </message>
     <message>
         <source>Format</source>
         <translation>Mettre en forme</translation>
     </message>
     <message>
-        <source>Comment In or Out (Ctrl+/)</source>
+        <source>Toggle Comment (Ctrl+/)</source>
         <translation>Commenter ou décommenter (Ctrl+/)</translation>
     </message>
     <message>
@@ -4685,11 +5461,11 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Dupliquer la ligne</translation>
     </message>
     <message>
-        <source>Select the Block Around</source>
+        <source>Select Enclosing Block</source>
         <translation>Sélectionner le bloc englobant</translation>
     </message>
     <message>
-        <source>Go to the Matching Word</source>
+        <source>Go to Matching Keyword</source>
         <translation>Aller au mot-clé correspondant</translation>
     </message>
     <message>
@@ -4725,7 +5501,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Un seul cycle</translation>
     </message>
     <message>
-        <source>Step In</source>
+        <source>Step Into</source>
         <translation>Pas à pas détaillé</translation>
     </message>
     <message>
@@ -4801,7 +5577,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Retour au direct</translation>
     </message>
     <message>
-        <source>Resume From Here</source>
+        <source>Resume from Here</source>
         <translation>Reprendre ici</translation>
     </message>
     <message>
@@ -4837,7 +5613,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Thème sombre</translation>
     </message>
     <message>
-        <source>Theme of the System</source>
+        <source>System Theme</source>
         <translation>Thème du système</translation>
     </message>
     <message>
@@ -4928,11 +5704,11 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>trace</translation>
     </message>
     <message>
-        <source>A file name holds no / and no \</source>
+        <source>A file name cannot contain / or \</source>
         <translation>Un nom de fichier ne contient ni / ni \</translation>
     </message>
     <message>
-        <source>There is a trace %1 already</source>
+        <source>A trace %1 already exists</source>
         <translation>Une trace %1 existe déjà</translation>
     </message>
     <message>
@@ -4940,19 +5716,19 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Nouveau nom de %1&#xa0;:</translation>
     </message>
     <message>
-        <source>There is a file %1 already</source>
+        <source>A file %1 already exists</source>
         <translation>Un fichier %1 existe déjà</translation>
     </message>
     <message>
-        <source>The file can not be renamed; check the permissions of the folder</source>
+        <source>The file cannot be renamed; check the permissions of the folder</source>
         <translation>Le fichier ne peut pas être renommé&#x202f;; vérifiez les droits du dossier</translation>
     </message>
     <message>
-        <source>These panels lead to it; their buttons will be problems: %1</source>
+        <source>These panels link to it; their buttons will be reported as errors: %1</source>
         <translation>Ces vues y renvoient&#x202f;; leurs boutons seront signalés comme problèmes&#xa0;: %1</translation>
     </message>
     <message>
-        <source>The file can not be removed; check the permissions of the folder</source>
+        <source>The file cannot be removed; check the permissions of the folder</source>
         <translation>Le fichier ne peut pas être supprimé&#x202f;; vérifiez les droits du dossier</translation>
     </message>
     <message>
@@ -4988,7 +5764,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Le projet est encore en cours de vérification&#x202f;; réessayez dans un instant</translation>
     </message>
     <message>
-        <source>It holds %1.</source>
+        <source>It contains %1.</source>
         <translation>Il contient %1.</translation>
     </message>
     <message>
@@ -4996,7 +5772,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>La langue change quand les tests sont terminés</translation>
     </message>
     <message>
-        <source>Fault of the controller</source>
+        <source>Controller fault</source>
         <translation>Erreur de l’automate</translation>
     </message>
     <message>
@@ -5058,6 +5834,58 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <message>
         <source>Diagram Beside the Text</source>
         <translation>Schéma à côté du texte</translation>
+    </message>
+    <message>
+        <source>Bookmark</source>
+        <translation>Signet</translation>
+    </message>
+    <message>
+        <source>Next Bookmark</source>
+        <translation>Signet suivant</translation>
+    </message>
+    <message>
+        <source>Previous Bookmark</source>
+        <translation>Signet précédent</translation>
+    </message>
+    <message>
+        <source>Open Another File Beside…</source>
+        <translation>Ouvrir un autre fichier à côté…</translation>
+    </message>
+    <message>
+        <source>About This Project</source>
+        <translation>À propos de ce projet</translation>
+    </message>
+    <message>
+        <source>The project has no other file</source>
+        <translation>Le projet n’a pas d’autre fichier</translation>
+    </message>
+    <message>
+        <source>Open Another File Beside</source>
+        <translation>Ouvrir un autre fichier à côté</translation>
+    </message>
+    <message>
+        <source>%1 Nothing can break: the plant is only numbers. Press Next to look around for a minute, or F5 to run it at once.</source>
+        <translation>%1 Rien ne peut être endommagé&#xa0;: l’installation n’est faite que de nombres. Cliquez sur Suivant pour une courte visite, ou appuyez sur F5 pour démarrer tout de suite.</translation>
+    </message>
+    <message>
+        <source>This is the project %1.</source>
+        <translation>Voici le projet %1.</translation>
+    </message>
+    <message>
+        <source>What to press</source>
+        <translation>Sur quoi appuyer</translation>
+    </message>
+    <message>
+        <source>The page beside the program is the project&apos;s README: what it shows, what to press, what to watch.</source>
+        <translation>La page à côté du programme est le README du projet&#xa0;: ce qu’il affiche, sur quoi appuyer, ce qu’il faut surveiller.</translation>
+    </message>
+    <message>
+        <source>What the operator sees. This project has no panel yet; new ones are drawn with the mouse.</source>
+        <translation>Ce que voit l’opérateur. Ce projet n’a pas encore de vue&#x202f;; les nouvelles se dessinent à la souris.</translation>
+    </message>
+    <message>
+        <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume from Here” continues from there.</source>
+        <translation>Faites glisser le curseur temporel, ou appuyez sur Ctrl+Alt+Gauche&#xa0;: le code, les courbes et la vue affichent le passé. «&#xa0;Reprendre ici&#xa0;» repart de là.</translation>
     </message>
 </context>
 <context>
@@ -5170,15 +5998,15 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Créer</translation>
     </message>
     <message>
-        <source>The project needs a name</source>
+        <source>Enter a project name</source>
         <translation>Saisissez un nom de projet</translation>
     </message>
     <message>
-        <source>%1 exists already and is not empty</source>
+        <source>%1 already exists and is not empty</source>
         <translation>%1 existe déjà et n’est pas vide</translation>
     </message>
     <message>
-        <source>Will be made in %1</source>
+        <source>Will be created in %1</source>
         <translation>Sera créé dans %1</translation>
     </message>
 </context>
@@ -5249,19 +6077,19 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Créer</translation>
     </message>
     <message>
-        <source>Give it a name</source>
+        <source>Enter a name</source>
         <translation>Saisissez un nom</translation>
     </message>
     <message>
-        <source>A name has letters, digits and _, begins with a letter and is no keyword</source>
+        <source>A name has letters, digits and _, starts with a letter and is not a keyword</source>
         <translation>Un nom se compose de lettres, de chiffres et de _, commence par une lettre et n’est pas un mot-clé</translation>
     </message>
     <message>
-        <source>There is a %1 in the project already</source>
+        <source>%1 already exists in the project</source>
         <translation>%1 existe déjà dans le projet</translation>
     </message>
     <message>
-        <source>There is a file %1 already: choose it, or another name</source>
+        <source>A file %1 already exists: choose it, or another name</source>
         <translation>Le fichier %1 existe déjà&#xa0;: choisissez-le, ou un autre nom</translation>
     </message>
     <message>
@@ -5498,7 +6326,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Texte à rechercher dans tous les fichiers</translation>
     </message>
     <message>
-        <source>Replace by</source>
+        <source>Replace with</source>
         <translation>Remplacer par</translation>
     </message>
     <message>
@@ -5538,7 +6366,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Résultats de la recherche</translation>
     </message>
     <message>
-        <source>Not a pattern: %1</source>
+        <source>Invalid regular expression: %1</source>
         <translation>Expression régulière incorrecte&#xa0;: %1</translation>
     </message>
     <message>
@@ -5626,7 +6454,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Raccourcis</translation>
     </message>
     <message>
-        <source>As the system</source>
+        <source>System default</source>
         <translation>Comme le système</translation>
     </message>
     <message>
@@ -5666,7 +6494,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Mettre en forme à l’enregistrement</translation>
     </message>
     <message>
-        <source>Saving changes the running controller (online change)</source>
+        <source>Apply an online change when saving</source>
         <translation>Appliquer une modification en ligne à l’enregistrement</translation>
     </message>
     <message>
@@ -5698,7 +6526,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Filtre des commandes</translation>
     </message>
     <message>
-        <source>All Defaults</source>
+        <source>Restore Defaults</source>
         <translation>Valeurs par défaut</translation>
     </message>
     <message>
@@ -5723,6 +6551,10 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <message>
         <source>Make Writable</source>
         <translation>Rendre modifiable</translation>
+    </message>
+    <message>
+        <source>Close this side</source>
+        <translation>Fermer ce côté</translation>
     </message>
 </context>
 <context>
@@ -5903,7 +6735,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Ligne</translation>
     </message>
     <message>
-        <source>Call path</source>
+        <source>Call stack</source>
         <translation>Pile d’appels</translation>
     </message>
     <message>
@@ -5926,11 +6758,11 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Grafcet (SFC)</translation>
     </message>
     <message>
-        <source>Insert a step behind (Ins)</source>
+        <source>Insert a step after it (Ins)</source>
         <translation>Insérer une étape après (Inser)</translation>
     </message>
     <message>
-        <source>Insert a branch beside</source>
+        <source>Insert an alternative branch</source>
         <translation>Insérer une branche alternative</translation>
     </message>
     <message>
@@ -5950,7 +6782,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Supprimer (Suppr)</translation>
     </message>
     <message>
-        <source>The unit %1 is not in the text any more</source>
+        <source>The unit %1 is no longer in the text</source>
         <translation>Le POU %1 n’est plus dans le texte</translation>
     </message>
     <message>
@@ -5958,15 +6790,11 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Le texte contient des erreurs&#xa0;: ceci est le dernier tracé correct</translation>
     </message>
     <message>
-        <source>%1 is not a chart</source>
-        <translation>%1 n’est pas un grafcet</translation>
-    </message>
-    <message>
         <source>Select the step from which the branch goes out</source>
         <translation>Sélectionnez l’étape d’où part la branche</translation>
     </message>
     <message>
-        <source>Select the transition behind which the steps run at the same time</source>
+        <source>Select the transition after which the steps run at the same time</source>
         <translation>Sélectionnez la transition après laquelle les étapes sont simultanées</translation>
     </message>
     <message>
@@ -5974,11 +6802,11 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Sélectionnez l’étape qui reçoit l’action</translation>
     </message>
     <message>
-        <source>Insert a Step Behind</source>
+        <source>Insert a Step After It</source>
         <translation>Insérer une étape après</translation>
     </message>
     <message>
-        <source>Insert a Branch Beside</source>
+        <source>Insert an Alternative Branch</source>
         <translation>Insérer une branche alternative</translation>
     </message>
     <message>
@@ -5990,11 +6818,11 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Ajouter une action</translation>
     </message>
     <message>
-        <source>Make It the Initial Step</source>
+        <source>Set as Initial Step</source>
         <translation>Définir comme étape initiale</translation>
     </message>
     <message>
-        <source>Force the Step On</source>
+        <source>Force the Step Active</source>
         <translation>Forcer l’étape active</translation>
     </message>
     <message>
@@ -6030,7 +6858,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Branche à droite</translation>
     </message>
     <message>
-        <source>%1 behind this transition</source>
+        <source>%1 after this transition</source>
         <translation>%1 après cette transition</translation>
     </message>
     <message>
@@ -6062,15 +6890,15 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>action</translation>
     </message>
     <message>
-        <source>To the chart around (Backspace)</source>
+        <source>To the enclosing chart (Backspace)</source>
         <translation>Vers le grafcet supérieur (Retour arrière)</translation>
     </message>
     <message>
-        <source>Breakpoint: stops when the step becomes active, when the transition is taken (F9)</source>
+        <source>Breakpoint: stops when the step becomes active or the transition is taken (F9)</source>
         <translation>Point d’arrêt&#xa0;: arrêt quand l’étape devient active ou quand la transition est franchie (F9)</translation>
     </message>
     <message>
-        <source>Force the step on</source>
+        <source>Force the step active</source>
         <translation>Forcer l’étape active</translation>
     </message>
     <message>
@@ -6108,6 +6936,50 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <message>
         <source>Delete the Whole Branch</source>
         <translation>Supprimer toute la branche</translation>
+    </message>
+    <message>
+        <source>Select what is to be copied</source>
+        <translation>Sélectionnez ce qui doit être copié</translation>
+    </message>
+    <message>
+        <source>Select what is to be cut</source>
+        <translation>Sélectionnez ce qui doit être coupé</translation>
+    </message>
+    <message>
+        <source>The clipboard contains no step, action or transition</source>
+        <translation>Le presse-papiers ne contient ni étape, ni action, ni transition</translation>
+    </message>
+    <message>
+        <source>Select the step or transition to paste after</source>
+        <translation>Sélectionnez l’étape ou la transition après laquelle coller</translation>
+    </message>
+    <message>
+        <source>Select the transition that gets the condition</source>
+        <translation>Sélectionnez la transition qui reçoit la condition</translation>
+    </message>
+    <message>
+        <source>Start a Chart</source>
+        <translation>Commencer un grafcet</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Couper</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copier</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Coller</translation>
+    </message>
+    <message>
+        <source>%1 has no chart yet. A chart starts with an initial step; more steps are inserted after it with Ins, and F2 edits names and conditions.</source>
+        <translation>%1 n’a pas encore de grafcet. Un grafcet commence par une étape initiale&#x202f;; Inser ajoute d’autres étapes après elle, F2 modifie les noms et les conditions.</translation>
+    </message>
+    <message>
+        <source>%1 is not a chart: its body has statements. A chart can be started in a program or function block whose body is empty.</source>
+        <translation>%1 n’est pas un grafcet&#xa0;: son corps contient des instructions. Un grafcet peut être commencé dans un programme ou un bloc fonctionnel dont le corps est vide.</translation>
     </message>
 </context>
 <context>
@@ -6228,7 +7100,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Texte à rechercher</translation>
     </message>
     <message>
-        <source>Replace by</source>
+        <source>Replace with</source>
         <translation>Remplacer par</translation>
     </message>
     <message>
@@ -6275,7 +7147,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         </translation>
     </message>
     <message>
-        <source>not a pattern</source>
+        <source>invalid regular expression</source>
         <translation>expression régulière incorrecte</translation>
     </message>
     <message numerus="yes">
@@ -6395,7 +7267,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Afficher en schéma à contacts</translation>
     </message>
     <message>
-        <source>%1 is not in the text any more</source>
+        <source>%1 is no longer in the text</source>
         <translation>%1 n’est plus dans le texte</translation>
     </message>
     <message>
@@ -6574,6 +7446,106 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <source>Toggle Breakpoint</source>
         <translation>Basculer le point d’arrêt</translation>
     </message>
+    <message>
+        <source>Contacts as Bars (IEC 61131-3, ANSI)</source>
+        <translation>Contacts en barres (CEI 61131-3, ANSI)</translation>
+    </message>
+    <message>
+        <source>Contacts as in Circuit Diagrams (IEC 60617)</source>
+        <translation>Contacts comme dans les schémas électriques (CEI 60617)</translation>
+    </message>
+    <message>
+        <source>Names</source>
+        <translation>Noms</translation>
+    </message>
+    <message>
+        <source>Addresses</source>
+        <translation>Adresses</translation>
+    </message>
+    <message>
+        <source>Names and Addresses</source>
+        <translation>Noms et adresses</translation>
+    </message>
+    <message>
+        <source>Comments of the Variables</source>
+        <translation>Commentaires des variables</translation>
+    </message>
+    <message>
+        <source>Comments of the Rungs</source>
+        <translation>Commentaires des réseaux</translation>
+    </message>
+    <message>
+        <source>High Contrast</source>
+        <translation>Contraste élevé</translation>
+    </message>
+    <message>
+        <source>What is shown</source>
+        <translation>Ce qui est affiché</translation>
+    </message>
+    <message>
+        <source>type</source>
+        <translation>type</translation>
+    </message>
+    <message>
+        <source>Rename the variable everywhere</source>
+        <translation>Renommer la variable partout</translation>
+    </message>
+    <message>
+        <source>Go to the declaration</source>
+        <translation>Aller à la déclaration</translation>
+    </message>
+    <message>
+        <source>References to the variable</source>
+        <translation>Références de la variable</translation>
+    </message>
+    <message>
+        <source>Quick fix</source>
+        <translation>Correction rapide</translation>
+    </message>
+    <message>
+        <source>Bookmark on the rung</source>
+        <translation>Signet sur le réseau</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Renommer…</translation>
+    </message>
+    <message>
+        <source>Find References</source>
+        <translation>Rechercher les références</translation>
+    </message>
+    <message>
+        <source>Go to Definition</source>
+        <translation>Aller à la définition</translation>
+    </message>
+    <message>
+        <source>Quick Fix</source>
+        <translation>Correction rapide</translation>
+    </message>
+    <message>
+        <source>Write TRUE</source>
+        <translation>Écrire TRUE</translation>
+    </message>
+    <message>
+        <source>Write FALSE</source>
+        <translation>Écrire FALSE</translation>
+    </message>
+    <message>
+        <source>Toggle Bookmark</source>
+        <translation>Basculer le signet</translation>
+    </message>
+    <message>
+        <source>Contact Here</source>
+        <translation>Contact ici</translation>
+    </message>
+    <message>
+        <source>Negated Contact Here</source>
+        <translation>Contact inversé ici</translation>
+    </message>
+    <message>
+        <source>Function Block Here</source>
+        <translation>Bloc fonctionnel ici</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::RunArchive</name>
@@ -6651,8 +7623,8 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Aller à la définition</translation>
     </message>
     <message>
-        <source>Find All Uses</source>
-        <translation>Rechercher les utilisations</translation>
+        <source>Find References</source>
+        <translation>Rechercher les références</translation>
     </message>
     <message>
         <source>Rename…</source>
@@ -6892,7 +7864,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Format des nombres</translation>
     </message>
     <message>
-        <source>As the list</source>
+        <source>As in the list</source>
         <translation>Comme la liste</translation>
     </message>
 </context>
@@ -6952,6 +7924,49 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
 </context>
 <context>
+    <name>plc::hmi::ArrayArrangementDialog</name>
+    <message>
+        <source>Arrange over array</source>
+        <translation>Disposer selon un tableau</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Paramètre</translation>
+    </message>
+    <message>
+        <source>Array</source>
+        <translation>Tableau</translation>
+    </message>
+    <message>
+        <source>First index</source>
+        <translation>Premier indice</translation>
+    </message>
+    <message>
+        <source>Last index</source>
+        <translation>Dernier indice</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Colonnes</translation>
+    </message>
+    <message>
+        <source>Horizontal gap</source>
+        <translation>Écart horizontal</translation>
+    </message>
+    <message>
+        <source>Vertical gap</source>
+        <translation>Écart vertical</translation>
+    </message>
+    <message>
+        <source>In the other arguments, # becomes the index.</source>
+        <translation>Dans les autres arguments, # devient l’indice.</translation>
+    </message>
+    <message>
+        <source>Choose an array with one index, for example Plant.Valves.</source>
+        <translation>Choisissez un tableau à un indice, par exemple Plant.Valves.</translation>
+    </message>
+</context>
+<context>
     <name>plc::hmi::ArrayDialog</name>
     <message>
         <source>Duplicate as array</source>
@@ -6966,7 +7981,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Colonnes</translation>
     </message>
     <message>
-        <source>Gap down</source>
+        <source>Vertical gap</source>
         <translation>Écart vertical</translation>
     </message>
     <message>
@@ -6974,7 +7989,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Pas d’indice</translation>
     </message>
     <message>
-        <source>Gap across</source>
+        <source>Horizontal gap</source>
         <translation>Écart horizontal</translation>
     </message>
 </context>
@@ -7003,6 +8018,10 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <message>
         <source>Resize</source>
         <translation>Redimensionner</translation>
+    </message>
+    <message>
+        <source>Bind</source>
+        <translation>Lier</translation>
     </message>
 </context>
 <context>
@@ -7037,11 +8056,15 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <source>Search elements</source>
         <translation>Rechercher des éléments</translation>
     </message>
+    <message>
+        <source>Faceplates</source>
+        <translation>Vues d’objet</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::PanelDesigner</name>
     <message>
-        <source>Finding</source>
+        <source>Issue</source>
         <translation>Message</translation>
     </message>
     <message>
@@ -7105,11 +8128,11 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Aligner en bas</translation>
     </message>
     <message>
-        <source>Equal gaps across</source>
+        <source>Distribute horizontally</source>
         <translation>Répartir horizontalement</translation>
     </message>
     <message>
-        <source>Equal gaps down</source>
+        <source>Distribute vertically</source>
         <translation>Répartir verticalement</translation>
     </message>
     <message>
@@ -7215,6 +8238,18 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <message>
         <source>Same size</source>
         <translation>Même taille</translation>
+    </message>
+    <message>
+        <source>Paste in place</source>
+        <translation>Coller au même endroit</translation>
+    </message>
+    <message>
+        <source>Arrange over array…</source>
+        <translation>Disposer selon un tableau…</translation>
+    </message>
+    <message>
+        <source>Arrange over array</source>
+        <translation>Disposer selon un tableau</translation>
     </message>
 </context>
 <context>
@@ -7326,6 +8361,51 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <message>
         <source>%1 is used by %2</source>
         <translation>%1 est utilisé par %2</translation>
+    </message>
+    <message>
+        <source>Import XLIFF</source>
+        <translation>Importer XLIFF</translation>
+    </message>
+    <message>
+        <source>Translations (*.xlf *.xliff)</source>
+        <translation>Traductions (*.xlf *.xliff)</translation>
+    </message>
+    <message>
+        <source>Export XLIFF</source>
+        <translation>Exporter XLIFF</translation>
+    </message>
+    <message>
+        <source>Translated from</source>
+        <translation>Traduit depuis</translation>
+    </message>
+    <message>
+        <source>Translated into</source>
+        <translation>Traduit vers</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>Version</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n text(s) taken.</source>
+        <translation>
+            <numerusform>%n texte repris.</numerusform>
+            <numerusform>%n textes repris.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n text(s) as they were.</source>
+        <translation>
+            <numerusform>%n texte inchangé.</numerusform>
+            <numerusform>%n textes inchangés.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n text(s) without a translation.</source>
+        <translation>
+            <numerusform>%n texte sans traduction.</numerusform>
+            <numerusform>%n textes sans traduction.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7725,6 +8805,14 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
         <source>Move channel</source>
         <translation>Déplacer la voie</translation>
     </message>
+    <message>
+        <source>Compared recording</source>
+        <translation>Enregistrement comparé</translation>
+    </message>
+    <message>
+        <source>Offset in time</source>
+        <translation>Décalage temporel</translation>
+    </message>
 </context>
 <context>
     <name>plc::trace::TimeBar</name>
@@ -7762,7 +8850,7 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
         <translation>Un cycle en arrière (Gauche)</translation>
     </message>
     <message>
-        <source>One scan forth (Right)</source>
+        <source>One scan forward (Right)</source>
         <translation>Un cycle en avant (Droite)</translation>
     </message>
     <message>
@@ -7941,31 +9029,31 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
         <translation>Enregistrements (*.rec);;Tous les fichiers (*)</translation>
     </message>
     <message>
-        <source>Trace set-up</source>
+        <source>Trace configuration</source>
         <translation>Configuration de trace</translation>
     </message>
     <message>
-        <source>Open set-up…</source>
+        <source>Open configuration…</source>
         <translation>Ouvrir une configuration…</translation>
     </message>
     <message>
-        <source>Open trace set-up</source>
+        <source>Open trace configuration</source>
         <translation>Ouvrir une configuration de trace</translation>
     </message>
     <message>
-        <source>Trace set-ups (*.trace.json)</source>
+        <source>Trace configurations (*.trace.json)</source>
         <translation>Configurations de trace (*.trace.json)</translation>
     </message>
     <message>
-        <source>Save trace set-up</source>
+        <source>Save trace configuration</source>
         <translation>Enregistrer la configuration de trace</translation>
     </message>
     <message>
-        <source>Save set-up</source>
+        <source>Save configuration</source>
         <translation>Enregistrer la configuration</translation>
     </message>
     <message>
-        <source>Save set-up as…</source>
+        <source>Save configuration as…</source>
         <translation>Enregistrer la configuration sous…</translation>
     </message>
     <message>
@@ -8082,6 +9170,14 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
     <message>
         <source>Saving the recording…</source>
         <translation>Écriture de l’enregistrement…</translation>
+    </message>
+    <message>
+        <source>%1, %2 later</source>
+        <translation>%1, %2 plus tard</translation>
+    </message>
+    <message>
+        <source>%1, %2 earlier</source>
+        <translation>%1, %2 plus tôt</translation>
     </message>
 </context>
 </TS>

@@ -1597,7 +1597,7 @@
         <translation>{0} 超出 {1} 的范围</translation>
     </message>
     <message>
-        <source>STRING holds Latin-1 only; declare the variable as WSTRING</source>
+        <source>STRING contains Latin-1 only; declare the variable as WSTRING</source>
         <translation>STRING 只包含 Latin-1；请将变量声明为 WSTRING</translation>
     </message>
     <message>
@@ -1872,6 +1872,194 @@
         <source>{0} is not a time</source>
         <translation>{0} 不是时间</translation>
     </message>
+    <message>
+        <source>This is not an XLIFF file</source>
+        <translation>这不是 XLIFF 文件</translation>
+    </message>
+    <message>
+        <source>The XLIFF version {0} is not known; save the file as 1.2 or 2.0</source>
+        <translation>XLIFF 版本 {0} 未知；请将文件保存为 1.2 或 2.0</translation>
+    </message>
+    <message>
+        <source>The file does not say into which language it is translated</source>
+        <translation>文件未说明翻译成哪种语言</translation>
+    </message>
+    <message>
+        <source>The XML is wrong: {0}</source>
+        <translation>XML 有误：{0}</translation>
+    </message>
+    <message>
+        <source>The text of the key {0} in {1} has changed since the export; check the translation</source>
+        <translation>键 {0} 的 {1} 文本在导出后已更改；请检查翻译</translation>
+    </message>
+    <message>
+        <source>The translation of the key {0} has other placeholders than its source, so it was not taken</source>
+        <translation>键 {0} 的译文与原文的占位符不同，因此未采用</translation>
+    </message>
+    <message>
+        <source>The picture {0} is outside the project; copy it into the project, or set {1} to true under {2} in project.json</source>
+        <translation>图片 {0} 在项目之外；请复制到项目中，或在 project.json 的 {2} 下将 {1} 设为 true</translation>
+    </message>
+    <message>
+        <source>The picture {0} is larger than {1} MB</source>
+        <translation>图片 {0} 大于 {1} MB</translation>
+    </message>
+    <message>
+        <source>The picture {0} unpacks to more than {1} MB</source>
+        <translation>图片 {0} 解压后大于 {1} MB</translation>
+    </message>
+    <message>
+        <source>The picture {0} is {1} x {2} pixels; more than {3} million are not drawn</source>
+        <translation>图片 {0} 为 {1} x {2} 像素；超过 {3} 百万像素时不绘制</translation>
+    </message>
+    <message>
+        <source>{0} is not a picture in a known format such as PNG, JPEG or SVG</source>
+        <translation>{0} 不是 PNG、JPEG 或 SVG 等已知格式的图片</translation>
+    </message>
+    <message>
+        <source>The picture {0} draws more than {1} shapes</source>
+        <translation>图片 {0} 绘制的形状超过 {1} 个</translation>
+    </message>
+    <message>
+        <source>The shapes of the picture {0} are nested more than {1} deep or contain themselves</source>
+        <translation>图片 {0} 的形状嵌套超过 {1} 层，或包含自身</translation>
+    </message>
+    <message>
+        <source>The picture {0} loads {1}; embed it in the picture as PNG or JPEG</source>
+        <translation>图片 {0} 会加载 {1}；请以 PNG 或 JPEG 嵌入图片</translation>
+    </message>
+    <message>
+        <source>The picture {0} has dashed lines of more than {1} dashes</source>
+        <translation>图片 {0} 的虚线超过 {1} 段</translation>
+    </message>
+    <message>
+        <source>This version does not know the property {0}; it is kept as it is</source>
+        <translation>此版本不认识属性 {0}；将原样保留</translation>
+    </message>
+    <message>
+        <source>This version does not know the property {0}; did you mean {1}?</source>
+        <translation>此版本不认识属性 {0}；是否指 {1}？</translation>
+    </message>
+    <message>
+        <source>The value must be true or false</source>
+        <translation>值必须是 true 或 false</translation>
+    </message>
+    <message>
+        <source>The value must be a whole number</source>
+        <translation>值必须是整数</translation>
+    </message>
+    <message>
+        <source>The value must be a number</source>
+        <translation>值必须是数字</translation>
+    </message>
+    <message>
+        <source>The value must be a list of two numbers: width and height</source>
+        <translation>值必须是两个数字的列表：宽度和高度</translation>
+    </message>
+    <message>
+        <source>The value must be a list of four numbers: x, y, width and height</source>
+        <translation>值必须是四个数字的列表：x、y、宽度和高度</translation>
+    </message>
+    <message>
+        <source>The value must be a list of points, each a list of two numbers</source>
+        <translation>值必须是点的列表，每个点是两个数字的列表</translation>
+    </message>
+    <message>
+        <source>The value must be an object with an expression for each name</source>
+        <translation>值必须是对象，每个名称对应一个表达式</translation>
+    </message>
+    <message>
+        <source>The value must be a list of objects</source>
+        <translation>值必须是对象的列表</translation>
+    </message>
+    <message>
+        <source>The value must be a text in quotes</source>
+        <translation>值必须是带引号的文本</translation>
+    </message>
+    <message>
+        <source>{0} is not one of the choices: {1}</source>
+        <translation>{0} 不是可选项之一：{1}</translation>
+    </message>
+    <message>
+        <source>{0} is not a colour; use the name of a role of the theme or a value such as {1}</source>
+        <translation>{0} 不是颜色；请使用主题角色的名称或 {1} 这样的值</translation>
+    </message>
+    <message>
+        <source>{0} is not a colour; did you mean {1}?</source>
+        <translation>{0} 不是颜色；是否指 {1}？</translation>
+    </message>
+    <message>
+        <source>{0} ({1}) must be greater than {2} ({3})</source>
+        <translation>{0}（{1}）必须大于 {2}（{3}）</translation>
+    </message>
+    <message>
+        <source>The panel has no group or tab {0}</source>
+        <translation>画面没有组或选项卡 {0}</translation>
+    </message>
+    <message>
+        <source>The group {0} contains itself</source>
+        <translation>组 {0} 包含自身</translation>
+    </message>
+    <message>
+        <source>{0} has no page {1}; its {2} {2:page is|pages are} numbered from 0</source>
+        <translation>{0} 没有第 {1} 页；其 {2} 页从 0 开始编号</translation>
+    </message>
+    <message>
+        <source>The format {0} needs a number, and {1} is none; use {2}</source>
+        <translation>格式 {0} 需要数字，而 {1} 不是；请使用 {2}</translation>
+    </message>
+    <message>
+        <source>The project has no language {0}, so operators never see this column; add it to the languages in project.json</source>
+        <translation>项目没有语言 {0}，操作员永远看不到此列；请在 project.json 的语言中添加</translation>
+    </message>
+    <message>
+        <source>Nothing says what this does; give it a text, or place one beside it</source>
+        <translation>没有任何内容说明其作用；请为其设置文本，或在旁边放置文本</translation>
+    </message>
+    <message>
+        <source>{0} is between {1} and {2} in the recording, so the range from {3} to {4} cuts it off</source>
+        <translation>记录中 {0} 在 {1} 与 {2} 之间，因此范围 {3} 到 {4} 会截断它</translation>
+    </message>
+    <message>
+        <source>{0} is not between {1} and {2}; {3} is used</source>
+        <translation>{0} 不在 {1} 与 {2} 之间；使用 {3}</translation>
+    </message>
+    <message>
+        <source>The faceplate does not say which panel it shows</source>
+        <translation>面板组件未指定要显示的画面</translation>
+    </message>
+    <message>
+        <source>The panel {0} contains this one, so it cannot be placed in it</source>
+        <translation>画面 {0} 包含本画面，因此不能放在其中</translation>
+    </message>
+    <message>
+        <source>The panel {0} has no parameter {1}</source>
+        <translation>画面 {0} 没有参数 {1}</translation>
+    </message>
+    <message>
+        <source>The program has no type {0}; name a block or a structure, BOOL, REAL or the like, or text</source>
+        <translation>程序没有类型 {0}；请指定块或结构、BOOL、REAL 等，或 text</translation>
+    </message>
+    <message>
+        <source>The parameter {0} needs an argument of type {1}</source>
+        <translation>参数 {0} 需要类型为 {1} 的实参</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; the parameter {2} needs {3}</source>
+        <translation>{0} 是 {1}；参数 {2} 需要 {3}</translation>
+    </message>
+    <message>
+        <source>{0} (tried with {1})</source>
+        <translation>{0}（已用 {1} 尝试）</translation>
+    </message>
+    <message>
+        <source>The program was not built from sources.</source>
+        <translation>程序不是由源文件编译的。</translation>
+    </message>
+    <message>
+        <source>The recording does not contain the program of this scan.</source>
+        <translation>记录中没有此扫描周期的程序。</translation>
+    </message>
 </context>
 <context>
     <name>Exchange</name>
@@ -2142,8 +2330,8 @@
         <translation>ST 表达式</translation>
     </message>
     <message>
-        <source>Shown to the operator. A typed text gets its key by itself; @key names one.</source>
-        <translation>显示给操作员。输入的文本会自动获得键；@键 指定已有的键。</translation>
+        <source>Shown to the operator. A typed text gets its key automatically; @key uses an existing one.</source>
+        <translation>显示给操作员。输入的文本会自动获得键；@键 使用已有的键。</translation>
     </message>
     <message>
         <source>X</source>
@@ -2350,7 +2538,7 @@
         <translation>选项卡页</translation>
     </message>
     <message>
-        <source>Place and size</source>
+        <source>Position and size</source>
         <translation>位置和大小</translation>
     </message>
     <message>
@@ -2630,11 +2818,11 @@
         <translation>方向</translation>
     </message>
     <message>
-        <source>Shows the value</source>
+        <source>Show the value</source>
         <translation>显示数值</translation>
     </message>
     <message>
-        <source>Turning knob</source>
+        <source>Rotary knob</source>
         <translation>旋钮</translation>
     </message>
     <message>
@@ -2670,7 +2858,7 @@
         <translation>掩码（# 数字，A 字母，* 任意）</translation>
     </message>
     <message>
-        <source>Hides the value</source>
+        <source>Hide the value</source>
         <translation>隐藏数值</translation>
     </message>
     <message>
@@ -2810,7 +2998,7 @@
         <translation>首个下标</translation>
     </message>
     <message>
-        <source>Shows the numbers</source>
+        <source>Show the numbers</source>
         <translation>显示编号</translation>
     </message>
     <message>
@@ -2978,7 +3166,7 @@
         <translation>几何</translation>
     </message>
     <message>
-        <source>Look</source>
+        <source>Appearance</source>
         <translation>外观</translation>
     </message>
     <message>
@@ -2988,6 +3176,26 @@
     <message>
         <source>Motion</source>
         <translation>运动</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>参数</translation>
+    </message>
+    <message>
+        <source>Type (a block, a structure, BOOL, REAL, text)</source>
+        <translation>类型（块、结构、BOOL、REAL、text）</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>默认值</translation>
+    </message>
+    <message>
+        <source>Faceplate</source>
+        <translation>面板组件</translation>
+    </message>
+    <message>
+        <source>Arguments</source>
+        <translation>实参</translation>
     </message>
 </context>
 <context>
@@ -3462,10 +3670,328 @@
     </message>
 </context>
 <context>
+    <name>Inside</name>
+    <message>
+        <source>set by {0}  {1} ({2}, task {3})</source>
+        <translation>由 {0}  {1} 设置（{2}，任务 {3}）</translation>
+    </message>
+    <message>
+        <source>set by {0}  {1} ({2})</source>
+        <translation>由 {0}  {1} 设置（{2}）</translation>
+    </message>
+    <message>
+        <source>set by what the compiler adds ({0})</source>
+        <translation>由编译器添加的代码设置（{0}）</translation>
+    </message>
+    <message>
+        <source>written from outside</source>
+        <translation>从外部写入</translation>
+    </message>
+    <message>
+        <source>written from {0}</source>
+        <translation>从{0}写入</translation>
+    </message>
+    <message>
+        <source>forced</source>
+        <translation>已强制</translation>
+    </message>
+    <message>
+        <source>forced from {0}</source>
+        <translation>从{0}强制</translation>
+    </message>
+    <message>
+        <source>put back by a reset</source>
+        <translation>因复位恢复</translation>
+    </message>
+    <message>
+        <source>carried over by an online change</source>
+        <translation>在线修改时保留</translation>
+    </message>
+    <message>
+        <source>restored from the retained values</source>
+        <translation>由保持值恢复</translation>
+    </message>
+    <message>
+        <source>its initial value</source>
+        <translation>其初始值</translation>
+    </message>
+    <message>
+        <source>put into the safe state when the controller stopped</source>
+        <translation>控制器停止时置于安全状态</translation>
+    </message>
+    <message>
+        <source>as recorded in the scan that was resumed from</source>
+        <translation>如继续运行的起始扫描周期所记录</translation>
+    </message>
+    <message>
+        <source>set by a statement of a test</source>
+        <translation>由测试的语句设置</translation>
+    </message>
+    <message>
+        <source>not known who set it</source>
+        <translation>不知由谁设置</translation>
+    </message>
+    <message>
+        <source>the command line</source>
+        <translation>命令行</translation>
+    </message>
+    <message>
+        <source>the studio</source>
+        <translation>开发环境</translation>
+    </message>
+    <message>
+        <source>panel {0}, {1}</source>
+        <translation>画面 {0}，{1}</translation>
+    </message>
+    <message>
+        <source>{0} (scan {1})</source>
+        <translation>{0}（扫描周期 {1}）</translation>
+    </message>
+    <message>
+        <source>{0}  {1} from {2} to {3}, {4}</source>
+        <translation>{0}  {1} 从 {2} 变为 {3}，{4}</translation>
+    </message>
+    <message>
+        <source>{0}  {1} to {2}, {3}</source>
+        <translation>{0}  {1} 变为 {2}，{3}</translation>
+    </message>
+    <message>
+        <source>called by {0}  {1}</source>
+        <translation>由 {0}  {1} 调用</translation>
+    </message>
+    <message>
+        <source>{0} is {1} at {2}, since {3}.</source>
+        <translation>{0} 在 {2} 为 {1}，自 {3} 起。</translation>
+    </message>
+    <message>
+        <source>{0} is {1} at {2}, as it was when the recording began.</source>
+        <translation>{0} 在 {2} 为 {1}，与记录开始时相同。</translation>
+    </message>
+    <message>
+        <source>{0} is {1} at {2}.</source>
+        <translation>{0} 在 {2} 为 {1}。</translation>
+    </message>
+    <message>
+        <source>It was {0}.</source>
+        <translation>该值{0}。</translation>
+    </message>
+    <message>
+        <source>It has its initial value.</source>
+        <translation>变量为其初始值。</translation>
+    </message>
+    <message>
+        <source>It became {0} because</source>
+        <translation>它变为 {0}，因为</translation>
+    </message>
+    <message>
+        <source>This needed</source>
+        <translation>所需条件</translation>
+    </message>
+    <message>
+        <source>It needs</source>
+        <translation>需要</translation>
+    </message>
+    <message>
+        <source>It stays so because</source>
+        <translation>它保持不变，因为</translation>
+    </message>
+    <message>
+        <source>Step by step</source>
+        <translation>逐步说明</translation>
+    </message>
+    <message>
+        <source>because</source>
+        <translation>因为</translation>
+    </message>
+    <message>
+        <source>time passed.</source>
+        <translation>时间经过。</translation>
+    </message>
+    <message>
+        <source>it was the first scan.</source>
+        <translation>这是第一个扫描周期。</translation>
+    </message>
+    <message>
+        <source>other variables were forced.</source>
+        <translation>其他变量被强制。</translation>
+    </message>
+    <message>
+        <source>{0} became {1}.</source>
+        <translation>{0} 变为 {1}。</translation>
+    </message>
+    <message>
+        <source>{0} became {1}, {2}.</source>
+        <translation>{0} 变为 {1}，{2}。</translation>
+    </message>
+    <message>
+        <source>{0} changed.</source>
+        <translation>{0} 发生变化。</translation>
+    </message>
+    <message>
+        <source>{0} changed, {1}.</source>
+        <translation>{0} 发生变化，{1}。</translation>
+    </message>
+    <message>
+        <source>{0} was {1}.</source>
+        <translation>{0} 为 {1}。</translation>
+    </message>
+    <message>
+        <source>{0} was {1} since {2}, {3}.</source>
+        <translation>{0} 自 {2} 起为 {1}，{3}。</translation>
+    </message>
+    <message>
+        <source>{0}   → {1}</source>
+        <translation>{0}   → {1}</translation>
+    </message>
+    <message>
+        <source>it ran because {0} was {1}</source>
+        <translation>已执行，因为 {0} 为 {1}</translation>
+    </message>
+    <message>
+        <source>nothing wrote it later because {0} was {1}</source>
+        <translation>之后未再写入，因为 {0} 为 {1}</translation>
+    </message>
+    <message>
+        <source>a statement that would write it did not run because {0} was {1}</source>
+        <translation>本会写入它的语句未执行，因为 {0} 为 {1}</translation>
+    </message>
+    <message>
+        <source>{0} ({1})</source>
+        <translation>{0}（{1}）</translation>
+    </message>
+    <message>
+        <source>{0}</source>
+        <translation>{0}</translation>
+    </message>
+    <message>
+        <source>{0}: {1}</source>
+        <translation>{0}：{1}</translation>
+    </message>
+    <message>
+        <source>{0} was {1} when the scan began</source>
+        <translation>扫描周期开始时 {0} 为 {1}</translation>
+    </message>
+    <message>
+        <source>{0}   {1}</source>
+        <translation>{0}   {1}</translation>
+    </message>
+    <message>
+        <source>its time of {0} is over</source>
+        <translation>其时间 {0} 已到</translation>
+    </message>
+    <message>
+        <source>it does not run</source>
+        <translation>未运行</translation>
+    </message>
+    <message>
+        <source>it has run {0} of {1}, {2} to go</source>
+        <translation>已运行 {0} / {1}，还剩 {2}</translation>
+    </message>
+    <message>
+        <source>it has counted {0} of {1}</source>
+        <translation>已计数 {0} / {1}</translation>
+    </message>
+    <message>
+        <source>No change of up to three variables makes it {0} in this scan.</source>
+        <translation>在此扫描周期中，更改至多三个变量都不能使它变为 {0}。</translation>
+    </message>
+    <message>
+        <source>It would be {0} if {1}.</source>
+        <translation>如果 {1}，它将为 {0}。</translation>
+    </message>
+    <message>
+        <source>It would also be {0} if {1}.</source>
+        <translation>如果 {1}，它也将为 {0}。</translation>
+    </message>
+    <message>
+        <source>{0} were {1} (it is {2})</source>
+        <translation>{0} 为 {1}（现为 {2}）</translation>
+    </message>
+    <message>
+        <source>{0} and {1}</source>
+        <translation>{0} 且 {1}</translation>
+    </message>
+    <message>
+        <source>What keeps it {0}</source>
+        <translation>使其保持 {0} 的原因</translation>
+    </message>
+    <message>
+        <source>Note: {0}.</source>
+        <translation>注意：{0}。</translation>
+    </message>
+    <message>
+        <source>recorded by an earlier version, which kept no journal</source>
+        <translation>由不保存日志的早期版本记录</translation>
+    </message>
+    <message>
+        <source>it was written to while it was halted at a breakpoint</source>
+        <translation>停在断点期间有写入</translation>
+    </message>
+    <message>
+        <source>the scan had another result when it was run again</source>
+        <translation>重新运行时该扫描周期的结果不同</translation>
+    </message>
+    <message>
+        <source>it has no value in this scan: {0}</source>
+        <translation>在此扫描周期中没有值：{0}</translation>
+    </message>
+    <message>
+        <source>&quot;Why not?&quot; needs a condition (BOOL), for example &quot;Main.level &gt; 80&quot;</source>
+        <translation>“为什么不”需要条件 (BOOL)，例如“Main.level &gt; 80”</translation>
+    </message>
+    <message>
+        <source>the program was not built from sources</source>
+        <translation>程序不是由源文件编译的</translation>
+    </message>
+    <message>
+        <source>this scan is not in the recording</source>
+        <translation>此扫描周期不在记录中</translation>
+    </message>
+    <message>
+        <source>it does not change in this recording</source>
+        <translation>在此记录中没有变化</translation>
+    </message>
+    <message>
+        <source>nothing wrote it in this scan</source>
+        <translation>在此扫描周期中未写入</translation>
+    </message>
+    <message>
+        <source>no statement of the project ran in this scan</source>
+        <translation>在此扫描周期中没有执行项目的任何语句</translation>
+    </message>
+</context>
+<context>
     <name>LongTask</name>
     <message>
         <source>Cancel</source>
         <translation>取消</translation>
+    </message>
+</context>
+<context>
+    <name>Loops</name>
+    <message>
+        <source>The program has no controller block; name the signals with --input and --output</source>
+        <translation>程序没有控制器块；请用 --input 和 --output 指定信号</translation>
+    </message>
+    <message>
+        <source>There is no single loop {0}; the program has {1}</source>
+        <translation>没有唯一的回路 {0}；程序有 {1}</translation>
+    </message>
+    <message>
+        <source>The recording contains no program that knows it</source>
+        <translation>记录中没有认识它的程序</translation>
+    </message>
+    <message>
+        <source>It is not a number and cannot be a signal of a loop</source>
+        <translation>它不是数字，不能作为回路的信号</translation>
+    </message>
+    <message>
+        <source>This range is no longer recorded, or the program was changed in it; choose another one</source>
+        <translation>此区间不再有记录，或程序在其中被更改；请选择其他区间</translation>
+    </message>
+    <message>
+        <source>{0} gets an expression in the call; give the measured value a variable of its own to try settings</source>
+        <translation>{0} 在调用中得到表达式；请为测量值建立单独的变量以试验设置</translation>
     </message>
 </context>
 <context>
@@ -3978,6 +4504,241 @@
     </message>
 </context>
 <context>
+    <name>Tuning</name>
+    <message>
+        <source>The table has no column of times; name one time_s (seconds) or time_ms</source>
+        <translation>表中没有时间列；请将一列命名为 time_s（秒）或 time_ms</translation>
+    </message>
+    <message>
+        <source>The table has no column {0}; it has {1}</source>
+        <translation>表中没有列 {0}；有 {1}</translation>
+    </message>
+    <message>
+        <source>The table has no column {0}; did you mean {1}?</source>
+        <translation>表中没有列 {0}；是否指 {1}？</translation>
+    </message>
+    <message>
+        <source>Line {0} has no number in column {1}</source>
+        <translation>第 {0} 行的列 {1} 中没有数字</translation>
+    </message>
+    <message>
+        <source>The time in line {0} is before that of the line above</source>
+        <translation>第 {0} 行的时间早于上一行</translation>
+    </message>
+    <message>
+        <source>{0} {0:sample is|samples are} too few for a model; record for longer</source>
+        <translation>{0} 个采样不足以建立模型；请记录更长时间</translation>
+    </message>
+    <message>
+        <source>usable</source>
+        <translation>可使用</translation>
+    </message>
+    <message>
+        <source>the input is at a limit for {0} % of the time</source>
+        <translation>输入有 {0} % 的时间处于限值</translation>
+    </message>
+    <message>
+        <source>the output moves by only {0} times its noise</source>
+        <translation>输出的变化仅为其噪声的 {0} 倍</translation>
+    </message>
+    <message>
+        <source>too short: {0} samples until the next change</source>
+        <translation>过短：到下一次变化只有 {0} 个采样</translation>
+    </message>
+    <message>
+        <source>disturbed: no model explains more than {0} % of it</source>
+        <translation>受干扰：没有模型能解释其 {0} % 以上</translation>
+    </message>
+    <message>
+        <source>usable; it was still moving before</source>
+        <translation>可使用；之前仍在变化</translation>
+    </message>
+    <message>
+        <source>There is no step or disturbance in the recording; change the set point or the output by hand once and record that</source>
+        <translation>记录中没有阶跃或扰动；请手动改变一次设定值或输出并记录</translation>
+    </message>
+    <message>
+        <source>None of the {0} changes found is usable: {1}</source>
+        <translation>找到的 {0} 处变化均不可用：{1}</translation>
+    </message>
+    <message>
+        <source>No model explains what the output does; something else moves it</source>
+        <translation>没有模型能解释输出的变化；有其他因素在影响它</translation>
+    </message>
+    <message>
+        <source>The rule {0} has no answer for this process</source>
+        <translation>规则 {0} 不适合此过程</translation>
+    </message>
+    <message>
+        <source>Unstable: the loop would swing up. Do not use this.</source>
+        <translation>不稳定：回路会发散振荡。请勿使用。</translation>
+    </message>
+    <message>
+        <source>Fragile: a small change of the process makes it swing.</source>
+        <translation>脆弱：过程的微小变化就会引起振荡。</translation>
+    </message>
+    <message>
+        <source>Brisk: quick, and it swings a little; the process should not change much.</source>
+        <translation>敏捷：快速，略有振荡；过程不应有大的变化。</translation>
+    </message>
+    <message>
+        <source>Good: quick enough, and it tolerates the usual changes of a process.</source>
+        <translation>良好：足够快，并能承受过程的一般变化。</translation>
+    </message>
+    <message>
+        <source>Calm: slow, and it tolerates a process that changes a lot.</source>
+        <translation>平稳：较慢，能承受变化很大的过程。</translation>
+    </message>
+    <message>
+        <source>A step of the set point does not overshoot.</source>
+        <translation>设定值阶跃没有超调。</translation>
+    </message>
+    <message>
+        <source>A step of the set point overshoots by {0} %.</source>
+        <translation>设定值阶跃的超调为 {0} %。</translation>
+    </message>
+    <message>
+        <source>Ziegler-Nichols is here to compare with: it swings and tolerates little. Take SIMC or the optimum instead.</source>
+        <translation>Ziegler-Nichols 仅用于比较：它会振荡且容差小。请改用 SIMC 或最优。</translation>
+    </message>
+    <message>
+        <source>The rule looks at one lag only; check the margins.</source>
+        <translation>该规则只考虑一个滞后；请检查裕度。</translation>
+    </message>
+    <message>
+        <source>gain and dead time</source>
+        <translation>增益和纯滞后</translation>
+    </message>
+    <message>
+        <source>first order</source>
+        <translation>一阶</translation>
+    </message>
+    <message>
+        <source>first order with dead time</source>
+        <translation>一阶加纯滞后</translation>
+    </message>
+    <message>
+        <source>second order</source>
+        <translation>二阶</translation>
+    </message>
+    <message>
+        <source>second order with dead time</source>
+        <translation>二阶加纯滞后</translation>
+    </message>
+    <message>
+        <source>two equal lags</source>
+        <translation>两个相等的滞后</translation>
+    </message>
+    <message>
+        <source>two equal lags with dead time</source>
+        <translation>两个相等的滞后加纯滞后</translation>
+    </message>
+    <message>
+        <source>oscillating</source>
+        <translation>振荡</translation>
+    </message>
+    <message>
+        <source>oscillating with dead time</source>
+        <translation>振荡加纯滞后</translation>
+    </message>
+    <message>
+        <source>oscillating with a lag</source>
+        <translation>振荡加一个滞后</translation>
+    </message>
+    <message>
+        <source>second order with a zero</source>
+        <translation>二阶加零点</translation>
+    </message>
+    <message>
+        <source>second order with a zero and dead time</source>
+        <translation>二阶加零点和纯滞后</translation>
+    </message>
+    <message>
+        <source>three equal lags</source>
+        <translation>三个相等的滞后</translation>
+    </message>
+    <message>
+        <source>three equal lags with a zero</source>
+        <translation>三个相等的滞后加零点</translation>
+    </message>
+    <message>
+        <source>four equal lags</source>
+        <translation>四个相等的滞后</translation>
+    </message>
+    <message>
+        <source>five equal lags</source>
+        <translation>五个相等的滞后</translation>
+    </message>
+    <message>
+        <source>six equal lags</source>
+        <translation>六个相等的滞后</translation>
+    </message>
+    <message>
+        <source>seven equal lags</source>
+        <translation>七个相等的滞后</translation>
+    </message>
+    <message>
+        <source>eight equal lags</source>
+        <translation>八个相等的滞后</translation>
+    </message>
+    <message>
+        <source>three equal lags with dead time</source>
+        <translation>三个相等的滞后加纯滞后</translation>
+    </message>
+    <message>
+        <source>three lags</source>
+        <translation>三个滞后</translation>
+    </message>
+    <message>
+        <source>three lags with dead time</source>
+        <translation>三个滞后加纯滞后</translation>
+    </message>
+    <message>
+        <source>four lags</source>
+        <translation>四个滞后</translation>
+    </message>
+    <message>
+        <source>integrating</source>
+        <translation>积分</translation>
+    </message>
+    <message>
+        <source>integrating with dead time</source>
+        <translation>积分加纯滞后</translation>
+    </message>
+    <message>
+        <source>integrating with a lag</source>
+        <translation>积分加一个滞后</translation>
+    </message>
+    <message>
+        <source>integrating with a lag and dead time</source>
+        <translation>积分加一个滞后和纯滞后</translation>
+    </message>
+    <message>
+        <source>integrating with two equal lags</source>
+        <translation>积分加两个相等的滞后</translation>
+    </message>
+    <message>
+        <source>SIMC</source>
+        <translation>SIMC</translation>
+    </message>
+    <message>
+        <source>AMIGO</source>
+        <translation>AMIGO</translation>
+    </message>
+    <message>
+        <source>Optimum</source>
+        <translation>最优</translation>
+    </message>
+    <message>
+        <source>Chien-Hrones-Reswick</source>
+        <translation>Chien-Hrones-Reswick</translation>
+    </message>
+    <message>
+        <source>Ziegler-Nichols</source>
+        <translation>Ziegler-Nichols</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::ConversionDialog</name>
     <message>
         <source>%1 as ST</source>
@@ -3988,11 +4749,11 @@
         <translation>%1（指令表）</translation>
     </message>
     <message>
-        <source>Instruction list, as it stands</source>
+        <source>Instruction list (current text)</source>
         <translation>指令表（现有文本）</translation>
     </message>
     <message>
-        <source>ST, as it stands</source>
+        <source>ST (current text)</source>
         <translation>ST（现有文本）</translation>
     </message>
     <message>
@@ -4117,6 +4878,17 @@
     </message>
 </context>
 <context>
+    <name>plc::app::GuideView</name>
+    <message>
+        <source>About this project</source>
+        <translation>关于此项目</translation>
+    </message>
+    <message>
+        <source>A README.md in the project&apos;s folder is shown here.</source>
+        <translation>此处显示项目文件夹中的 README.md。</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::ImportDialog</name>
     <message>
         <source>Place</source>
@@ -4222,11 +4994,23 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <source>Saving the recording…</source>
         <translation>正在保存记录…</translation>
     </message>
+    <message>
+        <source>Export the alarm history…</source>
+        <translation>导出报警历史…</translation>
+    </message>
+    <message>
+        <source>Export the Alarm History</source>
+        <translation>导出报警历史</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>表格 (*.csv)</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MainWindow</name>
     <message>
-        <source>A panel&apos;s name is a file name: no / and no \</source>
+        <source>A panel&apos;s name cannot contain / or \</source>
         <translation>画面名称就是文件名：不能含 / 和 \</translation>
     </message>
     <message>
@@ -4254,7 +5038,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>强制</translation>
     </message>
     <message>
-        <source>Call Path</source>
+        <source>Call Stack</source>
         <translation>调用堆栈</translation>
     </message>
     <message>
@@ -4416,7 +5200,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>库</translation>
     </message>
     <message>
-        <source>The tests run…</source>
+        <source>Running tests…</source>
         <translation>正在运行测试…</translation>
     </message>
     <message>
@@ -4476,10 +5260,6 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>欢迎</translation>
     </message>
     <message>
-        <source>This is a PID controller working on a simulated process: the program above, its trace below, its operator panel at the right. Nothing can break: the plant is only numbers. Press Next to look around for a minute, or F5 to run it at once.</source>
-        <translation>这是一个作用于仿真过程的 PID 控制器：上方是程序，下方是跟踪，右侧是操作画面。不会损坏任何东西：被控对象只是数字。按“下一步”用一分钟看一看，或按 F5 立即运行。</translation>
-    </message>
-    <message>
         <source>The project</source>
         <translation>项目</translation>
     </message>
@@ -4492,15 +5272,15 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>程序</translation>
     </message>
     <message>
-        <source>Structured Text with colours by meaning. Errors are underlined while you type; Alt+Enter mends what it can; Ctrl+Space completes.</source>
-        <translation>按含义着色的结构化文本。输入时错误会加下划线；Alt+Enter 修正可修正之处；Ctrl+空格 补全。</translation>
+        <source>Structured Text with colours by meaning. Errors are underlined while you type; Alt+Enter offers quick fixes; Ctrl+Space completes.</source>
+        <translation>按含义着色的结构化文本。输入时错误会加下划线；Alt+Enter 提供快速修正；Ctrl+空格 补全。</translation>
     </message>
     <message>
         <source>Run</source>
         <translation>运行</translation>
     </message>
     <message>
-        <source>F5 compiles to native code and runs it. Values then stand beside each line.</source>
+        <source>F5 compiles to native code and runs it. Values then appear next to each line.</source>
         <translation>F5 编译为本机代码并运行。随后数值显示在每一行旁边。</translation>
     </message>
     <message>
@@ -4528,11 +5308,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>时间也能倒流</translation>
     </message>
     <message>
-        <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume From Here” goes on from there.</source>
-        <translation>拖动时间滑块，或按 Ctrl+Alt+左箭头：代码、曲线图和画面显示过去的状态。“从此处继续”从该处接着运行。</translation>
-    </message>
-    <message>
-        <source>That is it</source>
+        <source>That’s it</source>
         <translation>完成</translation>
     </message>
     <message>
@@ -4652,8 +5428,8 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>转到定义</translation>
     </message>
     <message>
-        <source>Find All Uses</source>
-        <translation>查找所有使用处</translation>
+        <source>Find References</source>
+        <translation>查找引用</translation>
     </message>
     <message>
         <source>Rename…</source>
@@ -4664,15 +5440,15 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>补全</translation>
     </message>
     <message>
-        <source>Apply a Fix (Alt+Enter)</source>
-        <translation>应用修正 (Alt+Enter)</translation>
+        <source>Quick Fix (Alt+Enter)</source>
+        <translation>快速修正 (Alt+Enter)</translation>
     </message>
     <message>
         <source>Format</source>
         <translation>格式化</translation>
     </message>
     <message>
-        <source>Comment In or Out (Ctrl+/)</source>
+        <source>Toggle Comment (Ctrl+/)</source>
         <translation>切换注释 (Ctrl+/)</translation>
     </message>
     <message>
@@ -4680,11 +5456,11 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>复制行</translation>
     </message>
     <message>
-        <source>Select the Block Around</source>
+        <source>Select Enclosing Block</source>
         <translation>选择外围块</translation>
     </message>
     <message>
-        <source>Go to the Matching Word</source>
+        <source>Go to Matching Keyword</source>
         <translation>转到匹配的关键字</translation>
     </message>
     <message>
@@ -4720,7 +5496,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>单次扫描</translation>
     </message>
     <message>
-        <source>Step In</source>
+        <source>Step Into</source>
         <translation>单步进入</translation>
     </message>
     <message>
@@ -4796,7 +5572,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>返回实时</translation>
     </message>
     <message>
-        <source>Resume From Here</source>
+        <source>Resume from Here</source>
         <translation>从此处继续</translation>
     </message>
     <message>
@@ -4832,7 +5608,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>深色主题</translation>
     </message>
     <message>
-        <source>Theme of the System</source>
+        <source>System Theme</source>
         <translation>系统主题</translation>
     </message>
     <message>
@@ -4922,11 +5698,11 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>跟踪</translation>
     </message>
     <message>
-        <source>A file name holds no / and no \</source>
+        <source>A file name cannot contain / or \</source>
         <translation>文件名不能含 / 和 \</translation>
     </message>
     <message>
-        <source>There is a trace %1 already</source>
+        <source>A trace %1 already exists</source>
         <translation>跟踪 %1 已存在</translation>
     </message>
     <message>
@@ -4934,19 +5710,19 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>%1 的新名称：</translation>
     </message>
     <message>
-        <source>There is a file %1 already</source>
+        <source>A file %1 already exists</source>
         <translation>文件 %1 已存在</translation>
     </message>
     <message>
-        <source>The file can not be renamed; check the permissions of the folder</source>
+        <source>The file cannot be renamed; check the permissions of the folder</source>
         <translation>无法重命名文件；请检查文件夹权限</translation>
     </message>
     <message>
-        <source>These panels lead to it; their buttons will be problems: %1</source>
+        <source>These panels link to it; their buttons will be reported as errors: %1</source>
         <translation>这些画面会跳转到它；其按钮将报告为问题：%1</translation>
     </message>
     <message>
-        <source>The file can not be removed; check the permissions of the folder</source>
+        <source>The file cannot be removed; check the permissions of the folder</source>
         <translation>无法删除文件；请检查文件夹权限</translation>
     </message>
     <message>
@@ -4982,7 +5758,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>项目仍在检查中；请稍后重试</translation>
     </message>
     <message>
-        <source>It holds %1.</source>
+        <source>It contains %1.</source>
         <translation>其中包含 %1。</translation>
     </message>
     <message>
@@ -4990,7 +5766,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>测试结束后切换语言</translation>
     </message>
     <message>
-        <source>Fault of the controller</source>
+        <source>Controller fault</source>
         <translation>控制器错误</translation>
     </message>
     <message>
@@ -5052,6 +5828,58 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Diagram Beside the Text</source>
         <translation>在文本旁显示图</translation>
+    </message>
+    <message>
+        <source>Bookmark</source>
+        <translation>书签</translation>
+    </message>
+    <message>
+        <source>Next Bookmark</source>
+        <translation>下一个书签</translation>
+    </message>
+    <message>
+        <source>Previous Bookmark</source>
+        <translation>上一个书签</translation>
+    </message>
+    <message>
+        <source>Open Another File Beside…</source>
+        <translation>在旁边打开其他文件…</translation>
+    </message>
+    <message>
+        <source>About This Project</source>
+        <translation>关于此项目</translation>
+    </message>
+    <message>
+        <source>The project has no other file</source>
+        <translation>项目没有其他文件</translation>
+    </message>
+    <message>
+        <source>Open Another File Beside</source>
+        <translation>在旁边打开其他文件</translation>
+    </message>
+    <message>
+        <source>%1 Nothing can break: the plant is only numbers. Press Next to look around for a minute, or F5 to run it at once.</source>
+        <translation>%1 不会损坏任何东西：被控对象只是数字。按“下一步”用一分钟看一看，或按 F5 立即运行。</translation>
+    </message>
+    <message>
+        <source>This is the project %1.</source>
+        <translation>这是项目 %1。</translation>
+    </message>
+    <message>
+        <source>What to press</source>
+        <translation>该按什么</translation>
+    </message>
+    <message>
+        <source>The page beside the program is the project&apos;s README: what it shows, what to press, what to watch.</source>
+        <translation>程序旁边的页面是项目的 README：显示什么、该按什么、监视什么。</translation>
+    </message>
+    <message>
+        <source>What the operator sees. This project has no panel yet; new ones are drawn with the mouse.</source>
+        <translation>操作员看到的内容。此项目尚无画面；新画面用鼠标绘制。</translation>
+    </message>
+    <message>
+        <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume from Here” continues from there.</source>
+        <translation>拖动时间滑块，或按 Ctrl+Alt+左箭头：代码、曲线图和画面显示过去的状态。“从此处继续”从该处接着运行。</translation>
     </message>
 </context>
 <context>
@@ -5164,15 +5992,15 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>创建</translation>
     </message>
     <message>
-        <source>The project needs a name</source>
+        <source>Enter a project name</source>
         <translation>请输入项目名称</translation>
     </message>
     <message>
-        <source>%1 exists already and is not empty</source>
+        <source>%1 already exists and is not empty</source>
         <translation>%1 已存在且不为空</translation>
     </message>
     <message>
-        <source>Will be made in %1</source>
+        <source>Will be created in %1</source>
         <translation>将创建于 %1</translation>
     </message>
 </context>
@@ -5243,19 +6071,19 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>创建</translation>
     </message>
     <message>
-        <source>Give it a name</source>
+        <source>Enter a name</source>
         <translation>请输入名称</translation>
     </message>
     <message>
-        <source>A name has letters, digits and _, begins with a letter and is no keyword</source>
+        <source>A name has letters, digits and _, starts with a letter and is not a keyword</source>
         <translation>名称由字母、数字和 _ 组成，以字母开头，且不是关键字</translation>
     </message>
     <message>
-        <source>There is a %1 in the project already</source>
+        <source>%1 already exists in the project</source>
         <translation>%1 在项目中已存在</translation>
     </message>
     <message>
-        <source>There is a file %1 already: choose it, or another name</source>
+        <source>A file %1 already exists: choose it, or another name</source>
         <translation>文件 %1 已存在：请选择它，或使用其他名称</translation>
     </message>
     <message>
@@ -5491,7 +6319,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>要在所有文件中查找的文本</translation>
     </message>
     <message>
-        <source>Replace by</source>
+        <source>Replace with</source>
         <translation>替换为</translation>
     </message>
     <message>
@@ -5531,7 +6359,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>搜索结果</translation>
     </message>
     <message>
-        <source>Not a pattern: %1</source>
+        <source>Invalid regular expression: %1</source>
         <translation>正则表达式无效：%1</translation>
     </message>
     <message>
@@ -5616,7 +6444,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>快捷键</translation>
     </message>
     <message>
-        <source>As the system</source>
+        <source>System default</source>
         <translation>跟随系统</translation>
     </message>
     <message>
@@ -5656,7 +6484,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>保存时格式化</translation>
     </message>
     <message>
-        <source>Saving changes the running controller (online change)</source>
+        <source>Apply an online change when saving</source>
         <translation>保存时执行在线修改</translation>
     </message>
     <message>
@@ -5688,7 +6516,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>命令筛选</translation>
     </message>
     <message>
-        <source>All Defaults</source>
+        <source>Restore Defaults</source>
         <translation>恢复默认值</translation>
     </message>
     <message>
@@ -5713,6 +6541,10 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Make Writable</source>
         <translation>设为可写</translation>
+    </message>
+    <message>
+        <source>Close this side</source>
+        <translation>关闭此侧</translation>
     </message>
 </context>
 <context>
@@ -5893,7 +6725,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>行</translation>
     </message>
     <message>
-        <source>Call path</source>
+        <source>Call stack</source>
         <translation>调用堆栈</translation>
     </message>
     <message>
@@ -5916,11 +6748,11 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>顺序功能图 (SFC)</translation>
     </message>
     <message>
-        <source>Insert a step behind (Ins)</source>
+        <source>Insert a step after it (Ins)</source>
         <translation>在其后插入步 (Ins)</translation>
     </message>
     <message>
-        <source>Insert a branch beside</source>
+        <source>Insert an alternative branch</source>
         <translation>插入选择分支</translation>
     </message>
     <message>
@@ -5940,7 +6772,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>删除 (Del)</translation>
     </message>
     <message>
-        <source>The unit %1 is not in the text any more</source>
+        <source>The unit %1 is no longer in the text</source>
         <translation>POU %1 已不在文本中</translation>
     </message>
     <message>
@@ -5948,15 +6780,11 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>文本有错误：这是最后一次正确的图形</translation>
     </message>
     <message>
-        <source>%1 is not a chart</source>
-        <translation>%1 不是顺序功能图</translation>
-    </message>
-    <message>
         <source>Select the step from which the branch goes out</source>
         <translation>请选择分支出发的步</translation>
     </message>
     <message>
-        <source>Select the transition behind which the steps run at the same time</source>
+        <source>Select the transition after which the steps run at the same time</source>
         <translation>请选择其后各步同时运行的转换</translation>
     </message>
     <message>
@@ -5964,11 +6792,11 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>请选择要添加动作的步</translation>
     </message>
     <message>
-        <source>Insert a Step Behind</source>
+        <source>Insert a Step After It</source>
         <translation>在其后插入步</translation>
     </message>
     <message>
-        <source>Insert a Branch Beside</source>
+        <source>Insert an Alternative Branch</source>
         <translation>插入选择分支</translation>
     </message>
     <message>
@@ -5980,11 +6808,11 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>添加动作</translation>
     </message>
     <message>
-        <source>Make It the Initial Step</source>
+        <source>Set as Initial Step</source>
         <translation>设为初始步</translation>
     </message>
     <message>
-        <source>Force the Step On</source>
+        <source>Force the Step Active</source>
         <translation>强制激活步</translation>
     </message>
     <message>
@@ -6020,7 +6848,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>右侧分支</translation>
     </message>
     <message>
-        <source>%1 behind this transition</source>
+        <source>%1 after this transition</source>
         <translation>此转换之后的 %1</translation>
     </message>
     <message>
@@ -6052,15 +6880,15 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>动作</translation>
     </message>
     <message>
-        <source>To the chart around (Backspace)</source>
+        <source>To the enclosing chart (Backspace)</source>
         <translation>到上级顺序功能图 (Backspace)</translation>
     </message>
     <message>
-        <source>Breakpoint: stops when the step becomes active, when the transition is taken (F9)</source>
+        <source>Breakpoint: stops when the step becomes active or the transition is taken (F9)</source>
         <translation>断点：步激活或转换发生时停止 (F9)</translation>
     </message>
     <message>
-        <source>Force the step on</source>
+        <source>Force the step active</source>
         <translation>强制激活步</translation>
     </message>
     <message>
@@ -6098,6 +6926,50 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Delete the Whole Branch</source>
         <translation>删除整个分支</translation>
+    </message>
+    <message>
+        <source>Select what is to be copied</source>
+        <translation>请选择要复制的内容</translation>
+    </message>
+    <message>
+        <source>Select what is to be cut</source>
+        <translation>请选择要剪切的内容</translation>
+    </message>
+    <message>
+        <source>The clipboard contains no step, action or transition</source>
+        <translation>剪贴板中没有步、动作或转换</translation>
+    </message>
+    <message>
+        <source>Select the step or transition to paste after</source>
+        <translation>请选择要在其后粘贴的步或转换</translation>
+    </message>
+    <message>
+        <source>Select the transition that gets the condition</source>
+        <translation>请选择要获得条件的转换</translation>
+    </message>
+    <message>
+        <source>Start a Chart</source>
+        <translation>开始顺序功能图</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>剪切</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>复制</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>粘贴</translation>
+    </message>
+    <message>
+        <source>%1 has no chart yet. A chart starts with an initial step; more steps are inserted after it with Ins, and F2 edits names and conditions.</source>
+        <translation>%1 尚无顺序功能图。顺序功能图以初始步开始；按 Ins 在其后插入更多步，按 F2 编辑名称和条件。</translation>
+    </message>
+    <message>
+        <source>%1 is not a chart: its body has statements. A chart can be started in a program or function block whose body is empty.</source>
+        <translation>%1 不是顺序功能图：其主体包含语句。顺序功能图可在主体为空的程序或功能块中开始。</translation>
     </message>
 </context>
 <context>
@@ -6218,7 +7090,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>要查找的文本</translation>
     </message>
     <message>
-        <source>Replace by</source>
+        <source>Replace with</source>
         <translation>替换为</translation>
     </message>
     <message>
@@ -6264,7 +7136,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         </translation>
     </message>
     <message>
-        <source>not a pattern</source>
+        <source>invalid regular expression</source>
         <translation>正则表达式无效</translation>
     </message>
     <message numerus="yes">
@@ -6383,7 +7255,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>显示为梯形图</translation>
     </message>
     <message>
-        <source>%1 is not in the text any more</source>
+        <source>%1 is no longer in the text</source>
         <translation>%1 已不在文本中</translation>
     </message>
     <message>
@@ -6562,6 +7434,106 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <source>Toggle Breakpoint</source>
         <translation>切换断点</translation>
     </message>
+    <message>
+        <source>Contacts as Bars (IEC 61131-3, ANSI)</source>
+        <translation>触点用竖线表示 (IEC 61131-3, ANSI)</translation>
+    </message>
+    <message>
+        <source>Contacts as in Circuit Diagrams (IEC 60617)</source>
+        <translation>触点如电路图所示 (IEC 60617)</translation>
+    </message>
+    <message>
+        <source>Names</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Addresses</source>
+        <translation>地址</translation>
+    </message>
+    <message>
+        <source>Names and Addresses</source>
+        <translation>名称和地址</translation>
+    </message>
+    <message>
+        <source>Comments of the Variables</source>
+        <translation>变量注释</translation>
+    </message>
+    <message>
+        <source>Comments of the Rungs</source>
+        <translation>程序段注释</translation>
+    </message>
+    <message>
+        <source>High Contrast</source>
+        <translation>高对比度</translation>
+    </message>
+    <message>
+        <source>What is shown</source>
+        <translation>显示内容</translation>
+    </message>
+    <message>
+        <source>type</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>Rename the variable everywhere</source>
+        <translation>在所有位置重命名变量</translation>
+    </message>
+    <message>
+        <source>Go to the declaration</source>
+        <translation>转到声明</translation>
+    </message>
+    <message>
+        <source>References to the variable</source>
+        <translation>变量的引用</translation>
+    </message>
+    <message>
+        <source>Quick fix</source>
+        <translation>快速修正</translation>
+    </message>
+    <message>
+        <source>Bookmark on the rung</source>
+        <translation>程序段上的书签</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>重命名…</translation>
+    </message>
+    <message>
+        <source>Find References</source>
+        <translation>查找引用</translation>
+    </message>
+    <message>
+        <source>Go to Definition</source>
+        <translation>转到定义</translation>
+    </message>
+    <message>
+        <source>Quick Fix</source>
+        <translation>快速修正</translation>
+    </message>
+    <message>
+        <source>Write TRUE</source>
+        <translation>写入 TRUE</translation>
+    </message>
+    <message>
+        <source>Write FALSE</source>
+        <translation>写入 FALSE</translation>
+    </message>
+    <message>
+        <source>Toggle Bookmark</source>
+        <translation>切换书签</translation>
+    </message>
+    <message>
+        <source>Contact Here</source>
+        <translation>此处插入触点</translation>
+    </message>
+    <message>
+        <source>Negated Contact Here</source>
+        <translation>此处插入取反触点</translation>
+    </message>
+    <message>
+        <source>Function Block Here</source>
+        <translation>此处插入功能块</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::RunArchive</name>
@@ -6638,8 +7610,8 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>转到定义</translation>
     </message>
     <message>
-        <source>Find All Uses</source>
-        <translation>查找所有使用处</translation>
+        <source>Find References</source>
+        <translation>查找引用</translation>
     </message>
     <message>
         <source>Rename…</source>
@@ -6879,7 +7851,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>数字格式</translation>
     </message>
     <message>
-        <source>As the list</source>
+        <source>As in the list</source>
         <translation>与列表相同</translation>
     </message>
 </context>
@@ -6939,6 +7911,49 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     </message>
 </context>
 <context>
+    <name>plc::hmi::ArrayArrangementDialog</name>
+    <message>
+        <source>Arrange over array</source>
+        <translation>按数组排列</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>参数</translation>
+    </message>
+    <message>
+        <source>Array</source>
+        <translation>数组</translation>
+    </message>
+    <message>
+        <source>First index</source>
+        <translation>首个下标</translation>
+    </message>
+    <message>
+        <source>Last index</source>
+        <translation>末个下标</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>列</translation>
+    </message>
+    <message>
+        <source>Horizontal gap</source>
+        <translation>水平间距</translation>
+    </message>
+    <message>
+        <source>Vertical gap</source>
+        <translation>垂直间距</translation>
+    </message>
+    <message>
+        <source>In the other arguments, # becomes the index.</source>
+        <translation>在其他实参中，# 变为下标。</translation>
+    </message>
+    <message>
+        <source>Choose an array with one index, for example Plant.Valves.</source>
+        <translation>请选择只有一个下标的数组，例如 Plant.Valves。</translation>
+    </message>
+</context>
+<context>
     <name>plc::hmi::ArrayDialog</name>
     <message>
         <source>Duplicate as array</source>
@@ -6953,7 +7968,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>列</translation>
     </message>
     <message>
-        <source>Gap down</source>
+        <source>Vertical gap</source>
         <translation>垂直间距</translation>
     </message>
     <message>
@@ -6961,7 +7976,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>下标步长</translation>
     </message>
     <message>
-        <source>Gap across</source>
+        <source>Horizontal gap</source>
         <translation>水平间距</translation>
     </message>
 </context>
@@ -6990,6 +8005,10 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Resize</source>
         <translation>调整大小</translation>
+    </message>
+    <message>
+        <source>Bind</source>
+        <translation>绑定</translation>
     </message>
 </context>
 <context>
@@ -7024,11 +8043,15 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <source>Search elements</source>
         <translation>搜索元素</translation>
     </message>
+    <message>
+        <source>Faceplates</source>
+        <translation>面板组件</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::PanelDesigner</name>
     <message>
-        <source>Finding</source>
+        <source>Issue</source>
         <translation>问题</translation>
     </message>
     <message>
@@ -7092,11 +8115,11 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>底端对齐</translation>
     </message>
     <message>
-        <source>Equal gaps across</source>
+        <source>Distribute horizontally</source>
         <translation>水平均匀分布</translation>
     </message>
     <message>
-        <source>Equal gaps down</source>
+        <source>Distribute vertically</source>
         <translation>垂直均匀分布</translation>
     </message>
     <message>
@@ -7202,6 +8225,18 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Same size</source>
         <translation>等大小</translation>
+    </message>
+    <message>
+        <source>Paste in place</source>
+        <translation>原位粘贴</translation>
+    </message>
+    <message>
+        <source>Arrange over array…</source>
+        <translation>按数组排列…</translation>
+    </message>
+    <message>
+        <source>Arrange over array</source>
+        <translation>按数组排列</translation>
     </message>
 </context>
 <context>
@@ -7311,6 +8346,48 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>%1 is used by %2</source>
         <translation>%1 被 %2 使用</translation>
+    </message>
+    <message>
+        <source>Import XLIFF</source>
+        <translation>导入 XLIFF</translation>
+    </message>
+    <message>
+        <source>Translations (*.xlf *.xliff)</source>
+        <translation>译文 (*.xlf *.xliff)</translation>
+    </message>
+    <message>
+        <source>Export XLIFF</source>
+        <translation>导出 XLIFF</translation>
+    </message>
+    <message>
+        <source>Translated from</source>
+        <translation>源语言</translation>
+    </message>
+    <message>
+        <source>Translated into</source>
+        <translation>目标语言</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>版本</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n text(s) taken.</source>
+        <translation>
+            <numerusform>采用了 %n 条文本。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n text(s) as they were.</source>
+        <translation>
+            <numerusform>%n 条文本保持不变。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n text(s) without a translation.</source>
+        <translation>
+            <numerusform>%n 条文本没有译文。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7710,6 +8787,14 @@ Click selects, Ctrl+click shows or hides.</source>
         <source>Move channel</source>
         <translation>移动通道</translation>
     </message>
+    <message>
+        <source>Compared recording</source>
+        <translation>比较的记录</translation>
+    </message>
+    <message>
+        <source>Offset in time</source>
+        <translation>时间偏移</translation>
+    </message>
 </context>
 <context>
     <name>plc::trace::TimeBar</name>
@@ -7747,7 +8832,7 @@ Click selects, Ctrl+click shows or hides.</source>
         <translation>后退一个扫描周期（左箭头）</translation>
     </message>
     <message>
-        <source>One scan forth (Right)</source>
+        <source>One scan forward (Right)</source>
         <translation>前进一个扫描周期（右箭头）</translation>
     </message>
     <message>
@@ -7926,31 +9011,31 @@ Click selects, Ctrl+click shows or hides.</source>
         <translation>记录 (*.rec);;所有文件 (*)</translation>
     </message>
     <message>
-        <source>Trace set-up</source>
+        <source>Trace configuration</source>
         <translation>跟踪配置</translation>
     </message>
     <message>
-        <source>Open set-up…</source>
+        <source>Open configuration…</source>
         <translation>打开配置…</translation>
     </message>
     <message>
-        <source>Open trace set-up</source>
+        <source>Open trace configuration</source>
         <translation>打开跟踪配置</translation>
     </message>
     <message>
-        <source>Trace set-ups (*.trace.json)</source>
+        <source>Trace configurations (*.trace.json)</source>
         <translation>跟踪配置 (*.trace.json)</translation>
     </message>
     <message>
-        <source>Save trace set-up</source>
+        <source>Save trace configuration</source>
         <translation>保存跟踪配置</translation>
     </message>
     <message>
-        <source>Save set-up</source>
+        <source>Save configuration</source>
         <translation>保存配置</translation>
     </message>
     <message>
-        <source>Save set-up as…</source>
+        <source>Save configuration as…</source>
         <translation>配置另存为…</translation>
     </message>
     <message>
@@ -8066,6 +9151,14 @@ Click selects, Ctrl+click shows or hides.</source>
     <message>
         <source>Saving the recording…</source>
         <translation>正在保存记录…</translation>
+    </message>
+    <message>
+        <source>%1, %2 later</source>
+        <translation>%1，晚 %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 earlier</source>
+        <translation>%1，早 %2</translation>
     </message>
 </context>
 </TS>

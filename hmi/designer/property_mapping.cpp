@@ -51,7 +51,7 @@ QString toolTipOf(const PropertyDescriptor& property) {
         return property.hint.empty() ? what : QStringLiteral("%1 (%2)").arg(what, valueKindTitle(property.hint));
     }
     if (property.type == PropertyType::Text)
-        return Hmi::tr("Shown to the operator. A typed text gets its key by itself; @key names one.");
+        return Hmi::tr("Shown to the operator. A typed text gets its key automatically; @key uses an existing one.");
     return {};
 }
 
