@@ -31,7 +31,7 @@ ConversionDialog::ConversionDialog(const std::string& before, const std::string&
         layout->addWidget(new QLabel(title, side));
         layout->addWidget(editor);
     };
-    add(before, toSt ? tr("Instruction list, as it stands") : tr("ST, as it stands"));
+    add(before, toSt ? tr("Instruction list (current text)") : tr("ST (current text)"));
     add(after, toSt ? tr("The same as ST") : tr("The same as an instruction list"));
     auto* note = new QLabel(
         tr("Both give the same results. Replacing is one step of undo; comments stay, each above its statement."),

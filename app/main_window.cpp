@@ -20,6 +20,7 @@
 #include "editor/kit/icons.h"
 #include "editor/kit/long_task.h"
 #include "editor/kit/message_text.h"
+#include "editor/kit/mnemonics.h"
 #include "editor/kit/plot_scale.h"
 #include "editor/kit/work_strip.h"
 
@@ -72,6 +73,7 @@ void MainWindow::build() {
     m_stack->addWidget(m_tabs);
     setCentralWidget(m_stack);
     makeDocks();
+    kit::keepMnemonics(*qApp);
     makeActions();
     makeStatusLine();
     connectParts();
@@ -122,7 +124,7 @@ void MainWindow::makeDocks() {
     connect(m_guide, &GuideView::fileRequested, this, [this](const QString& file) {
         if (m_workspace->files().contains(file)) m_tabs->openFile(file);
     });
-    QDockWidget* calls = addDock("callPath", tr("Call Path"), i(Icon::CallStack), m_callPath, Qt::RightDockWidgetArea);
+    QDockWidget* calls = addDock("callPath", tr("Call Stack"), i(Icon::CallStack), m_callPath, Qt::RightDockWidgetArea);
     QDockWidget* breakpoints =
         addDock("breakpoints", tr("Breakpoints"), i(Icon::Breakpoint), m_breakpoints, Qt::RightDockWidgetArea);
     tabifyDockWidget(calls, breakpoints);
@@ -237,6 +239,7 @@ void MainWindow::makeActions() {
         else
             bar->addAction(action(id));
     }
+    kit::giveMnemonics(*menuBar());
     m_palette = new kit::CommandPalette(this, [this] { return allActions(); });
 }
 
@@ -256,7 +259,7 @@ void MainWindow::makeStatusLine() {
     };
     m_faultButton = new QToolButton(this);
     m_faultButton->setAutoRaise(true);
-    m_faultButton->setAccessibleName(tr("Fault of the controller"));
+    m_faultButton->setAccessibleName(tr("Controller fault"));
     m_faultButton->setIcon(kit::icon(kit::Icon::Error));
     m_faultButton->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_faultButton->hide();

@@ -133,7 +133,7 @@ void fillValue(QTreeWidgetItem* item, const types::TypeTable& types, const QStri
 } // namespace
 
 CallPathView::CallPathView(RunControl& control, QWidget* parent) : QWidget(parent), m_control(control) {
-    m_frames = makeTree(this, {tr("Unit"), tr("Instance"), tr("Line")}, tr("Call path"));
+    m_frames = makeTree(this, {tr("Unit"), tr("Instance"), tr("Line")}, tr("Call stack"));
     m_values = makeTree(this, {tr("Variable"), tr("Value")}, tr("Values of the frame"));
     m_values->setRootIsDecorated(true);
     auto* splitter = new QSplitter(this);

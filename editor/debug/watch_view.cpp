@@ -548,7 +548,7 @@ void WatchView::showMenu(const QPoint& position) {
         connect(menu.addAction(kit::icon(kit::Icon::Trace), tr("Show in trace")), &QAction::triggered, this,
                 [this, item] { emit traceRequested(expressionOf(item)); });
         QMenu* format = menu.addMenu(tr("Number Format"));
-        const QStringList names{tr("As the list"), tr("Decimal"), tr("Hexadecimal"), tr("Binary"),
+        const QStringList names{tr("As in the list"), tr("Decimal"), tr("Hexadecimal"), tr("Binary"),
                                 tr("Time", "number format")};
         const QVariant own = item->data(Name, kFormatRole);
         for (int i = 0; i < names.size(); ++i) {

@@ -196,22 +196,23 @@ void TraceView::makeActions(QToolBar* bar) {
         bar->addWidget(button);
         return menu;
     };
-    QMenu* files = menuButton(kit::Icon::Save, tr("Trace set-up"));
-    files->addAction(kit::icon(kit::Icon::Open), tr("Open set-up…"), this, [this] {
-        const QString path =
-            QFileDialog::getOpenFileName(this, tr("Open trace set-up"), m_folder, tr("Trace set-ups (*.trace.json)"));
+    QMenu* files = menuButton(kit::Icon::Save, tr("Trace configuration"));
+    files->addAction(kit::icon(kit::Icon::Open), tr("Open configuration…"), this, [this] {
+        const QString path = QFileDialog::getOpenFileName(this, tr("Open trace configuration"), m_folder,
+                                                          tr("Trace configurations (*.trace.json)"));
         if (!path.isEmpty()) report(openSetup(path));
     });
     auto saveAs = [this] {
-        QString path = QFileDialog::getSaveFileName(this, tr("Save trace set-up"), m_path.isEmpty() ? m_folder : m_path,
-                                                    tr("Trace set-ups (*.trace.json)"));
+        QString path =
+            QFileDialog::getSaveFileName(this, tr("Save trace configuration"), m_path.isEmpty() ? m_folder : m_path,
+                                         tr("Trace configurations (*.trace.json)"));
         if (path.isEmpty()) return;
         if (!path.endsWith(QLatin1String(".trace.json"))) path += QStringLiteral(".trace.json");
         report(storeSetup(path));
     };
-    files->addAction(kit::icon(kit::Icon::Save), tr("Save set-up"), this,
+    files->addAction(kit::icon(kit::Icon::Save), tr("Save configuration"), this,
                      [this, saveAs] { m_path.isEmpty() ? saveAs() : report(storeSetup(m_path)); });
-    files->addAction(tr("Save set-up as…"), this, saveAs);
+    files->addAction(tr("Save configuration as…"), this, saveAs);
     files->addSeparator();
     files->addAction(tr("Open recording…"), this, [this] {
         const QString path = QFileDialog::getOpenFileName(this, tr("Open recording"), inProject({}),
