@@ -82,6 +82,10 @@ const std::vector<ActionSpec> kActions = {
     {"edit.matching", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Go to the Matching Word"), "Ctrl+M", none, inEditor<&editor::StEditor::goToMatchingWord>},
     {"edit.nextProblem", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Next Problem"), "F4", none, [](MainWindow& w) { w.problems().goToNext(1); }},
     {"edit.previousProblem", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Previous Problem"), "Shift+F4", none, [](MainWindow& w) { w.problems().goToNext(-1); }},
+    {"edit.bookmark", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Bookmark"), "Ctrl+F2", drawn(Icon::Marker),
+     [](MainWindow& w) { if (auto* e = w.tabs().currentEditor()) e->toggleBookmark(static_cast<int>(e->SendScintilla(QsciScintillaBase::SCI_LINEFROMPOSITION, static_cast<unsigned long>(e->cursorOffset())))); }},
+    {"edit.nextBookmark", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Next Bookmark"), "Ctrl+Shift+F2", none, [](MainWindow& w) { w.tabs().goToBookmark(1); }},
+    {"edit.previousBookmark", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Previous Bookmark"), "", none, [](MainWindow& w) { w.tabs().goToBookmark(-1); }},
     {"edit.asSt", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Show as ST…"), "Ctrl+Alt+S", none, [](MainWindow& w) { w.showConverted(analysis::TextLanguage::St); }},
     {"edit.asIl", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Show as an Instruction List…"), "Ctrl+Alt+I", none, [](MainWindow& w) { w.showConverted(analysis::TextLanguage::Il); }},
     {"edit.back", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Back"), "Alt+Left", drawn(Icon::Back), [](MainWindow& w) { w.tabs().goBack(); }},
@@ -131,6 +135,7 @@ const std::vector<ActionSpec> kActions = {
 
     {"view.palette", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Command Palette"), "Ctrl+Shift+P", drawn(Icon::Command), [](MainWindow& w) { w.openPalette(); }},
     {"view.split", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Split the Editor"), "Ctrl+\\", drawn(Icon::Split), [](MainWindow& w) { if (auto* p = w.tabs().currentPage()) p->toggleSplit(); }},
+    {"view.beside", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Another File Beside…"), "", drawn(Icon::Split), [](MainWindow& w) { w.openBeside(); }},
     {"view.table", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Declarations as a Table"), "Ctrl+Shift+D", drawn(Icon::Table), [](MainWindow& w) { if (auto* p = w.tabs().currentPage()) { p->toggleTable(); p->table().setModel(w.workspace().model()); } }},
     {"view.chart", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Diagram Beside the Text"), "Ctrl+Shift+G", drawn(Icon::Sfc),
      [](MainWindow& w) {

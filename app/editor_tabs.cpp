@@ -1,5 +1,6 @@
 #include "app/editor_tabs.h"
 
+#include "app/computed_places.h"
 #include "app/disk_change.h"
 #include "app/instance_bar.h"
 #include "editor/kit/icons.h"
@@ -98,12 +99,18 @@ EditorTabs::EditorTabs(editor::Workspace& workspace, editor::RunControl& control
     connect(&control, &editor::RunControl::breakpointsChanged, this, &EditorTabs::showBreakpoints);
     connect(&control, &editor::RunControl::statusChanged, this, &EditorTabs::showExecutedLine);
     connect(&control, &editor::RunControl::halted, this, &EditorTabs::showExecutedLine);
+    m_computed = new editor::ComputedScan(control, this);
+    connect(m_computed, &editor::ComputedScan::changed, this, [this] {
+        if (StPage* page = currentPage())
+            for (editor::GraphView* graph : page->graphs()) graph->refreshOnline();
+    });
     connect(&control, &editor::RunControl::refreshed, this, [this] {
         // Ten times a second while it runs: more nobody reads.
         if (m_control.status().state == controller::State::Running && !m_control.viewed() && ++m_frames % 3 != 0)
             return;
         if (StPage* page = currentPage()) {
             for (StEditor* editor : page->editors()) editor->refreshOnlineValues();
+            if (page->beside()) page->beside()->refreshOnlineValues();
             page->table().refreshOnlineValues();
             showInstance(*page);
             for (editor::GraphView* graph : page->graphs()) {
@@ -151,6 +158,14 @@ StPage* EditorTabs::openFile(const QString& file) {
     return page;
 }
 
+void EditorTabs::openBeside(const QString& file) {
+    StPage* here = currentPage();
+    StPage* other = openFile(file);
+    if (!here || !other || here == other) return;
+    setCurrentWidget(here);
+    here->showBeside(other);
+}
+
 void EditorTabs::connectPage(StPage* page) {
     connect(page, &StPage::editorMade, this, &EditorTabs::connectEditor);
     connect(page, &StPage::chartMade, this, [this, page](editor::ChartView* chart) { connectChart(page, chart); });
@@ -186,8 +201,10 @@ StEditor* EditorTabs::openSource(const QString& file) {
 std::vector<StEditor*> EditorTabs::allEditors() const {
     std::vector<StEditor*> out;
     for (int i = 0; i < count(); ++i) {
-        if (auto* page = qobject_cast<StPage*>(widget(i)))
+        if (auto* page = qobject_cast<StPage*>(widget(i))) {
             for (StEditor* each : page->editors()) out.push_back(each);
+            if (page->beside()) out.push_back(page->beside());
+        }
     }
     return out;
 }
@@ -260,6 +277,21 @@ void EditorTabs::connectGraph(StPage* page, editor::GraphView* graph) {
             text->SendScintilla(QsciScintillaBase::SCI_LINEFROMPOSITION, static_cast<unsigned long>(offset));
         m_control.toggleBreakpoint(page->file(), static_cast<int>(line) + 1);
     });
+    connect(graph, &editor::GraphView::renameRequested, text,
+            [text](uint32_t offset) { emit text->renameRequested(text->file(), offset); });
+    connect(graph, &editor::GraphView::usesRequested, text,
+            [text](uint32_t offset) { emit text->usesRequested(text->file(), offset); });
+    connect(graph, &editor::GraphView::definitionRequested, text,
+            [text](uint32_t offset) { emit text->definitionRequested(text->file(), offset); });
+    connect(graph, &editor::GraphView::fixRequested, text, [text](uint32_t offset) {
+        text->goTo(offset);
+        text->applyFix();
+    });
+    connect(graph, &editor::GraphView::bookmarkRequested, text, [text](uint32_t offset) {
+        text->toggleBookmark(static_cast<int>(
+            text->SendScintilla(QsciScintillaBase::SCI_LINEFROMPOSITION, static_cast<unsigned long>(offset))));
+    });
+    connect(text, &StEditor::bookmarksChanged, graph, [text, graph] { graph->setBookmarks(text->bookmarks()); });
     const auto addKeys = [&](const char* name, std::initializer_list<QKeySequence> keys, void (EditorTabs::*run)()) {
         auto* action = new QAction(graph);
         action->setObjectName(name);
@@ -274,11 +306,17 @@ void EditorTabs::connectGraph(StPage* page, editor::GraphView* graph) {
     connect(graph, &editor::GraphView::failed, this, [this](const QString& what) { emit message(what, true); });
     connect(text, &StEditor::edited, graph, [text, graph] {
         if (graph->isVisible()) graph->setText(text->utf8());
+        graph->setBookmarks(text->bookmarks());
     });
     connect(text, &StEditor::cursorMoved, graph, [text, graph] {
-        if (graph->isVisible() && text->hasFocus()) graph->showCursor(text->cursorOffset());
+        // Also when the find bar moves it; what is selected in the graph moves it itself.
+        if (graph->isVisible() && !graph->isAncestorOf(QApplication::focusWidget()))
+            graph->showCursor(text->cursorOffset());
     });
-    kit::post(this, [this] { showBreakpoints(); });
+    kit::post(this, [this] {
+        showBreakpoints();
+        showExecutedLine();
+    });
 }
 
 void EditorTabs::connectChart(StPage* page, editor::ChartView* chart) {
@@ -292,6 +330,25 @@ void EditorTabs::connectChart(StPage* page, editor::ChartView* chart) {
 
 void EditorTabs::connectLadder(StPage* page, editor::LadderView* ladder) {
     connectGraph(page, ladder);
+    ladder->setLook(editor::LadderLook::fromBits(m_settings.ladderLook()));
+    connect(ladder, &editor::LadderView::lookChosen, this, [this](int bits) {
+        m_settings.setLadderLook(bits);
+        for (int i = 0; i < count(); ++i)
+            if (auto* each = qobject_cast<StPage*>(widget(i)); each && each->ladder())
+                each->ladder()->setLook(editor::LadderLook::fromBits(bits));
+    });
+    connect(ladder, &editor::LadderView::writeRequested, this,
+            [this, ladder](const QString& variable, const QString& value) {
+                const QString path = pathOf(variable, ladder->unit());
+                if (path.isEmpty())
+                    return emit message(tr("%1 is no variable of the running program").arg(variable), true);
+                if (auto written = m_control.write(path, value); !written)
+                    emit message(kit::messageText(written.error()), true);
+            });
+    StEditor* text = &page->first();
+    ladder->setComputed(computedPlaces(
+        *m_computed, page->file(), [text] { return text->utf8(); },
+        [this, ladder] { return m_control.preferredInstance(ladder->unit().section('.', 0, 0)); }));
     connect(ladder, &editor::LadderView::forceRequested, this,
             [this, ladder](const QString& variable, const QString& value) {
                 const QString path = pathOf(variable, ladder->unit());
@@ -665,7 +722,21 @@ void EditorTabs::showExecutedLine() {
         editor->setExecutedLine(state == State::Halted ? here : 0);
         editor->setFaultLine(state == State::Fault ? here : 0);
     }
+    for (int i = 0; i < count(); ++i)
+        if (auto* page = qobject_cast<StPage*>(widget(i))) {
+            const bool isHere = state == State::Halted && line && page->file() == file;
+            for (editor::GraphView* graph : page->graphs())
+                graph->setStanding(isHere ? std::optional(place->offset) : std::nullopt);
+        }
     if (line && isNew && currentEditor()) currentEditor()->ensureLineVisible(line - 1);
+}
+
+void EditorTabs::goToBookmark(int direction) {
+    StPage* page = currentPage();
+    if (!page) return;
+    page->active().goToBookmark(direction);
+    for (editor::GraphView* graph : page->graphs())
+        if (graph->isVisible()) graph->showCursor(page->active().cursorOffset());
 }
 
 } // namespace plc::app

@@ -4,6 +4,7 @@
 #include "app/settings.h"
 #include "app/st_page.h"
 #include "editor/analysis/workspace.h"
+#include "editor/debug/computed_scan.h"
 #include "editor/debug/run_control.h"
 #include "editor/text/st_editor.h"
 
@@ -23,9 +24,13 @@ public:
                QWidget* parent = nullptr);
 
     StPage* openFile(const QString& file);
+    /// A second file at the right of the one in front.
+    void openBeside(const QString& file);
     void goTo(const QString& file, uint32_t offset, uint32_t length = 0);
     void goToLine(const QString& file, int line);
     void showChart(const QString& file, const QString& unit);
+    /// In the text in front: the next one, 1, or the one before, -1.
+    void goToBookmark(int direction);
     void goBack();
     void goForward();
     [[nodiscard]] StPage* currentPage() const { return qobject_cast<StPage*>(currentWidget()); }
@@ -107,6 +112,7 @@ private:
     };
     editor::Workspace& m_workspace;
     editor::RunControl& m_control;
+    editor::ComputedScan* m_computed = nullptr;
     Settings& m_settings;
     std::deque<Visited> m_back, m_forward;
     bool m_isApplying = false;

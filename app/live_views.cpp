@@ -5,11 +5,14 @@
 #include "editor/kit/icons.h"
 #include "editor/kit/long_task.h"
 #include "editor/kit/message_text.h"
+#include "hmi/alarms/alarm_export.h"
+#include "projects/storage/project_file.h"
 #include "runtime/base/messages.h"
 
 #include <QApplication>
 #include <QComboBox>
 #include <QDir>
+#include <QFileDialog>
 #include <QLabel>
 #include <QToolBar>
 #include <QUuid>
@@ -35,6 +38,8 @@ LiveViews::LiveViews(editor::Workspace& workspace, editor::RunControl& control, 
             this, [this] {
                 if (m_player) m_player->setFullScreen(true);
             });
+    connect(bar->addAction(kit::icon(kit::Icon::Export), tr("Export the alarm history…")), &QAction::triggered, this,
+            &LiveViews::exportAlarms);
     auto* none = new QLabel(
         tr("This project has no panel yet.\nNew panels are drawn in the designer: Project, Panels, New…"), m_panelArea);
     none->setAlignment(Qt::AlignCenter);
@@ -151,6 +156,18 @@ void LiveViews::makePlayer() {
     connectPlayer();
     showInPanel();
     showPanel(m_panels->startPanel.isEmpty() ? m_panels->panels.front().name : m_panels->startPanel);
+}
+
+void LiveViews::exportAlarms() {
+    if (!m_player) return;
+    const QString path = QFileDialog::getSaveFileName(m_panelArea, tr("Export the Alarm History"),
+                                                      m_workspace.folder() + "/alarms.csv", tr("Tables (*.csv)"));
+    if (path.isEmpty()) return;
+    constexpr int Everything = 25'000;
+    const std::string table =
+        hmi::alarmsAsCsv(m_player->alarms().history({}, Everything), m_panels->texts, m_player->language());
+    if (auto written = projects::writeFileAtomically(path.toStdString(), table); !written)
+        emit message(kit::messageText(written.error()), true);
 }
 
 void LiveViews::connectDesign() {

@@ -80,6 +80,7 @@ private:
     void showInPanel();
     void connectDesign();
     void makePlayer();
+    void exportAlarms();
     void listPanels();
     void panelsTaken();
     void connectPlayer();

@@ -2,6 +2,7 @@
 
 #include "app/design_findings.h"
 #include "app/editor_tabs.h"
+#include "app/guide_view.h"
 #include "app/live_views.h"
 #include "app/living.h"
 #include "app/panel_files.h"
@@ -115,6 +116,12 @@ void MainWindow::makeDocks() {
     QDockWidget* watch = addDock("watch", tr("Watch"), i(Icon::Watch), m_watch, Qt::RightDockWidgetArea);
     QDockWidget* forces = addDock("forces", tr("Forces"), i(Icon::Force), m_forces, Qt::RightDockWidgetArea);
     tabifyDockWidget(watch, forces);
+    m_guide = new GuideView;
+    tabifyDockWidget(forces,
+                     addDock("guide", tr("About This Project"), i(Icon::Help), m_guide, Qt::RightDockWidgetArea));
+    connect(m_guide, &GuideView::fileRequested, this, [this](const QString& file) {
+        if (m_workspace->files().contains(file)) m_tabs->openFile(file);
+    });
     QDockWidget* calls = addDock("callPath", tr("Call Path"), i(Icon::CallStack), m_callPath, Qt::RightDockWidgetArea);
     QDockWidget* breakpoints =
         addDock("breakpoints", tr("Breakpoints"), i(Icon::Breakpoint), m_breakpoints, Qt::RightDockWidgetArea);

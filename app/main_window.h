@@ -45,6 +45,7 @@ class ProblemsView;
 class ProjectTree;
 class StartPage;
 class TestRunner;
+class GuideView;
 class TestView;
 class Tour;
 
@@ -69,6 +70,8 @@ public:
     bool openProject(const QString& folder);
     void closeProject();
     void startTour();
+    void openBeside();
+    [[nodiscard]] GuideView& guide() { return *m_guide; }
 
     // the parts, for actions, pages and tests
     [[nodiscard]] Settings& settings() { return m_settings; }
@@ -172,6 +175,9 @@ private:
     void report(const Result<void>& result);
     void build();
     void showProject();
+    [[nodiscard]] QStringList tourExpressions() const;
+    /// Its guide and its panel in sight, large enough to be read.
+    void arrangeForExample();
     void saveProjectState();
     void restoreProjectState();
     void restoreBreakpoints();
@@ -215,6 +221,7 @@ private:
     Perspectives* m_perspectives = nullptr;
     bool m_changesLanguage = false; // when the tests have ended
     TestRunner* m_testRunner = nullptr;
+    GuideView* m_guide;
     TestView* m_tests = nullptr;
 };
 

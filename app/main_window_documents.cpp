@@ -175,6 +175,7 @@ void MainWindow::openDesigner(const QString& panel) {
     QTimer::singleShot(0, designer, [designer] { // once it has its size: the whole panel
         if (auto* fit = designer->findChild<QAction*>("zoom-fit")) fit->trigger();
     });
+    connect(designer, &hmi::PanelDesigner::panelRequested, this, &MainWindow::openDesigner); // of a faceplate
     connect(designer, &hmi::PanelDesigner::modifiedChanged, m_tabs,
             [this, key](bool modified) { m_tabs->markPage(key, modified); });
     m_tabs->markPage(key, m_files->isChanged(key));

@@ -1,6 +1,7 @@
 // What the main window's actions do with the project: open, new, rename, libraries, tests, and what is kept per
 // project.
 #include "app/editor_tabs.h"
+#include "app/guide_view.h"
 #include "app/live_views.h"
 #include "app/main_window.h"
 #include "app/new_project.h"
@@ -58,6 +59,7 @@ void MainWindow::showProject() {
     setWindowTitle(tr("%1 – Stepwise").arg(QString::fromStdString(m_workspace->project().name)));
     m_stack->setCurrentWidget(m_tabs);
     for (QDockWidget* each : findChildren<QDockWidget*>()) each->show();
+    m_guide->showProject(m_workspace->folder());
     restoreProjectState();
     findChild<QToolBar*>("timeToolBar")->show();
 }
@@ -201,9 +203,23 @@ bool MainWindow::openExample(const QString& example, bool fresh) {
             return false;
         }
     if (!openProject(copy)) return false;
+    if (isNew) arrangeForExample();
     say(isNew ? tr("This is a copy of the example, in %1: change what you like").arg(copy)
               : tr("This is your copy of the example, in %1").arg(copy));
     return true;
+}
+
+void MainWindow::arrangeForExample() {
+    showDock("guide");
+    showDock("panel");
+    showDock("trace");
+    QDockWidget *guide = dock("guide"), *panel = dock("panel");
+    const bool hasPanel = !m_live->panels().panels.empty();
+    resizeDocks({panel}, {width() * (hasPanel ? 42 : 30) / 100}, Qt::Horizontal);
+    resizeDocks({dock("project")}, {width() * 12 / 100}, Qt::Horizontal);
+    resizeDocks({guide, panel}, {height() * (hasPanel ? 30 : 60) / 100, height() * (hasPanel ? 50 : 20) / 100},
+                Qt::Vertical);
+    resizeDocks({dock("trace")}, {height() * 30 / 100}, Qt::Vertical);
 }
 
 // ------------------------------------------------------------------ libraries, tests
@@ -372,18 +388,42 @@ void MainWindow::about() {
                           "recorded, operator panels in many languages.</p><p>Licence: GPL-3.0</p>"));
 }
 
+void MainWindow::openBeside() {
+    QStringList files = m_workspace->files();
+    if (StPage* page = m_tabs->currentPage()) files.removeAll(page->file());
+    if (files.isEmpty()) return say(tr("The project has no other file"), true);
+    bool isChosen = false;
+    const QString file = QInputDialog::getItem(this, tr("Another File Beside"), tr("File"), files, 0, false, &isChosen);
+    if (isChosen) m_tabs->openBeside(file);
+}
+
+/// What the trace of the project is about, else its first variables.
+QStringList MainWindow::tourExpressions() const {
+    QStringList out;
+    for (const trace::ChannelSetup& channel : m_live->traceView().setup().channels)
+        if (out.size() < 4) out << QString::fromStdString(channel.expression);
+    return out;
+}
+
 void MainWindow::startTour() {
     if (!m_workspace->isOpen()) {
         if (!openExample(StartPage::examplesFolder() + "/pid_pt1", false)) return;
     }
     const auto dockWidget = [this](const char* name) { return [this, name]() -> QWidget* { return dock(name); }; };
+    const QString summary = GuideView::summaryOf(m_workspace->folder());
     std::vector<TourStop> stops = {
         {tr("Welcome"),
-         tr("This is a PID controller working on a simulated process: the program above, its trace below, its operator "
-            "panel at the right. Nothing can break: the plant is only numbers. Press Next to look around for a minute, "
-            "or F5 to run it at once."),
+         tr("%1 Nothing can break: the plant is only numbers. Press Next to look around for a minute, or F5 to run it "
+            "at "
+            "once.")
+             .arg(summary.isEmpty()
+                      ? tr("This is the project %1.").arg(QString::fromStdString(m_workspace->project().name))
+                      : summary),
          {},
          {}},
+        {tr("What to press"),
+         tr("The page beside the program is the project's README: what it shows, what to press, what to watch."),
+         dockWidget("guide"), [this] { showDock("guide"); }},
         {tr("The project"),
          tr("Programs, blocks, tasks, panels, traces and tests, made from the text files in the folder."),
          dockWidget("project"), [this] { showDock("project"); }},
@@ -401,15 +441,16 @@ void MainWindow::startTour() {
          dockWidget("watch"),
          [this] {
              showDock("watch");
-             if (m_watch->expressions().isEmpty())
-                 m_watch->setExpressions({"Main.SetPoint", "Main.ControlError", "Plant.ClosedLoop", "Plant.OpenLoop"});
+             if (m_watch->expressions().isEmpty()) m_watch->setExpressions(tourExpressions());
          }},
         {tr("The trace"),
          tr("Nothing had to be chosen before it happened: every scan is recorded, and a chart can be made of any "
             "expression afterwards."),
          dockWidget("trace"), [this] { showDock("trace"); }},
         {tr("The panel"),
-         tr("What the operator sees, in the languages of the machine. It works here as it will on the machine."),
+         m_live->panels().panels.empty()
+             ? tr("What the operator sees. This project has no panel yet; new ones are drawn with the mouse.")
+             : tr("What the operator sees, in the languages of the machine. It works here as it will on the machine."),
          dockWidget("panel"), [this] { showDock("panel"); }},
         {tr("Time runs backwards, too"),
          tr("Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume From Here” "

@@ -2,9 +2,7 @@
 // interface, globals, test): what is written, and the two dialogs that ask. The texts are plain functions; the dialogs
 // are GUI.
 #pragma once
-#ifndef Q_MOC_RUN // which cannot read <concepts>
 #include "runtime/base/result.h"
-#endif
 
 #include <QDialog>
 #include <QString>

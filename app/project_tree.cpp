@@ -37,13 +37,13 @@ public:
 protected:
     QMimeData* mimeData(const QList<QTreeWidgetItem*>& items) const override {
         QStringList paths, names;
-        for (const QTreeWidgetItem* item : items)
-            if (item->data(0, m_kind).toString() == "variable") {
-                paths << item->data(0, m_path).toString();
-                names << item->text(0);
-            }
-        if (paths.isEmpty()) return nullptr;
-        QMimeData* mime = kit::makeVariableMime(paths);
+        for (const QTreeWidgetItem* item : items) {
+            const QString kind = item->data(0, m_kind).toString();
+            if (kind == "variable") paths << item->data(0, m_path).toString();
+            if (kind == "variable" || kind == "unit" || kind == "libraryUnit") names << item->text(0);
+        }
+        if (names.isEmpty()) return nullptr;
+        QMimeData* mime = paths.isEmpty() ? new QMimeData : kit::makeVariableMime(paths);
         mime->setText(names.join('\n'));
         return mime;
     }

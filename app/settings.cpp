@@ -34,6 +34,8 @@ bool Settings::formatOnSave() const { return m_store.value("editor/formatOnSave"
 void Settings::setFormatOnSave(bool on) { m_store.setValue("editor/formatOnSave", on); }
 bool Settings::changeOnSave() const { return m_store.value("run/changeOnSave", true).toBool(); }
 void Settings::setChangeOnSave(bool on) { m_store.setValue("run/changeOnSave", on); }
+int Settings::ladderLook() const { return m_store.value("ladder/look", 0).toInt(); }
+void Settings::setLadderLook(int bits) { m_store.setValue("ladder/look", bits); }
 bool Settings::sawTour() const { return m_store.value("sawTour", false).toBool(); }
 void Settings::setSawTour() { m_store.setValue("sawTour", true); }
 bool Settings::arrangesByFile() const { return m_store.value("treeByFile", false).toBool(); }

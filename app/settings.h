@@ -14,7 +14,7 @@ class Settings {
 public:
     [[nodiscard]] kit::ThemeChoice theme() const;
     void setTheme(kit::ThemeChoice choice);
-    [[nodiscard]] QString language() const; // "en", "de", "da"; "" = the system's
+    [[nodiscard]] QString language() const; // "en", "de", "da", "fr", "es", "zh_CN"; "" = the system's
     void setLanguage(const QString& tag);
     [[nodiscard]] editor::EditorSettings editor() const;
     void setEditor(const editor::EditorSettings& settings);
@@ -22,6 +22,8 @@ public:
     void setFormatOnSave(bool on);
     [[nodiscard]] bool changeOnSave() const; // online change with every save
     void setChangeOnSave(bool on);
+    [[nodiscard]] int ladderLook() const; // editor::LadderLook::bits
+    void setLadderLook(int bits);
     [[nodiscard]] bool sawTour() const;
     void setSawTour();
     [[nodiscard]] bool arrangesByFile() const; // the project tree

@@ -46,6 +46,9 @@ QWidget* SettingsDialog::makeGeneral() {
     m_language->addItem("English", "en");
     m_language->addItem("Deutsch", "de");
     m_language->addItem("Dansk", "da");
+    m_language->addItem("Français", "fr");
+    m_language->addItem("Español", "es");
+    m_language->addItem("简体中文", "zh_CN");
     m_language->setCurrentIndex(std::max(0, m_language->findData(m_settings.language())));
     form->addRow(tr("Theme"), m_theme);
     form->addRow(tr("Language of the studio"), m_language);

@@ -10,6 +10,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 namespace plc::app {
@@ -92,6 +93,36 @@ void StPage::toggleSplit() {
     m_second->setFocus();
 }
 
+void StPage::showBeside(StPage* other) {
+    delete m_besideFrame;
+    if (!other || other == this) return;
+    m_besideFrame = new QWidget(m_sides);
+    auto* name = new QLabel(other->file(), m_besideFrame);
+    name->setContentsMargins(8, 2, 8, 2);
+    auto* close = new QToolButton(m_besideFrame);
+    close->setIcon(kit::icon(kit::Icon::Close));
+    close->setAutoRaise(true);
+    close->setToolTip(tr("Close this side"));
+    m_beside = new StEditor(m_besideFrame);
+    m_beside->shareDocumentOf(other->first());
+    auto* head = new QHBoxLayout;
+    head->setContentsMargins(0, 0, 0, 0);
+    head->addWidget(name, 1);
+    head->addWidget(close);
+    auto* layout = new QVBoxLayout(m_besideFrame);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addLayout(head);
+    layout->addWidget(m_beside, 1);
+    m_sides->addWidget(m_besideFrame);
+    m_sides->setSizes(QList<int>(m_sides->count(), 500));
+    connect(close, &QToolButton::clicked, this, [this] { showBeside(nullptr); });
+    connect(other, &QObject::destroyed, m_besideFrame, [this] { showBeside(nullptr); });
+    emit editorMade(m_beside);
+    m_besideFrame->show();
+    m_beside->setFocus();
+}
+
 void StPage::toggleTable() { m_table->setVisible(!m_table->isVisible()); }
 
 editor::ChartView* StPage::showChart(const QString& unit) {
@@ -142,6 +173,20 @@ std::vector<editor::GraphView*> StPage::graphs() {
     return out;
 }
 
+/// The program or block of the file, where there is but one and nothing in it: a chart can begin there.
+static QString emptyUnit(const syntax::SyntaxFile& file) {
+    const syntax::Pou* only = nullptr;
+    for (const syntax::Decl* decl : file.declarations) {
+        if (!decl->pou) continue;
+        if (only) return {};
+        only = decl->pou;
+    }
+    const bool isUnit =
+        only && (only->kind == syntax::PouKind::Program || only->kind == syntax::PouKind::FunctionBlock);
+    const bool isEmpty = isUnit && only->body.statements.empty() && !only->body.chart;
+    return isEmpty ? QString::fromStdString(std::string(only->name.text)) : QString();
+}
+
 void StPage::toggleGraph() {
     bool wasShown = false;
     for (editor::GraphView* graph : graphs()) {
@@ -155,6 +200,10 @@ void StPage::toggleGraph() {
     const uint32_t at = active().cursorOffset();
     if (const std::string chart = editor::chartAt(*file, at); !chart.empty()) {
         showChart(QString::fromStdString(chart));
+        return;
+    }
+    if (const QString empty = emptyUnit(*file); !empty.isEmpty()) {
+        showChart(empty);
         return;
     }
     ladder::Unit unit = ladder::unitAt(*file, at);

@@ -7,6 +7,7 @@
 #include "editor/text/find_bar.h"
 #include "editor/text/st_editor.h"
 
+#include <QPointer>
 #include <QSplitter>
 #include <QWidget>
 
@@ -32,6 +33,9 @@ public:
     [[nodiscard]] const QString& file() const { return m_file; }
     [[nodiscard]] bool isLibrary() const { return m_kind == Kind::Library; }
     void toggleSplit();
+    /// Another file at the right of this one, over the same text as its own page; null takes it away.
+    void showBeside(StPage* other);
+    [[nodiscard]] editor::StEditor* beside() { return m_beside; }
     void toggleTable();
     /// The chart of a unit beside the text, null when the unit has none; "" = the unit at the cursor, or none any more
     /// when it is shown.
@@ -76,6 +80,8 @@ private:
     editor::LadderView* m_ladder = nullptr;
     editor::StEditor* m_first;
     editor::StEditor* m_second = nullptr;
+    QPointer<QWidget> m_besideFrame;
+    QPointer<editor::StEditor> m_beside;
     editor::StEditor* m_active;
     editor::FindBar* m_find;
     editor::DeclarationTable* m_table;

@@ -1,9 +1,7 @@
 // A file of the project as plain text: a panel, texts or alarms that could not be understood, with the line marked that
 // is wrong. Owned by the tabs; GUI thread.
 #pragma once
-#ifndef Q_MOC_RUN // which cannot read <concepts>
 #include "hmi/player/disk_state.h"
-#endif
 
 #include <QWidget>
 

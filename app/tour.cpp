@@ -73,6 +73,7 @@ void Tour::showStop(int index) {
     m_current = index;
     const TourStop& stop = m_stops[static_cast<size_t>(index)];
     if (stop.prepare) stop.prepare();
+    raise(); // docks that were shown now are above otherwise
     m_target = stop.target ? stop.target() : nullptr;
     m_title->setText(stop.title);
     m_text->setText(stop.text);

@@ -1,5 +1,7 @@
 #include "app/translation.h"
 
+#include "editor/kit/translation_tag.h"
+
 #include <QApplication>
 #include <QLibraryInfo>
 #include <QLocale>
@@ -7,12 +9,12 @@
 
 namespace plc::app {
 
-QStringList translatedLanguages() { return {"en", "de", "da"}; }
+QStringList translatedLanguages() { return {"en", "de", "da", "fr", "es", "zh_CN"}; }
 
 void installTranslation(QApplication& application, const QString& tag) {
-    QString language = tag.isEmpty() ? QLocale::system().name().section('_', 0, 0) : tag;
+    QString language = kit::translationTag(tag.isEmpty() ? QLocale::system().name() : tag);
     if (!translatedLanguages().contains(language)) language = "en";
-    // Those of the language before, when the window is built anew in another one.
+    // Those of the language before, when the window is rebuilt in another one.
     for (QTranslator* before : application.findChildren<QTranslator*>(QString(), Qt::FindDirectChildrenOnly))
         delete before;
     auto* texts = new QTranslator(&application);

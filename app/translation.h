@@ -10,6 +10,6 @@ namespace plc::app {
 
 /// "" = the system's language when there is one for it, else English.
 void installTranslation(QApplication& application, const QString& tag);
-[[nodiscard]] QStringList translatedLanguages(); // "en", "de", "da"
+[[nodiscard]] QStringList translatedLanguages(); // "en", "de", "da", "fr", "es", "zh_CN"
 
 } // namespace plc::app

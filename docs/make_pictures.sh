@@ -9,7 +9,7 @@ if [ -z "${2:-}" ]; then
     xvfb-run -a -s "-screen 0 1600x1000x24" "build/$preset/bin/studio_pictures" docs/pictures
     export QT_QPA_PLATFORM=offscreen
     docs/pictures/chart.sh "build/$preset/bin"
-    for theme in light dark; do "build/$preset/bin/ladder_pictures" docs/pictures $theme >/dev/null; done
+    docs/pictures/ladder.sh "build/$preset/bin"
 fi
 export QT_QPA_PLATFORM=offscreen
 # What a project's pictures are of, where it is worth more than the first seconds at rest: docs/pictures.txt in the project has a

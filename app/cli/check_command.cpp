@@ -24,7 +24,8 @@ int check(const Arguments& arguments) {
     std::vector<hmi::Finding> findings;
     if (hasPanels(*project)) {
         needApplication();
-        findings = hmi::checkPanels(hmi::loadPanelProject(*project), checked);
+        const hmi::PanelProject panels = hmi::loadPanelProject(*project);
+        findings = hmi::checkPanels(panels, hmi::checkedForPanels(project->buildInput(), checked, panels.panels));
     }
     std::vector<std::string> objects, tests;
     if (arguments.wantsJson())

@@ -45,7 +45,7 @@ const std::vector<Command>& commands() {
     static const std::vector<Command> all = {checkCommand(),   runCommand(),    formatCommand(), testCommand(),
                                              traceCommand(),   replayCommand(), panelCommand(),  docCommand(),
                                              convertCommand(), importCommand(), exportCommand(), ladderCommand(),
-                                             whyCommand()};
+                                             whyCommand(),     tuneCommand(),   serveCommand(),  textsCommand()};
     return all;
 }
 

@@ -34,6 +34,9 @@ int runCommandLine(const std::vector<std::string>& words);
 [[nodiscard]] Command exportCommand();
 [[nodiscard]] Command ladderCommand();
 [[nodiscard]] Command whyCommand();
+[[nodiscard]] Command tuneCommand();
+[[nodiscard]] Command serveCommand();
+[[nodiscard]] Command textsCommand();
 
 // --- shared by the commands
 /// Whether several programs without a CONFIGURATION are an error: nothing runs them, but each can be checked.

@@ -38,7 +38,7 @@ int handOver(const Arguments& arguments, const driver::SourceFile& file) {
 /// A diagram is a view of ST: only what the unit prefers is written.
 int preferView(const Arguments& arguments, std::string_view view) {
     const auto name = arguments.value("--unit");
-    if (!name) return wrongUse({"--to ld and --to fbd need --unit NAME: the unit that likes to be shown so", ""});
+    if (!name) return wrongUse({errors::ViewNeedsUnit(), ""});
     const auto project = openNamedProject(arguments);
     if (!project) return wrongUse(project.error());
     for (driver::SourceFile file : project->buildInput().files) {
@@ -47,15 +47,15 @@ int preferView(const Arguments& arguments, std::string_view view) {
         const ladder::Unit unit = ladder::findUnit(*tree, *name);
         if (!unit.body) continue;
         if (unit.body->language != syntax::BodyLanguage::St && unit.body->language != syntax::BodyLanguage::None)
-            return wrongUse({"Only structured text is shown as a diagram; convert it --to st first", unit.name});
-        if (unit.range.begin != unit.pou->range.begin) return wrongUse({"An action has no view of its own", unit.name});
+            return wrongUse({errors::ViewOfTextOnly(), unit.name});
+        if (unit.range.begin != unit.pou->range.begin) return wrongUse({errors::ActionHasNoView(), unit.name});
         const diagnostics::Edits edits = ladder::preferView(file.text, unit, view);
         if (edits.empty()) std::cerr << "nothing to convert\n";
         if (edits.empty()) return kGood;
         file.text = diagnostics::applyEdits(file.text, edits);
         return handOver(arguments, file);
     }
-    return wrongUse({"There is no unit of that name with a body", *name});
+    return wrongUse({errors::NoUnitToConvert(), *name});
 }
 
 int convert(const Arguments& arguments) {

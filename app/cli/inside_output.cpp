@@ -80,7 +80,10 @@ Json writerJson(const inside::Writer& writer) {
 Json partsJson(const std::vector<inside::Part>& parts) {
     Json all = Json::array();
     for (const inside::Part& part : parts) {
-        Json json{{"path", part.isClock ? "time" : part.path}};
+        Json json{{"path", part.isClock       ? "time"
+                           : part.isFirstScan ? "first scan"
+                           : part.isForces    ? "forces"
+                                              : part.path}};
         if (!part.value.empty()) json["value"] = part.value;
         if (!part.before.empty()) json["before"] = part.before;
         if (!part.condition.empty()) json["condition"] = part.condition;
@@ -100,7 +103,7 @@ Json stepsJson(const image::CompiledProgram& program, const std::vector<Step>& s
         Json json{{"kind", kKinds[static_cast<size_t>(step.kind)]}};
         if (!step.path.empty()) json["path"] = step.path;
         if (step.value.hasValue()) json["value"] = types::toText(*program.layout.types, step.value);
-        if (!step.note.empty()) json["note"] = step.note;
+        if (!step.note.isEmpty()) json["note"] = step.note.english();
         if (!step.instance.empty()) json["instance"] = step.instance;
         addPlace(json, program, step.range);
         if (!step.steps.empty()) json["steps"] = stepsJson(program, step.steps);
@@ -123,7 +126,7 @@ std::string toJson(const inside::Explanation& answer) {
     json["enablers"] = partsJson(answer.enablers);
     json["holding"] = partsJson(answer.holding);
     json["steps"] = stepsJson(*answer.program, answer.steps);
-    if (!answer.doubt.empty()) json["doubt"] = answer.doubt;
+    if (!answer.doubt.isEmpty()) json["doubt"] = answer.doubt.english();
     return json.dump();
 }
 
@@ -139,7 +142,7 @@ std::string toJson(const inside::WhyNot& answer) {
     }
     json["ways"] = std::move(ways);
     json["steps"] = stepsJson(*answer.program, answer.steps);
-    if (!answer.doubt.empty()) json["doubt"] = answer.doubt;
+    if (!answer.doubt.isEmpty()) json["doubt"] = answer.doubt.english();
     return json.dump();
 }
 
@@ -222,7 +225,7 @@ std::string insideText(const inside::Look& look) {
                        (look.isExact() ? ", run again exactly as recorded" : ", NOT as recorded") + "\n";
     for (const inside::Difference& difference : look.differences())
         text += "  differs: " + (difference.path.empty() ? std::to_string(difference.offset) : difference.path) + "\n";
-    if (!look.doubt().empty()) text += "  " + look.doubt() + "\n";
+    if (!look.doubt().isEmpty()) text += "  " + look.doubt().english() + "\n";
     uint32_t activation = inside::kNone;
     for (const Line& line : linesOf(look)) {
         if (line.activation != activation) {

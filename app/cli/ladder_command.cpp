@@ -1,5 +1,6 @@
 #include "app/cli/command.h"
 
+#include "app/cli/errors.h"
 #include "projects/storage/project_file.h"
 #include "runtime/base/text.h"
 #include "runtime/compiler/ladder/picture.h"
@@ -69,9 +70,27 @@ int unknownUnit(const std::vector<Parsed>& files, const std::string& name) {
     for (const Parsed& parsed : files)
         for (const ladder::Unit& unit : ladder::unitsOf(*parsed.file)) names.push_back(unit.name);
     const auto near = nearestName(name, names);
-    return wrongUse({"There is no program, function, block, method or action " + name +
-                         (near ? "; did you mean " + *near + "?" : ""),
-                     ""});
+    return wrongUse({near ? errors::NoUnitToDrawSuggest(name, *near) : errors::NoUnitToDraw(name), ""});
+}
+
+Result<ladder::Symbols> symbolsOf(const Arguments& arguments) {
+    const std::string wanted = arguments.value("--symbols").value_or("bars");
+    if (wanted == "bars") return ladder::Symbols::Bars;
+    if (wanted == "circuit") return ladder::Symbols::Circuit;
+    return Error{errors::SymbolsIs(), wanted};
+}
+
+Result<ladder::LayoutOptions> optionsOf(const Arguments& arguments) {
+    ladder::LayoutOptions options;
+    options.showsComments = arguments.has("--comments");
+    const std::string wanted = arguments.value("--show").value_or("names");
+    if (wanted == "addresses")
+        options.naming = ladder::Naming::Addresses;
+    else if (wanted == "both")
+        options.naming = ladder::Naming::Both;
+    else if (wanted != "names")
+        return Error{errors::ShowIs(), wanted};
+    return options;
 }
 
 int draw(const Arguments& arguments, const Parsed& parsed, const ladder::Unit& unit,
@@ -79,24 +98,25 @@ int draw(const Arguments& arguments, const Parsed& parsed, const ladder::Unit& u
     const bool asBlocks = arguments.has("--fbd") || (!arguments.has("--ld") && equalsIgnoringCase(unit.view, "fbd"));
     const ladder::Diagram diagram = ladder::project(parsed.source->text, *parsed.file, unit, types,
                                                     asBlocks ? ladder::Form::Blocks : ladder::Form::Ladder);
-    const ladder::Layout layout = ladder::computeLayout(diagram);
+    const auto symbols = symbolsOf(arguments);
+    if (!symbols) return wrongUse(symbols.error());
+    const auto options = optionsOf(arguments);
+    if (!options) return wrongUse(options.error());
+    const ladder::Layout layout = ladder::computeLayout(diagram, *options);
     const auto picture = arguments.value("--picture");
     if (picture) {
-        if (!picture->ends_with(".svg"))
-            return wrongUse({"--picture writes an SVG file: give it the ending .svg", *picture});
-        if (auto written = projects::writeFileAtomically(*picture, ladder::asSvg(layout, unit.name)); !written)
-            return wrongUse(written.error());
+        if (!picture->ends_with(".svg")) return wrongUse({errors::PictureIsSvg(), *picture});
+        const std::string svg = ladder::asSvg(layout, unit.name, *symbols);
+        if (auto written = projects::writeFileAtomically(*picture, svg); !written) return wrongUse(written.error());
     }
     if (!picture || arguments.has("--text")) std::cout << ladder::asText(layout);
     return kGood;
 }
 
 int ladderDiagram(const Arguments& arguments) {
-    if (arguments.paths().empty())
-        return wrongUse({"ladder needs a project folder or ST files (stepwise ladder --help)", ""});
+    if (arguments.paths().empty()) return wrongUse({errors::NeedsProject(Verbatim("ladder")), ""});
     const auto name = arguments.value("--pou");
-    if (!name && !arguments.has("--share"))
-        return wrongUse({"ladder needs --pou NAME, the program, function, block, method or action to draw", ""});
+    if (!name && !arguments.has("--share")) return wrongUse({errors::LadderNeedsUnit(), ""});
     const auto project = openNamedProject(arguments);
     if (!project) return wrongUse(project.error());
     const driver::BuildInput input = project->buildInput();
@@ -122,6 +142,9 @@ Command ladderCommand() {
           {"--ld", "", "as a ladder, also where the unit prefers function blocks"},
           {"--picture", "FILE.svg", "write a picture instead of printing characters"},
           {"--text", "", "print characters, also besides a picture"},
+          {"--symbols", "bars|circuit", "contacts as bars (IEC 61131-3, ANSI) or as in circuit diagrams (IEC 60617)"},
+          {"--show", "names|addresses|both", "what stands above contacts and coils"},
+          {"--comments", "", "the variables' comments above their contacts and coils"},
           {"--share", "", "print how many statements of the project have a picture, and how many are shown as text"},
           {"--library", "NAME", "a library the files use, besides the standard (repeatable)"}},
          "stepwise ladder projects/examples/motor --pou Main"},

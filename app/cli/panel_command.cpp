@@ -4,8 +4,12 @@
 #include "app/cli/timed_write.h"
 
 #include "editor/kit/theme.h"
+#include "hmi/alarms/alarm_export.h"
+#include "hmi/player/panel_player.h"
+#include "hmi/player/range_check.h"
 
 #include <QApplication>
+#include <QFileInfo>
 
 #include <iostream>
 
@@ -13,15 +17,35 @@ namespace plc::cli {
 
 namespace {
 
+/// What leaves the range of its bar or chart while the project runs as the options say.
+Result<std::vector<hmi::Finding>> rangesInARun(const Arguments& arguments, const projects::Project& project,
+                                               const hmi::PanelProject& panels) {
+    driver::Built built = driver::build(project.buildInput());
+    if (!built.program) return Error{built.failure.isEmpty() ? errors::NothingToRun() : built.failure, project.name};
+    catchInterrupt();
+    session::Settings settings;
+    settings.historyBudget = size_t(1) << 30;
+    session::Session session(std::move(built), settings);
+    if (auto ran = runProject(arguments, session.built(), session, std::chrono::nanoseconds(0), "--at"); !ran)
+        return ran.error();
+    return hmi::checkRanges(panels, session);
+}
+
 int check(const Arguments& arguments, const projects::Project& project) {
     needApplication();
-    const driver::Checked checked = driver::check(project.buildInput());
     const hmi::PanelProject panels = hmi::loadPanelProject(project);
+    const driver::BuildInput input = project.buildInput();
+    const driver::Checked checked = hmi::checkedForPanels(input, driver::check(input), panels.panels);
     QStringList languages;
     for (const std::string& language : arguments.values("--language"))
         if (language != "all") languages += QString::fromStdString(language);
     if (arguments.has("--pseudo")) languages += hmi::kPseudoTag;
-    const std::vector<hmi::Finding> findings = hmi::checkPanels(panels, checked, languages);
+    std::vector<hmi::Finding> findings = hmi::checkPanels(panels, checked, languages);
+    if (arguments.has("--at") && !checked.analysis->hasErrors) {
+        auto ranges = rangesInARun(arguments, project, panels);
+        if (!ranges) return wrongUse(ranges.error());
+        findings.insert(findings.end(), ranges->begin(), ranges->end());
+    }
     if (arguments.wantsJson()) {
         std::string out;
         for (const hmi::Finding& one : findings) out += (out.empty() ? "[" : ",\n ") + renderJson(one);
@@ -91,6 +115,23 @@ int play(const Arguments& arguments, const projects::Project& project) {
                            arguments.has("--full-screen"));
 }
 
+/// The alarm history that a player has kept in the project, as a table on the standard output.
+int alarmHistory(const Arguments& arguments, const projects::Project& project) {
+    needApplication();
+    const hmi::PanelProject panels = hmi::loadPanelProject(project);
+    const QString path = hmi::PanelPlayer::alarmStoreOf(panels);
+    hmi::AlarmBook book;
+    book.setFile(panels.alarms);
+    if (QFileInfo::exists(path))
+        if (const auto opened = book.openStore(path); !opened) return wrongUse(opened.error());
+    const QStringList& known = panels.texts.settings().languages;
+    const QString language =
+        QString::fromStdString(arguments.value("--language").value_or(known.front().toStdString()));
+    constexpr int Everything = 25'000;
+    std::cout << hmi::alarmsAsCsv(book.history({}, Everything), panels.texts, language);
+    return kGood;
+}
+
 int format(const projects::Project& project) {
     const hmi::PanelProject panels = hmi::loadPanelProject(project);
     for (const Error& problem : panels.problems) std::cerr << problem.english() << "\n";
@@ -105,6 +146,7 @@ int run(const Arguments& arguments) {
     if (!project) return wrongUse(project.error());
     if (!hasPanels(*project)) return wrongUse({errors::NoPanelInProject(), project->name});
     if (arguments.has("--format-files")) return format(*project);
+    if (arguments.has("--alarm-history")) return alarmHistory(arguments, *project);
     if (const auto folder = arguments.value("--pictures")) return pictures(arguments, *project, *folder);
     if (arguments.has("--play")) return play(arguments, *project);
     return check(arguments, *project);
@@ -123,11 +165,12 @@ Command panelCommand() {
           {"--pictures", "DIR", "a PNG of every panel in every language"},
           {"--language", "TAG", "only this language, or all (repeatable)"},
           {"--panel", "NAME", "only this panel (repeatable)"},
-          {"--at", "10s", "the pictures are of this moment of a run"},
+          {"--at", "10s", "the pictures are of this moment of a run; the check compares bars and charts with that run"},
           {"--set", "PATH=VALUE[@TIME]", "write before the first scan at or after TIME (repeatable)"},
           {"--force", "PATH=VALUE[@TIME]", "force likewise (repeatable)"},
           {"--theme", "light|dark|contrast", "another theme than the panel's own"},
           {"--scale", "1", "pixels of the picture per pixel of the panel"},
+          {"--alarm-history", "", "print what was raised, gone and acknowledged while the panels were played, as CSV"},
           {"--play", "", "run the controller and show the panel in a window"},
           {"--full-screen", "", "play on the whole screen"},
           {"--format-files", "", "write panels, texts and alarms in the canonical order"},

@@ -2,6 +2,8 @@
 
 #include "editor/analysis/workspace.h"
 
+#include <algorithm>
+
 namespace plc::editor {
 
 kit::CompletionSource pathCompletions(const Workspace& workspace) {
@@ -10,7 +12,11 @@ kit::CompletionSource pathCompletions(const Workspace& workspace) {
         if (!workspace.model()) return out;
         const std::string utf8 = text.toStdString();
         const auto offset = static_cast<uint32_t>(text.left(cursor).toUtf8().size());
-        const analysis::Completion found = workspace.model()->completePath(utf8, offset);
+        analysis::Completion found = workspace.model()->completePath(utf8, offset);
+        // What the project has comes before what every project has.
+        std::stable_partition(found.items.begin(), found.items.end(), [](const analysis::CompletionItem& item) {
+            return item.kind != analysis::ItemKind::Function && item.kind != analysis::ItemKind::Type;
+        });
         const int from = static_cast<int>(QString::fromStdString(utf8.substr(0, found.replaceBegin)).size());
         for (const analysis::CompletionItem& item : found.items) {
             out.push_back(

@@ -389,6 +389,7 @@ void Workspace::startCheck() {
 }
 
 void Workspace::workerLoop() {
+    driver::KeptFiles kept; // a keystroke reads the file it is in
     for (;;) {
         std::pair<driver::BuildInput, uint64_t> job;
         {
@@ -398,7 +399,7 @@ void Workspace::workerLoop() {
             job = std::move(*m_job);
             m_job.reset();
         }
-        auto model = analysis::CodeModel::make(job.first, job.second);
+        auto model = analysis::CodeModel::make(job.first, job.second, kept);
         kit::post(this, [this, model] {
             if (!m_project || model->revision() < m_revision) return; // overtaken
             m_model = model;

@@ -64,6 +64,7 @@ public:
     /// All views show a recording from a file (nothing can be written then); nothing: the controller again.
     void showRecorded(std::optional<RecordedRun> recorded);
     [[nodiscard]] bool showsRecorded() const { return m_recorded.has_value(); }
+    [[nodiscard]] const RecordedRun* recorded() const { return m_recorded ? &*m_recorded : nullptr; }
     [[nodiscard]] QString recordedName() const { return m_recorded ? m_recorded->name : QString(); }
     /// There are values to show: of a controller or of a recording.
     [[nodiscard]] bool hasValues() const { return isOnline() || showsRecorded(); }
@@ -137,6 +138,7 @@ public:
     Result<void> resumeFromView();
     [[nodiscard]] const std::vector<std::byte>& image() const { return m_image; }
     [[nodiscard]] const image::CompiledProgram* imageProgram() const { return m_imageProgram.get(); }
+    [[nodiscard]] std::shared_ptr<const image::CompiledProgram> sharedImageProgram() const { return m_imageProgram; }
 
 signals:
     void buildStarted();

@@ -3,6 +3,7 @@
 #include "editor/graph/chart_items.h"
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
+#include "editor/kit/post.h"
 #include "editor/kit/texts.h"
 #include "editor/kit/theme.h"
 #include "runtime/base/text.h"
@@ -12,8 +13,11 @@
 #include <QContextMenuEvent>
 #include <QGraphicsItem>
 #include <QKeyEvent>
+#include <QLabel>
 #include <QMenu>
+#include <QPushButton>
 #include <QToolBar>
+#include <QVBoxLayout>
 
 #include <algorithm>
 #include <cmath>
@@ -45,6 +49,21 @@ ChartView::ChartView(QWidget* parent)
     action(kit::Icon::Unforce, tr("Release the step"), [this] { forceSelected(false); });
     m_bar->addSeparator();
     addSheetCommands();
+    addClipboardCommands();
+    m_begin = new QWidget(m_canvas);
+    m_beginText = new QLabel(m_begin);
+    m_beginText->setWordWrap(true);
+    m_beginText->setAlignment(Qt::AlignCenter);
+    m_beginButton = new QPushButton(kit::icon(kit::Icon::Add), tr("Begin a Chart"), m_begin);
+    connect(m_beginButton, &QPushButton::clicked, this, &ChartView::beginChart);
+    auto* column = new QVBoxLayout(m_begin);
+    column->addStretch();
+    column->addWidget(m_beginText);
+    column->addWidget(m_beginButton, 0, Qt::AlignHCenter);
+    column->addStretch();
+    auto* over = new QVBoxLayout(m_canvas);
+    over->addWidget(m_begin);
+    m_begin->hide();
     m_clock.start();
     connect(m_scene, &QGraphicsScene::selectionChanged, this, &ChartView::selectionMoved);
     updateActions();
@@ -88,7 +107,8 @@ void ChartView::setText(const std::string& text) {
         if (d.severity == diagnostics::Severity::Error && d.range.begin >= place.pou->range.begin &&
             d.range.begin <= place.pou->range.end)
             return showStale(tr("The text has errors: this is the last good drawing"));
-    if (!place) return showStale(tr("%1 is not a chart").arg(m_unit));
+    if (!place) return showNoChart(text);
+    m_begin->hide();
     showFresh();
     closeField(false);
     {
@@ -103,6 +123,69 @@ void ChartView::setText(const std::string& text) {
     m_place = findChart(*m_syntax, m_unit.toStdString());
     m_chart = std::make_unique<chart::Chart>(chart::build(*m_place.chart));
     rebuild();
+}
+
+/// What a unit without a chart shows instead of an empty sheet.
+void ChartView::showNoChart(const std::string& text) {
+    showStale({});
+    {
+        const QSignalBlocker blocker(m_scene);
+        m_scene->forget();
+    }
+    m_chart.reset();
+    m_text = text;
+    diagnostics::Sink sink;
+    m_syntax = parse::parseFile(FileId(size_t(0)), m_text, sink);
+    m_place = findChart(*m_syntax, m_unit.toStdString());
+    m_beginText->setText(canBegin()
+                             ? tr("%1 has no chart yet. A chart begins with an initial step; more steps are inserted "
+                                  "behind it with Ins, and F2 edits names and conditions.")
+                                   .arg(m_unit)
+                             : tr("%1 is not a chart: its body has statements. A chart can be begun in a program or "
+                                  "function block whose body is empty.")
+                                   .arg(m_unit));
+    m_beginButton->setVisible(canBegin());
+    m_begin->show();
+    updateMap();
+}
+
+bool ChartView::canBegin() const {
+    if (!m_place.pou || m_unit.contains('.')) return false;
+    const syntax::Body& body = m_place.pou->body;
+    const bool isUnit =
+        m_place.pou->kind == syntax::PouKind::Program || m_place.pou->kind == syntax::PouKind::FunctionBlock;
+    return isUnit && body.statements.empty() && !body.chart && m_place.pou->hasEnd;
+}
+
+void ChartView::beginChart() {
+    if (!canBegin()) return;
+    const uint32_t at = m_place.pou->body.range.begin;
+    const bool isLineBegun = at > 0 && m_text[at - 1] != '\n';
+    const std::string lineEnd = m_text.find("\r\n") == std::string::npos ? "\n" : "\r\n";
+    m_selectAfter = QStringLiteral("Init");
+    m_namesInserted = false;
+    m_isFresh = true;
+    emit editsRequested({{{FileId(size_t(0)), at, at}, (isLineBegun ? lineEnd : "") + chart::emptyChart({}, lineEnd)}});
+    m_canvas->setFocus();
+}
+
+void ChartView::selectInserted() {
+    const QString name = std::exchange(m_selectAfter, {});
+    const bool isNamed = std::exchange(m_namesInserted, false);
+    if (name.isEmpty()) return;
+    for (size_t i = 0; i < m_chart->steps.size(); ++i) {
+        const syntax::StepDecl& step = *m_chart->steps[i].decl;
+        QGraphicsItem* item = m_scene->itemOf(ChartScene::Step, static_cast<int>(i));
+        if (!item || kit::fromView(step.name.text) != name) continue;
+        item->setSelected(true);
+        m_canvas->ensureVisible(item->sceneBoundingRect(), 30, 30);
+        // Not while the text is still changing: the cursor follows, and the name is open for typing.
+        kit::post(this, [this, at = step.name.range.begin, isNamed] {
+            if (!m_chart || m_isStale) return;
+            emit placeSelected(at);
+            if (isNamed && picked().kind == ChartScene::Step) editSelected();
+        });
+    }
 }
 
 void ChartView::rebuild() {
@@ -123,14 +206,7 @@ void ChartView::rebuild() {
         messages.push_back({d.range, kit::messageText(d.message), d.severity == diagnostics::Severity::Error});
     m_scene->showMessages(messages);
     marksChanged();
-    if (!m_selectAfter.isEmpty())
-        for (size_t i = 0; i < m_chart->steps.size(); ++i)
-            if (kit::fromView(m_chart->steps[i].decl->name.text) == m_selectAfter)
-                if (QGraphicsItem* item = m_scene->itemOf(ChartScene::Step, static_cast<int>(i))) {
-                    item->setSelected(true);
-                    m_canvas->ensureVisible(item->sceneBoundingRect(), 30, 30);
-                }
-    m_selectAfter.clear();
+    selectInserted();
     if (std::exchange(m_isFresh, false)) showWhole();
     updateMap();
     updateActions();
@@ -272,6 +348,7 @@ void ChartView::selectTowards(int dx, int dy) {
 void ChartView::insertStep() {
     const Picked p = picked();
     if (!m_chart || m_isStale) return;
+    m_namesInserted = true;
     const std::string name = editor().freeStepName();
     if (p.kind == ChartScene::Transition)
         return request(editor().insertStepAfter(TransitionId(p.index), name), QString::fromStdString(name));
@@ -287,6 +364,7 @@ void ChartView::insertAlternative() {
     const StepId step = p.kind == ChartScene::Transition
                             ? m_chart->transitions[static_cast<size_t>(p.index)].from.front()
                             : StepId(p.index);
+    m_namesInserted = true;
     const std::string name = editor().freeStepName();
     request(editor().insertAlternativeBranch(step, name), QString::fromStdString(name));
 }
@@ -295,6 +373,7 @@ void ChartView::insertSimultaneous() {
     const Picked p = picked();
     if (!m_chart || p.kind != ChartScene::Transition)
         return emit failed(tr("Select the transition behind which the steps run at the same time"));
+    m_namesInserted = true;
     const std::string name = editor().freeStepName();
     request(editor().insertSimultaneousBranch(TransitionId(p.index), name), QString::fromStdString(name));
 }
@@ -480,6 +559,15 @@ void ChartView::contextMenuEvent(QContextMenuEvent* event) {
     if (p.kind == ChartScene::Action) add(kit::Icon::Forward, tr("Open Its Chart or Text"), &ChartView::openAction);
     if (p.kind == ChartScene::Step || p.kind == ChartScene::Transition)
         add(kit::Icon::Breakpoint, tr("Toggle Breakpoint"), &ChartView::toggleBreakpoint);
+    if (!m_isStale) {
+        menu.addSeparator();
+        if (p.kind != ChartScene::None) {
+            menu.addAction(tr("Cut"), this, &ChartView::cutSelected);
+            menu.addAction(tr("Copy"), this, &ChartView::copySelected);
+        }
+        menu.addAction(tr("Paste"), this, &ChartView::paste);
+        menu.addSeparator();
+    }
     if (p.kind != ChartScene::None && !m_isStale) {
         add(kit::Icon::Edit, tr("Edit"), &ChartView::editSelected);
         if (p.kind == ChartScene::Transition) add(kit::Icon::Edit, tr("Priority…"), &ChartView::editPriority);

@@ -10,7 +10,9 @@
 
 #include <optional>
 
+class QLabel;
 class QMouseEvent;
+class QPushButton;
 
 namespace plc::editor {
 
@@ -38,6 +40,10 @@ public:
     void insertAlternative();
     void insertSimultaneous();
     void insertAction();
+    void copySelected(); // as text of the file, for this chart, another one or a text
+    void cutSelected();
+    void paste();      // behind what is selected
+    void beginChart(); // in a unit without a body
     void deleteSelected();
     void deleteBranch();
     void moveSelected(int direction);
@@ -86,6 +92,11 @@ private:
     void rebuild();
     void updateActions();
     void selectionMoved();
+    void addClipboardCommands();
+    /// The selection and the field for the name of what was inserted last.
+    void selectInserted();
+    void showNoChart(const std::string& text);
+    [[nodiscard]] bool canBegin() const;
 
     // in place (chart_field.cpp)
     void openField(const QRectF& sceneRect, const QString& text, FieldKind kind, uint32_t at, MakeEdits make,
@@ -106,6 +117,10 @@ private:
     std::unique_ptr<chart::Chart> m_chart;
     ChartScene* m_scene;
     QAction* m_up;
+    QWidget* m_begin; // over an empty canvas: how to begin a chart
+    QLabel* m_beginText;
+    QPushButton* m_beginButton;
+    bool m_namesInserted = false; // what is inserted next is named by the user
     FieldKind m_fieldKind = FieldKind::Name;
     std::vector<QString> m_listConditions; // transition → where the result of its instruction list is kept
     std::vector<qint64> m_takenAt;         // by the wall clock, live

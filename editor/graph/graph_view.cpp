@@ -75,17 +75,30 @@ void GraphView::setBreakpoints(const std::set<int>& lines, const std::set<int>& 
     marksChanged();
 }
 
-std::vector<int> GraphView::breakpointsAt(const std::vector<uint32_t>& places) const {
-    std::vector<int> out(places.size(), 0);
-    if (m_breakpoints.empty()) return out;
+void GraphView::setBookmarks(const std::set<int>& lines) {
+    if (lines == m_bookmarks) return;
+    m_bookmarks = lines;
+    marksChanged();
+}
+
+std::vector<int> GraphView::linesOf(const std::vector<uint32_t>& places) const {
     std::vector<uint32_t> lineBegins{0};
     for (size_t i = 0; i < m_text.size(); ++i)
         if (m_text[i] == '\n') lineBegins.push_back(static_cast<uint32_t>(i) + 1);
-    for (size_t i = 0; i < places.size(); ++i) {
-        const auto behind = std::upper_bound(lineBegins.begin(), lineBegins.end(), places[i]);
-        const int line = static_cast<int>(behind - lineBegins.begin());
-        if (m_breakpoints.contains(line)) out[i] = m_disabled.contains(line) ? -1 : 1;
+    std::vector<int> out;
+    for (const uint32_t place : places) {
+        const auto behind = std::upper_bound(lineBegins.begin(), lineBegins.end(), place);
+        out.push_back(static_cast<int>(behind - lineBegins.begin()));
     }
+    return out;
+}
+
+std::vector<int> GraphView::breakpointsAt(const std::vector<uint32_t>& places) const {
+    std::vector<int> out(places.size(), 0);
+    if (m_breakpoints.empty()) return out;
+    const std::vector<int> lines = linesOf(places);
+    for (size_t i = 0; i < places.size(); ++i)
+        if (m_breakpoints.contains(lines[i])) out[i] = m_disabled.contains(lines[i]) ? -1 : 1;
     return out;
 }
 
@@ -132,10 +145,12 @@ void GraphView::showWhole() {
 }
 
 void GraphView::updateMap() {
-    const QRectF scene = m_canvas->sceneRect();
-    const double zoom = m_canvas->zoom();
-    const bool isBig = hasDrawing() && (scene.width() * zoom > m_canvas->viewport()->width() * 1.3 ||
-                                        scene.height() * zoom > m_canvas->viewport()->height() * 1.3);
+    // What is drawn, not the sheet around it; and a map must not cover most of what it helps to find.
+    const QSizeF drawn = m_canvas->scene()->itemsBoundingRect().size() * m_canvas->zoom(),
+                 view = m_canvas->maximumViewportSize();
+    const bool hasRoom = view.width() >= 480 && view.height() >= 320;
+    const bool isBig =
+        hasDrawing() && hasRoom && (drawn.width() > view.width() * 1.3 || drawn.height() > view.height() * 1.3);
     if (isBig != m_canvas->isMapVisible()) m_canvas->setMapVisible(isBig);
 }
 

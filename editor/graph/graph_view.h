@@ -12,6 +12,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <set>
 
 class QLabel;
@@ -28,6 +29,19 @@ struct GraphValue {
 };
 using GraphValues = std::function<GraphValue(const QString& expression)>;
 
+/// What the scan that is shown computed, by place in the text as the view has it.
+class ComputedValues {
+public:
+    virtual ~ComputedValues() = default;
+    /// False where the text was edited since it was built: nothing is known there.
+    [[nodiscard]] virtual bool covers(SourceRange range) const = 0;
+    /// None: it was not computed, or is a constant.
+    [[nodiscard]] virtual std::optional<GraphValue> at(SourceRange range) const = 0;
+    [[nodiscard]] virtual bool isExecuted(SourceRange statement) const = 0;
+};
+/// Null: not known; then the values at the scan's end are shown.
+using ComputedSource = std::function<std::shared_ptr<const ComputedValues>()>;
+
 class GraphView : public QWidget {
     Q_OBJECT
 public:
@@ -40,8 +54,13 @@ public:
     virtual void setText(const std::string& text) = 0;
     virtual void setModel(const std::shared_ptr<const analysis::CodeModel>& model, const QString& file) = 0;
     void setValues(GraphValues values) { m_values = std::move(values); }
+    void setComputed(ComputedSource source) { m_computed = std::move(source); }
     /// Lines from 1 with a breakpoint; of `disabled` those that are switched off.
     void setBreakpoints(const std::set<int>& lines, const std::set<int>& disabled = {});
+    /// Where in this text the controller stands at a breakpoint, if it does.
+    virtual void setStanding(std::optional<uint32_t>) {}
+    /// Lines from 1 with a bookmark.
+    void setBookmarks(const std::set<int>& lines);
     /// What is shown is a recorded scan.
     virtual void setPast(bool isPast) { m_isPast = isPast; }
     virtual void refreshOnline() = 0;
@@ -55,6 +74,12 @@ signals:
     void editsRequested(const std::vector<plc::diagnostics::TextEdit>& edits);
     void placeSelected(uint32_t offset);
     void breakpointRequested(uint32_t offset);
+    void bookmarkRequested(uint32_t offset);
+    /// Of the name at a place of the text.
+    void renameRequested(uint32_t offset);
+    void usesRequested(uint32_t offset);
+    void definitionRequested(uint32_t offset);
+    void fixRequested(uint32_t offset);
     void failed(const QString& message);
 
 protected:
@@ -81,6 +106,8 @@ protected:
     void showWhole();
     /// For each offset of `places` whether its line has a breakpoint: 0 none, 1 enabled, -1 disabled.
     [[nodiscard]] std::vector<int> breakpointsAt(const std::vector<uint32_t>& places) const;
+    /// From 1.
+    [[nodiscard]] std::vector<int> linesOf(const std::vector<uint32_t>& places) const;
     /// What the last check says of this file; empty when it saw another text.
     [[nodiscard]] std::vector<diagnostics::Diagnostic> modelMessages() const;
 
@@ -100,7 +127,7 @@ protected:
     std::string m_text;
     bool m_isStale = false, m_isPast = false, m_isFresh = true;
     QString m_selectAfter;
-    std::set<int> m_breakpoints, m_disabled;
+    std::set<int> m_breakpoints, m_disabled, m_bookmarks;
     kit::Canvas* m_canvas;
     QToolBar* m_bar;
     QLabel* m_state = nullptr;
@@ -111,6 +138,7 @@ protected:
     std::shared_ptr<const analysis::CodeModel> m_model;
     QString m_file;
     GraphValues m_values;
+    ComputedSource m_computed;
 };
 
 } // namespace plc::editor

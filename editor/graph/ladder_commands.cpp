@@ -6,6 +6,10 @@
 #include "runtime/base/messages.h"
 #include "runtime/base/text.h"
 
+#include <QMenu>
+#include <QToolBar>
+#include <QToolButton>
+
 #include <algorithm>
 
 namespace plc::editor {
@@ -38,6 +42,23 @@ std::string nameIn(const std::string& operand) {
     return isName ? name : std::string();
 }
 
+/// "limit : INT": a name that is declared with its type.
+std::pair<std::string, std::string> splitDeclaration(const std::string& word) {
+    const size_t colon = word.find(':');
+    if (colon == std::string::npos || word.substr(colon).starts_with(":=")) return {word, {}};
+    const auto trimmed = [](const std::string& part) { return QString::fromStdString(part).trimmed().toStdString(); };
+    return {trimmed(word.substr(0, colon)), trimmed(word.substr(colon + 1))};
+}
+
+/// The type that a literal like this one has.
+std::string typeOfLiteral(std::string_view text) {
+    const std::string folded = foldCase(text);
+    if (folded.starts_with("t#") || folded.starts_with("time#")) return "TIME";
+    if (folded.starts_with("'")) return "STRING";
+    if (folded == "true" || folded == "false") return "BOOL";
+    return folded.find('.') == std::string::npos ? "INT" : "REAL";
+}
+
 bool isContact(const Node& node) {
     return node.kind == NodeKind::Contact || node.kind == NodeKind::Compare || node.kind == NodeKind::Edge;
 }
@@ -62,15 +83,32 @@ LadderView::Edits LadderView::withDeclaration(Edits edits, const std::string& na
 /// Types a text over the drawing; what it makes is one edit, new names are declared with it.
 void LadderView::ask(FieldKind kind, const QRectF& place, const QString& text, uint32_t at, Make make) {
     m_fieldKind = kind;
+    m_scene->markGap(std::nullopt);
+    const bool takesName = kind == FieldKind::Operand || kind == FieldKind::Place;
     openField(
         place, text, at,
-        [this, kind, make = std::move(make)](const QString& typed) -> Result<Edits> {
+        [this, kind, takesName, type = std::exchange(m_fieldType, "BOOL"),
+         make = std::move(make)](const QString& typed) -> Result<Edits> {
             const std::string word = kind == FieldKind::Operand ? spelled(typed) : typed.trimmed().toStdString();
-            Result<Edits> edits = make(word);
-            if (!edits || (kind != FieldKind::Operand && kind != FieldKind::Place)) return edits;
-            return withDeclaration(*edits, nameIn(word), "BOOL");
+            if (!takesName) return make(word);
+            const auto [operand, declared] = splitDeclaration(word);
+            const Result<Edits> edits = make(operand);
+            if (!edits) return edits;
+            return withDeclaration(*edits, nameIn(operand), declared.empty() ? type : declared);
         },
-        kind == FieldKind::Operand || kind == FieldKind::Place);
+        takesName);
+}
+
+/// For a new name in the place of an operand: what that one is.
+std::string LadderView::typeExpected(const Node& node) const {
+    if (!node.operand || node.kind != NodeKind::Operand) return "BOOL";
+    const syntax::TypeSpec* type = m_types->typeOf(*node.operand, {m_place.pou, m_place.owner});
+    if (type && type->kind == syntax::TypeSpecKind::Named && !type->path.empty())
+        return std::string(type->path.back().text);
+    const SourceRange range = node.operand->range;
+    return node.operand->kind == syntax::ExprKind::Literal
+               ? typeOfLiteral(std::string_view(m_text).substr(range.begin, range.length()))
+               : "BOOL";
 }
 
 void LadderView::insertContactLeft() {
@@ -195,6 +233,7 @@ void LadderView::editSelected() {
         return kit::fromView(std::string_view(m_text).substr(range.begin, range.length()));
     };
     const QString present = node->kind == NodeKind::Compare ? slice(node->expr->range) : kit::fromView(node->label);
+    m_fieldType = typeExpected(*node);
     ask(node->kind == NodeKind::Coil ? FieldKind::Place : FieldKind::Operand, place, present, node->range.begin,
         [this, pick](const std::string& text) { return editor().setOperand(pick.node, text); });
 }
@@ -223,6 +262,110 @@ void LadderView::moveRung(int direction) {
     }
 }
 
+// ------------------------------------------------------------------ names
+
+/// Where the name of a part stands: of T1.Q the instance, of a member of a list the member.
+uint32_t LadderView::placeOfName(const LadderPick& pick) const {
+    if (!pick.node.isValid()) return m_diagram[pick.rung].range.begin;
+    const Node& node = m_diagram[pick.node];
+    const syntax::Expr* at = node.operand;
+    const ladder::DeclaredTypes::Scope scope{m_place.pou, m_place.owner};
+    while (at && at->base && (at->kind != syntax::ExprKind::Member || m_types->calleeOf(*at->base, scope)))
+        at = at->base;
+    if (!at) return node.range.begin;
+    return at->kind == syntax::ExprKind::Member ? at->name.range.begin : at->range.begin;
+}
+
+void LadderView::renameSelected() {
+    if (pickedNode() && canEdit()) emit renameRequested(placeOfName(m_scene->picked()));
+}
+void LadderView::usesOfSelected() {
+    if (pickedNode() && canEdit()) emit usesRequested(placeOfName(m_scene->picked()));
+}
+void LadderView::definitionOfSelected() {
+    if (pickedNode() && canEdit()) emit definitionRequested(placeOfName(m_scene->picked()));
+}
+void LadderView::fixSelected() {
+    if (m_scene->picked().rung.isValid() && canEdit()) emit fixRequested(placeOfName(m_scene->picked()));
+}
+void LadderView::toggleBookmark() {
+    const RungId rung = pickedRung();
+    if (rung.isValid() && canEdit()) emit bookmarkRequested(m_diagram[rung].range.begin);
+}
+
+/// What stands above what is selected; says so when it is no variable.
+QString LadderView::selectedVariable() {
+    const Node* node = pickedNode();
+    if (node && node->operand && node->kind != NodeKind::Compare) return kit::fromView(node->label);
+    emit failed(tr("Select a contact, a coil or a pin with a variable"));
+    return {};
+}
+
+void LadderView::forceSelected(const QString& value) {
+    if (const QString name = selectedVariable(); !name.isEmpty()) emit forceRequested(name, value);
+}
+
+void LadderView::writeSelected(const QString& value) {
+    if (const QString name = selectedVariable(); !name.isEmpty()) emit writeRequested(name, value);
+}
+
+// ------------------------------------------------------------------ how it is shown
+
+void LadderView::themeChanged() {
+    m_scene->refreshTheme();
+    m_canvas->setBackgroundBrush(m_scene->colors().base);
+}
+
+void LadderView::addLookMenu() {
+    auto* menu = new QMenu(this);
+    menu->setObjectName("ladderLook");
+    const auto add = [&](const QString& text, auto isSet, auto set) {
+        QAction* action = menu->addAction(text);
+        action->setCheckable(true);
+        connect(menu, &QMenu::aboutToShow, action, [this, action, isSet] { action->setChecked(isSet(m_look)); });
+        connect(action, &QAction::triggered, this, [this, set](bool on) {
+            LadderLook look = m_look;
+            set(look, on);
+            setLook(look);
+        });
+    };
+    using ladder::Naming;
+    using ladder::Symbols;
+    add(
+        tr("Contacts as Bars (IEC 61131-3, ANSI)"), [](const LadderLook& l) { return l.symbols == Symbols::Bars; },
+        [](LadderLook& l, bool) { l.symbols = Symbols::Bars; });
+    add(
+        tr("Contacts as in Circuit Diagrams (IEC 60617)"),
+        [](const LadderLook& l) { return l.symbols == Symbols::Circuit; },
+        [](LadderLook& l, bool) { l.symbols = Symbols::Circuit; });
+    menu->addSeparator();
+    const auto addNaming = [&](const QString& text, Naming naming) {
+        add(
+            text, [naming](const LadderLook& l) { return l.layout.naming == naming; },
+            [naming](LadderLook& l, bool) { l.layout.naming = naming; });
+    };
+    addNaming(tr("Names"), Naming::Symbols);
+    addNaming(tr("Addresses"), Naming::Addresses);
+    addNaming(tr("Names and Addresses"), Naming::Both);
+    menu->addSeparator();
+    add(
+        tr("Comments of the Variables"), [](const LadderLook& l) { return l.layout.showsComments; },
+        [](LadderLook& l, bool on) { l.layout.showsComments = on; });
+    add(
+        tr("Comments of the Rungs"), [](const LadderLook& l) { return l.layout.showsNotes; },
+        [](LadderLook& l, bool on) { l.layout.showsNotes = on; });
+    add(
+        tr("High Contrast"), [](const LadderLook& l) { return l.isHighContrast; },
+        [](LadderLook& l, bool on) { l.isHighContrast = on; });
+    auto* button = new QToolButton(m_bar);
+    button->setIcon(kit::icon(kit::Icon::Watch));
+    button->setToolTip(tr("What is shown"));
+    button->setAccessibleName(tr("What is shown"));
+    button->setPopupMode(QToolButton::InstantPopup);
+    button->setMenu(menu);
+    m_bar->addWidget(button);
+}
+
 // ------------------------------------------------------------------ the field
 
 QString LadderView::complaintOf(const QString& text) const {
@@ -231,15 +374,29 @@ QString LadderView::complaintOf(const QString& text) const {
     return edits ? QString() : kit::messageText(edits.error());
 }
 
+std::vector<kit::Completion> LadderView::blockCompletions() const {
+    std::vector<kit::Completion> out;
+    for (const std::string& block : m_types->blocks())
+        out.push_back({QString::fromStdString(block), tr("block"), kit::Icon::Layers});
+    return out;
+}
+
+/// Behind "limit :" stands a type.
+std::vector<kit::Completion> LadderView::typeCompletions() const {
+    std::vector<kit::Completion> out;
+    for (const char* type : {"BOOL", "INT", "DINT", "UINT", "WORD", "REAL", "LREAL", "TIME", "STRING"})
+        out.push_back({type, tr("type"), kit::Icon::Type});
+    for (kit::Completion& block : blockCompletions()) out.push_back(std::move(block));
+    return out;
+}
+
 std::vector<kit::Completion> LadderView::completions(const QString& text, int cursor) const {
     if (m_fieldKind == FieldKind::Comment || m_fieldKind == FieldKind::Statement) return {};
     if (m_fieldKind == FieldKind::Block) {
-        std::vector<kit::Completion> out;
-        if (!text.left(cursor).contains(':')) return out;
-        for (const char* block : {"TON", "TOF", "TP", "CTU", "CTD", "SR", "RS", "R_TRIG", "F_TRIG"})
-            out.push_back({block, tr("block"), kit::Icon::Layers});
-        return out;
+        if (!text.left(cursor).contains(':')) return {};
+        return blockCompletions();
     }
+    if (text.left(cursor).contains(':')) return typeCompletions();
     const QString typed = text.startsWith('/') ? text.mid(1) : text;
     const int shift = static_cast<int>(text.size() - typed.size());
     std::vector<kit::Completion> out = namesAt(typed, cursor - shift, [](const QString&) { return true; });

@@ -1,23 +1,17 @@
-// Keys, mouse, drag and drop and the menu of ladder and function block diagrams.
+// Keys and the menu of ladder and function block diagrams.
 #include "editor/graph/ladder_view.h"
 #include "editor/kit/icons.h"
 
-#include <QApplication>
 #include <QContextMenuEvent>
-#include <QDragEnterEvent>
 #include <QKeyEvent>
 #include <QMenu>
 #include <QMessageBox>
-#include <QMimeData>
 #include <QMouseEvent>
 
 namespace plc::editor {
 
 using ladder::Node;
 using ladder::NodeKind;
-using ladder::Place;
-using ladder::RungId;
-using ladder::RungKind;
 
 namespace {
 
@@ -54,6 +48,16 @@ constexpr KeyRow kKeys[] = {
     {Qt::Key_Insert, Qt::NoModifier, &LadderView::insertContactLeft, nullptr},
     {Qt::Key_Delete, Qt::NoModifier, &LadderView::deleteSelected,
      QT_TRANSLATE_NOOP("plc::editor::LadderView", "Delete what is selected")},
+    {Qt::Key_F2, Qt::ShiftModifier, &LadderView::renameSelected,
+     QT_TRANSLATE_NOOP("plc::editor::LadderView", "Rename the variable everywhere")},
+    {Qt::Key_F12, Qt::NoModifier, &LadderView::definitionOfSelected,
+     QT_TRANSLATE_NOOP("plc::editor::LadderView", "Go to the declaration")},
+    {Qt::Key_F12, Qt::ShiftModifier, &LadderView::usesOfSelected,
+     QT_TRANSLATE_NOOP("plc::editor::LadderView", "All uses of the variable")},
+    {Qt::Key_Return, Qt::AltModifier, &LadderView::fixSelected,
+     QT_TRANSLATE_NOOP("plc::editor::LadderView", "Apply a fix")},
+    {Qt::Key_F2, Qt::ControlModifier, &LadderView::toggleBookmark,
+     QT_TRANSLATE_NOOP("plc::editor::LadderView", "Bookmark on the rung")},
     {Qt::Key_F9, Qt::NoModifier, &LadderView::toggleBreakpoint,
      QT_TRANSLATE_NOOP("plc::editor::LadderView", "Breakpoint on the rung")},
     {Qt::Key_F1, Qt::NoModifier, &LadderView::showKeys, QT_TRANSLATE_NOOP("plc::editor::LadderView", "This list")},
@@ -110,6 +114,7 @@ void LadderView::keyPressEvent(QKeyEvent* event) {
         return control ? moveRung(1) : selectTowards(0, 1);
     case Qt::Key_Escape:
         m_isDragging = false;
+        m_scene->markGap(std::nullopt);
         return m_scene->select({});
     default:
         event->ignore();
@@ -130,78 +135,6 @@ bool LadderView::eventFilter(QObject* watched, QEvent* event) {
     return GraphView::eventFilter(watched, event);
 }
 
-std::optional<LadderPick> LadderView::dropAt(QPointF point) const {
-    const LadderPick pick = m_scene->pickAt(point);
-    if (!pick.rung.isValid() || pick == m_dragged) return std::nullopt;
-    return pick;
-}
-
-/// A click selects, a double click edits or, on a wire, inserts; a rung is dragged to another place, a variable from a
-/// tree is dropped on a contact or a rung.
-bool LadderView::mouseEvent(QEvent* event) {
-    switch (event->type()) {
-    case QEvent::MouseButtonPress: {
-        const auto* mouse = static_cast<QMouseEvent*>(event);
-        if (mouse->button() != Qt::LeftButton || m_canvas->cursor().shape() == Qt::OpenHandCursor) return false;
-        m_pressedAt = mouse->pos();
-        m_isDragging = false;
-        m_dragged = m_scene->pickAt(m_canvas->mapToScene(mouse->pos()));
-        m_scene->select(m_dragged);
-        return false;
-    }
-    case QEvent::MouseMove: {
-        const auto* mouse = static_cast<QMouseEvent*>(event);
-        const bool far = (mouse->pos() - m_pressedAt).manhattanLength() >= QApplication::startDragDistance();
-        if (!(mouse->buttons() & Qt::LeftButton) || !m_dragged.rung.isValid() || m_isStale || !far) return false;
-        m_isDragging = true;
-        const bool canDrop = dropAt(m_canvas->mapToScene(mouse->pos())).has_value();
-        m_canvas->viewport()->setCursor(canDrop ? Qt::DragMoveCursor : Qt::ForbiddenCursor);
-        return true;
-    }
-    case QEvent::MouseButtonRelease: {
-        const RungId dragged = m_dragged.rung;
-        m_dragged = {};
-        if (!std::exchange(m_isDragging, false)) return false;
-        m_canvas->viewport()->unsetCursor();
-        const auto to = dropAt(m_canvas->mapToScene(static_cast<QMouseEvent*>(event)->pos()));
-        if (to && to->rung != dragged && canEdit())
-            request(editor().moveRung(dragged, to->rung < dragged ? Place::Before : Place::After, to->rung));
-        return true;
-    }
-    case QEvent::MouseButtonDblClick: {
-        const LadderPick pick = m_scene->pickAt(m_canvas->mapToScene(static_cast<QMouseEvent*>(event)->pos()));
-        m_scene->select(pick);
-        const bool isWire = !pick.node.isValid() && pick.rung.isValid() && m_diagram[pick.rung].kind == RungKind::Logic;
-        isWire ? insertContactLeft() : editSelected();
-        return true;
-    }
-    case QEvent::DragEnter:
-    case QEvent::DragMove: {
-        auto* drag = static_cast<QDragMoveEvent*>(event);
-        if (!drag->mimeData()->hasText() || m_isStale) return false;
-        drag->acceptProposedAction();
-        return true;
-    }
-    case QEvent::Drop: {
-        auto* drop = static_cast<QDropEvent*>(event);
-        const LadderPick pick = m_scene->pickAt(m_canvas->mapToScene(drop->position().toPoint()));
-        if (!drop->mimeData()->hasText() || !pick.rung.isValid() || !canEdit()) return false;
-        const std::string name = drop->mimeData()->text().trimmed().toStdString();
-        const bool onContact = pick.node.isValid() && m_diagram[pick.node].operand;
-        request(onContact ? editor().setOperand(pick.node, name) : editor().appendContact(pick.rung, name),
-                QString::fromStdString(name));
-        drop->acceptProposedAction();
-        return true;
-    }
-    case QEvent::ToolTip:
-        m_canvas->viewport()->setToolTip(
-            m_scene->problemAt(m_scene->pickAt(m_canvas->mapToScene(static_cast<QHelpEvent*>(event)->pos()))));
-        return false;
-    default:
-        return false;
-    }
-}
-
 void LadderView::contextMenuEvent(QContextMenuEvent* event) {
     const LadderPick under =
         m_scene->pickAt(m_canvas->mapToScene(m_canvas->viewport()->mapFromGlobal(event->globalPos())));
@@ -211,6 +144,10 @@ void LadderView::contextMenuEvent(QContextMenuEvent* event) {
     const auto add = [&](kit::Icon icon, const QString& text, auto run) {
         connect(menu.addAction(kit::icon(icon), text), &QAction::triggered, this, run);
     };
+    const auto gap =
+        m_isStale ? std::nullopt
+                  : m_scene->gapAt(m_canvas->mapToScene(m_canvas->viewport()->mapFromGlobal(event->globalPos())));
+    if (gap) addWireMenu(menu, *gap);
     if (!m_isStale) {
         add(kit::Icon::Add, tr("Insert a Rung Above"), &LadderView::insertRungAbove);
         add(kit::Icon::Add, tr("Insert a Rung Below"), &LadderView::insertRungBelow);
@@ -228,12 +165,23 @@ void LadderView::contextMenuEvent(QContextMenuEvent* event) {
         add(kit::Icon::Delete, tr("Delete"), &LadderView::deleteSelected);
         menu.addSeparator();
     }
+    if (node && !m_isStale) {
+        add(kit::Icon::Rename, tr("Rename…"), &LadderView::renameSelected);
+        add(kit::Icon::Find, tr("Find All Uses"), &LadderView::usesOfSelected);
+        add(kit::Icon::Forward, tr("Go to Definition"), &LadderView::definitionOfSelected);
+        if (!m_scene->problemAt(m_scene->picked()).isEmpty())
+            add(kit::Icon::Lightbulb, tr("Apply a Fix"), &LadderView::fixSelected);
+        menu.addSeparator();
+    }
     if (node && node->operand) {
+        add(kit::Icon::Write, tr("Write TRUE"), [this] { writeSelected("TRUE"); });
+        add(kit::Icon::Write, tr("Write FALSE"), [this] { writeSelected("FALSE"); });
         add(kit::Icon::Force, tr("Force TRUE"), [this] { forceSelected("TRUE"); });
         add(kit::Icon::Force, tr("Force FALSE"), [this] { forceSelected("FALSE"); });
         add(kit::Icon::Unforce, tr("Release"), [this] { forceSelected({}); });
     }
     add(kit::Icon::Breakpoint, tr("Toggle Breakpoint"), &LadderView::toggleBreakpoint);
+    add(kit::Icon::Marker, tr("Toggle Bookmark"), &LadderView::toggleBookmark);
     menu.exec(event->globalPos());
 }
 

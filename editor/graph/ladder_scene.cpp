@@ -1,54 +1,58 @@
 #include "editor/graph/ladder_scene.h"
 
-#include "editor/kit/texts.h"
-#include "editor/kit/theme.h"
-
 #include <QFontMetricsF>
-#include <QPainter>
-#include <QStyleOptionGraphicsItem>
 
 #include <algorithm>
+#include <cmath>
 
 namespace plc::editor {
 
 using ladder::Shape;
 using ladder::ShapeKind;
-using ladder::TextRole;
-
-namespace {
-
-const QFont& ladderFont() {
-    static const QFont font = [] {
-        QFont f("DejaVu Sans Mono");
-        f.setStyleHint(QFont::Monospace);
-        f.setPointSizeF(9);
-        return f;
-    }();
-    return font;
-}
-
-const QFont& boldFont() {
-    static const QFont font = [] {
-        QFont f = ladderFont();
-        f.setBold(true);
-        return f;
-    }();
-    return font;
-}
-
-QColor thinned(const QColor& colour, const QColor& ground, double share) {
-    return QColor::fromRgbF(colour.redF() * share + ground.redF() * (1 - share),
-                            colour.greenF() * share + ground.greenF() * (1 - share),
-                            colour.blueF() * share + ground.blueF() * (1 - share));
-}
-
-} // namespace
 
 LadderScene::LadderScene(QObject* parent) : QGraphicsScene(parent) {
-    const QFontMetricsF metrics(ladderFont());
+    const QFontMetricsF metrics(RungItem::font());
     m_cellWidth = metrics.horizontalAdvance("0");
     m_cellHeight = metrics.height() * 1.2;
     setItemIndexMethod(QGraphicsScene::NoIndex); // rungs are looked up by their place
+    refreshTheme();
+}
+
+void LadderScene::setLook(const LadderLook& look) {
+    m_look = look;
+    refreshTheme();
+}
+
+/// High contrast: black on white or white on black, and nothing that is only paler.
+void LadderScene::refreshTheme() {
+    m_colors = kit::colors();
+    if (m_look.isHighContrast) {
+        const QColor ink = m_colors.dark ? Qt::white : Qt::black;
+        for (QColor* each : {&m_colors.text, &m_colors.muted, &m_colors.info, &m_colors.border}) *each = ink;
+        m_colors.base = m_colors.alternate = m_colors.dark ? Qt::black : Qt::white;
+        m_colors.good = m_colors.dark ? QColor(0x00, 0xff, 0x66) : QColor(0x00, 0x6b, 0x1f);
+        m_colors.online = m_colors.dark ? QColor(0x66, 0xd9, 0xff) : QColor(0x00, 0x2f, 0xa7);
+        m_colors.forced = m_colors.dark ? QColor(0xff, 0xd0, 0x00) : QColor(0xa0, 0x30, 0x00);
+    }
+    update();
+}
+
+void LadderScene::setStanding(ladder::RungId rung) {
+    if (rung == m_standing) return;
+    m_standing = rung;
+    update();
+}
+
+void LadderScene::setBookmarks(std::vector<bool> byRung) {
+    if (byRung == m_bookmarks) return;
+    m_bookmarks = std::move(byRung);
+    update();
+}
+
+void LadderScene::markGap(std::optional<LadderGap> gap) {
+    if (!gap && !m_gap) return;
+    m_gap = std::move(gap);
+    update();
 }
 
 void LadderScene::forget() {
@@ -58,6 +62,9 @@ void LadderScene::forget() {
     m_pick = {};
     m_online = {};
     m_marks.clear();
+    m_bookmarks.clear();
+    m_standing = {};
+    m_gap.reset();
     m_nodeProblems.clear();
     m_rungProblems.clear();
 }
@@ -68,7 +75,10 @@ void LadderScene::show(const ladder::Diagram& diagram, const ladder::Layout& lay
     m_online = {};
     m_isFaint = false;
     m_pick = {};
+    m_gap.reset();
+    m_standing = {};
     m_marks.clear();
+    m_bookmarks.clear();
     m_nodeProblems.clear();
     m_rungProblems.clear();
     while (m_items.size() > layout.rungs.size()) m_items.pop_back();
@@ -139,6 +149,17 @@ QRectF LadderScene::rectOf(const LadderPick& pick) const {
     return {0, rung.top * m_cellHeight, std::max(40, rung.width) * m_cellWidth, rung.height * m_cellHeight};
 }
 
+std::pair<size_t, size_t> LadderScene::rungsIn(const QRectF& area) const {
+    if (!m_layout) return {0, 0};
+    const auto& rungs = m_layout->rungs;
+    const auto first = std::partition_point(rungs.begin(), rungs.end(), [&](const ladder::RungPicture& rung) {
+        return (rung.top + rung.height + 1) * m_cellHeight < area.top();
+    });
+    const auto last = std::partition_point(
+        first, rungs.end(), [&](const ladder::RungPicture& rung) { return rung.top * m_cellHeight <= area.bottom(); });
+    return {static_cast<size_t>(first - rungs.begin()), static_cast<size_t>(last - rungs.begin())};
+}
+
 std::vector<LadderPick> LadderScene::picksOf(ladder::RungId rung) const {
     std::vector<LadderPick> out;
     if (!m_layout || !rung.isValid()) return out;
@@ -146,195 +167,70 @@ std::vector<LadderPick> LadderScene::picksOf(ladder::RungId rung) const {
     return out;
 }
 
+namespace {
+
+bool covers(const Shape& wire, double x) { return wire.x <= x && x <= wire.x + wire.w; }
+
+/// The parallel that begins with this node, seen from `rails` splits further left.
+ladder::NodeId splitAround(const ladder::Diagram& diagram, const ladder::Rung& rung, ladder::NodeId first, int splits) {
+    ladder::NodeId at = first;
+    const std::vector<ladder::NodeId> all = diagram.nodesOf(rung);
+    for (bool climbs = true; climbs && splits > 0;) {
+        climbs = false;
+        for (const ladder::NodeId each : all) {
+            const auto& children = diagram[each].children;
+            if (children.empty() || children.front() != at) continue;
+            if (diagram[each].kind == ladder::NodeKind::Parallel) --splits;
+            at = each;
+            climbs = true;
+            break;
+        }
+    }
+    return at;
+}
+
+} // namespace
+
+/// A wire leads to the contact on its right, unless the rung splits in between; else it comes from the one on its left.
+std::optional<LadderGap> LadderScene::gapAt(QPointF point) const {
+    const LadderPick pick = pickAt(point);
+    if (!m_layout || !pick.rung.isValid() || pick.node.isValid()) return std::nullopt;
+    const ladder::Rung& rung = (*m_diagram)[pick.rung];
+    if (rung.kind != ladder::RungKind::Logic) return std::nullopt;
+    const ladder::RungPicture& picture = m_layout->rungs[pick.rung.index()];
+    const double x = point.x() / m_cellWidth - 0.5, y = point.y() / m_cellHeight - picture.top - 0.5;
+    const Shape *wire = nullptr, *right = nullptr;
+    for (const Shape& s : picture.shapes)
+        if (s.kind == ShapeKind::Wire && s.h == 0 && covers(s, x) && std::abs(s.y - y) < 0.35) wire = &s;
+    if (!wire) return std::nullopt;
+    for (const Shape& s : picture.shapes)
+        if (s.kind == ShapeKind::Contact && s.y == wire->y && s.x >= x && (!right || s.x < right->x)) right = &s;
+    int splits = 0;
+    for (const Shape& s : picture.shapes)
+        if (right && s.kind == ShapeKind::Wire && s.w == 0 && s.x > x && s.x < right->x && s.y <= wire->y &&
+            wire->y <= s.y + s.h)
+            ++splits;
+    LadderGap gap{pick.rung,
+                  {},
+                  ladder::Place::After,
+                  QRectF(point.x() - 4, (picture.top + wire->y + 0.5) * m_cellHeight - 4, 8, 8)};
+    const ladder::Node* source = wire->node.isValid() ? &(*m_diagram)[wire->node] : nullptr;
+    const bool comesFrom = source && source->expr && source->kind != ladder::NodeKind::Box;
+    if (right && splits == 0) {
+        gap.beside = right->node;
+        gap.place = ladder::Place::Before;
+    } else if (comesFrom) {
+        gap.beside = wire->node;
+    } else if (right) {
+        gap.beside = splitAround(*m_diagram, rung, right->node, splits);
+        gap.place = ladder::Place::Before;
+    }
+    return gap;
+}
+
 QString LadderScene::problemAt(const LadderPick& pick) const {
     if (pick.node.isValid() && m_nodeProblems.contains(pick.node.value)) return m_nodeProblems[pick.node.value].text;
     return pick.rung.isValid() ? m_rungProblems.value(pick.rung.value).text : QString();
-}
-
-// ------------------------------------------------------------------ a rung
-
-QRectF RungItem::boundingRect() const {
-    if (!m_scene.m_layout || m_index >= m_scene.m_layout->rungs.size()) return {};
-    const ladder::RungPicture& rung = m_scene.m_layout->rungs[m_index];
-    return {-12, -4, (std::max(rung.width, 24) + 4) * m_scene.m_cellWidth + 24,
-            (rung.height + 1) * m_scene.m_cellHeight + 8};
-}
-
-void RungItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
-    const double detail = QStyleOptionGraphicsItem::levelOfDetailFromTransform(painter->worldTransform());
-    painter->setRenderHint(QPainter::Antialiasing, detail > 0.35);
-    if (m_scene.m_isFaint) painter->setOpacity(0.5);
-    paintSelection(*painter);
-    const ladder::RungPicture& rung = m_scene.m_layout->rungs[m_index];
-    for (const Shape& shape : rung.shapes)
-        if (shape.kind != ShapeKind::Text) paintShape(*painter, shape);
-    if (detail > 0.25)
-        for (const Shape& shape : rung.shapes)
-            if (shape.kind == ShapeKind::Text) paintText(*painter, shape);
-    paintProblems(*painter);
-    if (m_index < m_scene.m_marks.size() && m_scene.m_marks[m_index] != 0) {
-        const kit::ThemeColors& c = kit::colors();
-        painter->setPen(QPen(c.breakpoint, 1.5));
-        painter->setBrush(m_scene.m_marks[m_index] > 0 ? QBrush(c.breakpoint) : QBrush(c.base));
-        painter->drawEllipse(QPointF(-2, m_scene.m_cellHeight), 4.5, 4.5);
-    }
-}
-
-QColor RungItem::inkOf(ladder::NodeId node, bool isWire) const {
-    const kit::ThemeColors& c = kit::colors();
-    if (!m_scene.m_online.isOn) return c.text;
-    // A wire that comes from the rail carries power whenever the controller runs.
-    const ladder::Power power = !node.isValid() ? (isWire ? ladder::Power::On : ladder::Power::Unknown)
-                                : node.index() < m_scene.m_online.power.size() ? m_scene.m_online.power[node.index()]
-                                                                               : ladder::Power::Unknown;
-    return power == ladder::Power::On ? c.good : power == ladder::Power::Off ? c.muted : c.text;
-}
-
-void RungItem::paintSelection(QPainter& painter) const {
-    const LadderPick& pick = m_scene.m_pick;
-    if (!pick.rung.isValid() || pick.rung.index() != m_index) return;
-    const kit::ThemeColors& c = kit::colors();
-    const QRectF rect = m_scene.rectOf(pick).translated(0, -y());
-    painter.setPen(QPen(c.accent, pick.node.isValid() ? 1.6 : 1.0));
-    painter.setBrush(thinned(c.accent, c.base, pick.node.isValid() ? 0.16 : 0.06));
-    painter.drawRoundedRect(rect.adjusted(-3, -2, 3, 2), 3, 3);
-}
-
-void RungItem::paintProblems(QPainter& painter) const {
-    if (m_scene.m_nodeProblems.isEmpty() && m_scene.m_rungProblems.isEmpty()) return;
-    const kit::ThemeColors& c = kit::colors();
-    const auto underline = [&](const QRectF& rect, const LadderProblem& problem) {
-        painter.setPen(QPen(problem.isError ? c.bad : c.warning, 1.6, Qt::DotLine));
-        painter.drawLine(rect.bottomLeft() + QPointF(0, 1), rect.bottomRight() + QPointF(0, 1));
-    };
-    const ladder::RungPicture& rung = m_scene.m_layout->rungs[m_index];
-    for (const ladder::Hit& hit : rung.hits) {
-        const auto problem = m_scene.m_nodeProblems.find(hit.node.value);
-        if (problem != m_scene.m_nodeProblems.end()) underline(m_scene.cells(hit), *problem);
-    }
-    const auto problem = m_scene.m_rungProblems.find(static_cast<uint32_t>(m_index));
-    if (problem == m_scene.m_rungProblems.end()) return;
-    const double height = m_scene.m_cellHeight;
-    underline({height / 2, 0, 4 * m_scene.m_cellWidth, rung.height * height}, *problem);
-}
-
-void RungItem::paintShape(QPainter& painter, const Shape& s) const {
-    const kit::ThemeColors& c = kit::colors();
-    const double w = m_scene.m_cellWidth, h = m_scene.m_cellHeight;
-    const QPointF at((s.x + 0.5) * w, (s.y + 0.5) * h);
-    switch (s.kind) {
-    case ShapeKind::Wire: {
-        const QColor ink = inkOf(s.node, true);
-        const bool isLive = m_scene.m_online.isOn && ink == c.good;
-        painter.setPen(QPen(ink, isLive ? 2.4 : 1.3, Qt::SolidLine, Qt::FlatCap));
-        const QLineF line(at, at + QPointF(s.w * w, s.h * h));
-        if (!s.isDouble) return painter.drawLine(line);
-        const QPointF aside = s.h == 0 ? QPointF(0, 1.5) : QPointF(1.5, 0);
-        painter.drawLine(line.translated(aside));
-        return painter.drawLine(line.translated(-aside));
-    }
-    case ShapeKind::Rail:
-        painter.setPen(QPen(m_scene.m_online.isOn ? c.good : c.text, 2.6, Qt::SolidLine, Qt::FlatCap));
-        return painter.drawLine(QPointF(at.x(), s.y * h), QPointF(at.x(), (s.y + s.h) * h));
-    case ShapeKind::Nest:
-        painter.setPen(QPen(c.border, 2));
-        return painter.drawLine(QPointF(at.x(), s.y * h), QPointF(at.x(), (s.y + s.h + 1) * h));
-    case ShapeKind::Contact:
-    case ShapeKind::Coil:
-        return paintGlyph(painter, s);
-    case ShapeKind::Box:
-        return paintBox(painter, s);
-    case ShapeKind::Circle:
-        painter.setPen(QPen(inkOf(s.node, false), 1.3));
-        painter.setBrush(c.base);
-        return painter.drawEllipse(at, 3.2, 3.2);
-    case ShapeKind::Arrow:
-        painter.setPen(inkOf(s.node, true));
-        painter.setFont(ladderFont());
-        return painter.drawText(QRectF(at - QPointF(w, h / 2), QSizeF(2 * w, h)), Qt::AlignCenter,
-                                QString::fromStdString(s.text));
-    case ShapeKind::Text:
-        return;
-    }
-}
-
-void RungItem::paintGlyph(QPainter& painter, const Shape& s) const {
-    const kit::ThemeColors& c = kit::colors();
-    const double w = m_scene.m_cellWidth, h = m_scene.m_cellHeight, y = (s.y + 0.5) * h;
-    const double left = (s.x + 0.5) * w, right = (s.x + s.w + 0.5) * w, half = h * 0.4;
-    const QColor ink = inkOf(s.node, false);
-    const bool isLive = m_scene.m_online.isOn && ink == c.good;
-    if (isLive) painter.fillRect(QRectF(left, y - half, right - left, 2 * half), thinned(c.good, c.base, 0.25));
-    painter.setPen(QPen(ink, isLive ? 2.4 : 1.9, Qt::SolidLine, Qt::FlatCap));
-    painter.setBrush(Qt::NoBrush);
-    if (s.kind == ShapeKind::Contact) {
-        painter.drawLine(QPointF(left, y - half), QPointF(left, y + half));
-        painter.drawLine(QPointF(right, y - half), QPointF(right, y + half));
-    } else {
-        painter.drawArc(QRectF(left - 2, y - half, 1.2 * half, 2 * half), 105 * 16, 150 * 16);
-        painter.drawArc(QRectF(right + 2 - 1.2 * half, y - half, 1.2 * half, 2 * half), -75 * 16, 150 * 16);
-    }
-    if (s.text == "/") {
-        painter.setPen(QPen(ink, 1.3));
-        return painter.drawLine(QPointF(left + 2, y + half), QPointF(right - 2, y - half));
-    }
-    painter.setPen(ink);
-    painter.setFont(ladderFont());
-    painter.drawText(QRectF(left, y - h / 2, right - left, h), Qt::AlignCenter, kit::fromView(s.text));
-}
-
-void RungItem::paintBox(QPainter& painter, const Shape& s) const {
-    const kit::ThemeColors& c = kit::colors();
-    const double w = m_scene.m_cellWidth, h = m_scene.m_cellHeight;
-    const bool isPart = s.node.isValid(); // a box with pins, its title inside; else text in a frame
-    const QRectF frame((s.x + 0.5) * w, isPart ? s.y * h + 1 : (s.y + 0.5) * h, s.w * w,
-                       isPart ? s.h * h + 0.25 * h : s.h * h);
-    painter.setPen(QPen(c.text, s.isDouble ? 2 : 1.3, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
-    painter.setBrush(c.alternate);
-    painter.drawRect(frame);
-    if (!isPart || s.node.index() >= m_scene.m_online.progress.size()) return;
-    const double progress = m_scene.m_online.progress[s.node.index()];
-    if (progress < 0) return;
-    painter.fillRect(QRectF(frame.left() + 1, frame.bottom() - 4, (frame.width() - 2) * std::min(1.0, progress), 3),
-                     c.online);
-}
-
-void RungItem::paintText(QPainter& painter, const Shape& s) const {
-    const kit::ThemeColors& c = kit::colors();
-    const double w = m_scene.m_cellWidth, h = m_scene.m_cellHeight;
-    QColor ink = c.text;
-    const bool isBold = s.role == TextRole::Title || s.role == TextRole::Heading;
-    switch (s.role) {
-    case TextRole::Operand: {
-        ink = s.isMarked ? c.warning : c.text;
-        const bool isForced = s.node.isValid() && s.node.index() < m_scene.m_online.forced.size() &&
-                              m_scene.m_online.forced[s.node.index()];
-        if (isForced) ink = c.forced;
-        break;
-    }
-    case TextRole::Instance:
-        ink = c.info;
-        break;
-    case TextRole::Pin:
-    case TextRole::Order:
-    case TextRole::Note:
-    case TextRole::Number:
-        ink = c.muted;
-        break;
-    case TextRole::Title:
-    case TextRole::Heading:
-    case TextRole::Code:
-        break;
-    }
-    painter.setPen(ink);
-    painter.setFont(isBold ? boldFont() : ladderFont());
-    const QString text = kit::fromView(s.text) + (s.isMarked ? QStringLiteral("↺") : QString());
-    painter.drawText(QRectF(s.x * w, s.y * h, (s.w + 2) * w, h), Qt::AlignLeft | Qt::AlignVCenter, text);
-    if (s.role != TextRole::Operand || !s.node.isValid() || s.node.index() >= m_scene.m_online.values.size()) return;
-    const QString& value = m_scene.m_online.values[s.node.index()];
-    if (value.isEmpty()) return;
-    painter.setPen(c.online);
-    painter.drawText(QRectF((s.x - 30) * w, s.y * h, 29.5 * w, h), Qt::AlignRight | Qt::AlignVCenter, value);
 }
 
 } // namespace plc::editor

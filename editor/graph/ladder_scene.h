@@ -5,10 +5,13 @@
 #include <QGraphicsScene> // before the standard library's: moc stumbles over <concepts> otherwise
 #include <QHash>
 
+#include "editor/graph/ladder_look.h"
+#include "editor/kit/theme.h"
+#include "runtime/compiler/ladder/edits.h"
 #include "runtime/compiler/ladder/flow.h"
-#include "runtime/compiler/ladder/layout.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace plc::editor {
@@ -20,6 +23,14 @@ struct LadderPick {
     bool operator==(const LadderPick&) const = default;
 };
 
+/// Where a contact comes that is put on a wire.
+struct LadderGap {
+    ladder::RungId rung;
+    ladder::NodeId beside; // none: behind the rung's last contact
+    ladder::Place place = ladder::Place::After;
+    QRectF at; // on the wire
+};
+
 struct LadderProblem {
     QString text;
     bool isError = true;
@@ -29,8 +40,11 @@ struct LadderProblem {
 struct LadderOnline {
     bool isOn = false;
     std::vector<ladder::Power> power;
-    std::vector<QString> values;  // beside a pin or a box; empty: none
-    std::vector<double> progress; // of a timer or counter, 0 … 1; below 0: none
+    bool isExact = false;                 // what was computed there; else the values at the scan's end
+    std::vector<QString> values;          // beside an operand at a pin; empty: none
+    QHash<uint32_t, QStringList> outputs; // of a box, by the number of its output
+    std::vector<bool> leftOut;            // by RungId: not executed in this scan
+    std::vector<double> progress;         // of a timer or counter, 0 … 1; below 0: none
     std::vector<bool> forced;
     bool operator==(const LadderOnline&) const = default;
 };
@@ -44,13 +58,17 @@ public:
     [[nodiscard]] QRectF boundingRect() const override;
     void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) override;
     void resized() { prepareGeometryChange(); }
+    [[nodiscard]] static const QFont& font();
 
 private:
     void paintShape(QPainter& painter, const ladder::Shape& shape) const;
     void paintText(QPainter& painter, const ladder::Shape& shape) const;
+    void paintValue(QPainter& painter, const ladder::Shape& shape) const;
     void paintGlyph(QPainter& painter, const ladder::Shape& shape) const;
     void paintBox(QPainter& painter, const ladder::Shape& shape) const;
     void paintSelection(QPainter& painter) const;
+    void paintMargin(QPainter& painter) const;
+    void paintLever(QPainter& painter, const ladder::Shape& shape, double y) const;
     void paintProblems(QPainter& painter) const;
     [[nodiscard]] QColor inkOf(ladder::NodeId node, bool isWire) const;
 
@@ -75,6 +93,8 @@ public:
     [[nodiscard]] const LadderPick& picked() const { return m_pick; }
     [[nodiscard]] LadderPick pickAt(QPointF point) const;
     [[nodiscard]] QRectF rectOf(const LadderPick& pick) const;
+    /// [first, last) of the rungs that an area touches.
+    [[nodiscard]] std::pair<size_t, size_t> rungsIn(const QRectF& area) const;
     /// What can be selected, rung by rung, in reading order.
     [[nodiscard]] std::vector<LadderPick> picksOf(ladder::RungId rung) const;
     [[nodiscard]] const LadderOnline& online() const { return m_online; }
@@ -84,11 +104,23 @@ public:
     }
     [[nodiscard]] double cellWidth() const { return m_cellWidth; }
     [[nodiscard]] double cellHeight() const { return m_cellHeight; }
-    void refreshTheme() { update(); }
+    void setLook(const LadderLook& look);
+    void refreshTheme();
+    /// The rung that the controller stands at; none.
+    void setStanding(ladder::RungId rung);
+    [[nodiscard]] ladder::RungId standing() const { return m_standing; }
+    void setBookmarks(std::vector<bool> byRung);
+    [[nodiscard]] const std::vector<bool>& bookmarks() const { return m_bookmarks; }
+    /// The wire at a point, none elsewhere.
+    [[nodiscard]] std::optional<LadderGap> gapAt(QPointF point) const;
+    /// Where something dragged or inserted would come; none: nothing is marked.
+    void markGap(std::optional<LadderGap> gap);
+    [[nodiscard]] const kit::ThemeColors& colors() const { return m_colors; }
 
 private:
     friend class RungItem;
     [[nodiscard]] QRectF cells(const ladder::Hit& hit) const;
+    [[nodiscard]] double thick(double width) const { return m_look.isHighContrast ? width * 1.5 : width; }
 
     const ladder::Diagram* m_diagram = nullptr;
     const ladder::Layout* m_layout = nullptr;
@@ -97,6 +129,11 @@ private:
     LadderOnline m_online;
     std::vector<int> m_marks;
     QHash<uint32_t, LadderProblem> m_nodeProblems, m_rungProblems;
+    std::vector<bool> m_bookmarks; // by RungId
+    ladder::RungId m_standing;
+    std::optional<LadderGap> m_gap;
+    LadderLook m_look;
+    kit::ThemeColors m_colors;
     bool m_isFaint = false;
     double m_cellWidth = 7, m_cellHeight = 17;
 };

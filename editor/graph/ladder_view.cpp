@@ -40,13 +40,15 @@ LadderView::LadderView(QWidget* parent)
     command(kit::Icon::Breakpoint, tr("Breakpoint on the rung (F9)"), &LadderView::toggleBreakpoint);
     m_formAction = command(kit::Icon::Forward, tr("Show as a function block diagram"), &LadderView::toggleForm);
     m_bar->addSeparator();
+    addLookMenu();
     addSheetCommands();
     m_canvas->viewport()->setAcceptDrops(true);
+    m_canvas->viewport()->setMouseTracking(true); // a wire shows that a click inserts
     connect(m_scene, &QGraphicsScene::selectionChanged, this, [this] {
         const LadderPick& pick = m_scene->picked();
         if (m_isStale || !pick.rung.isValid()) return;
         m_canvas->ensureVisible(m_scene->rectOf(pick), 20, 20);
-        emit placeSelected(pick.node.isValid() ? m_diagram[pick.node].range.begin : m_diagram[pick.rung].range.begin);
+        emit placeSelected(placeOfName(pick));
     });
 }
 
@@ -89,8 +91,9 @@ void LadderView::setText(const std::string& text) {
         return;
     }
     diagnostics::Sink sink;
-    const auto kept = std::make_unique<std::string>(text);
-    auto syntax = parse::parseFile(FileId(size_t(0)), *kept, sink);
+    std::string kept = text;
+    kept.reserve(64); // on the heap, where a swap leaves the bytes that the tree views
+    auto syntax = parse::parseFile(FileId(size_t(0)), kept, sink);
     const ladder::Unit place = ladder::findUnit(*syntax, m_unit.toStdString());
     if (!place.body) return showStale(tr("%1 is not in the text any more").arg(m_unit));
     for (const diagnostics::Diagnostic& d : sink.all())
@@ -100,12 +103,10 @@ void LadderView::setText(const std::string& text) {
     showFresh();
     closeField(false);
     // The tree views the text: both are replaced together.
-    m_text = text;
-    diagnostics::Sink again;
-    auto tree = parse::parseFile(FileId(size_t(0)), m_text, again);
     m_types.reset();
-    m_syntax = std::move(tree);
-    m_place = ladder::findUnit(*m_syntax, m_unit.toStdString());
+    m_text.swap(kept);
+    m_syntax = std::move(syntax);
+    m_place = place;
     rebuild();
 }
 
@@ -122,7 +123,7 @@ void LadderView::rebuild() {
     const LadderPick before = m_scene->picked();
     if (!m_types) makeTypes();
     ladder::Diagram diagram = ladder::project(m_text, *m_syntax, m_place, *m_types, m_form);
-    ladder::Layout layout = ladder::computeLayout(diagram);
+    ladder::Layout layout = ladder::computeLayout(diagram, m_look.layout);
     m_diagram = std::move(diagram);
     m_layout = std::move(layout);
     m_scene->show(m_diagram, m_layout);
@@ -183,6 +184,32 @@ void LadderView::marksChanged() {
     std::vector<uint32_t> places;
     for (const ladder::Rung& rung : m_diagram.rungs) places.push_back(rung.range.begin);
     m_scene->setMarks(m_isStale ? std::vector<int>() : breakpointsAt(places));
+    std::vector<bool> bookmarks(places.size(), false);
+    for (size_t i = 0; i < m_diagram.rungs.size() && !m_bookmarks.empty() && !m_isStale; ++i) {
+        const std::vector<int> lines = linesOf({m_diagram.rungs[i].range.begin, m_diagram.rungs[i].range.end});
+        const auto next = m_bookmarks.lower_bound(lines[0]);
+        bookmarks[i] = next != m_bookmarks.end() && *next <= lines[1];
+    }
+    m_scene->setBookmarks(std::move(bookmarks));
+    setStanding(m_standing);
+}
+
+void LadderView::setStanding(std::optional<uint32_t> offset) {
+    m_standing = offset;
+    const RungId before = m_scene->standing();
+    const RungId rung = offset && m_syntax && !m_isStale ? m_diagram.rungAt(*offset) : RungId();
+    m_scene->setStanding(rung);
+    if (rung.isValid() && rung != before) m_canvas->ensureVisible(m_scene->rectOf({rung, {}}), 20, 20);
+}
+
+void LadderView::setLook(const LadderLook& look) {
+    if (look == m_look) return;
+    const bool isLaidOut = look.layout == m_look.layout;
+    m_look = look;
+    m_scene->setLook(look);
+    m_canvas->setBackgroundBrush(m_scene->colors().base);
+    if (m_syntax && !isLaidOut) rebuild();
+    emit lookChosen(look.bits());
 }
 
 // ------------------------------------------------------------------ selection
@@ -238,73 +265,6 @@ void LadderView::toggleBreakpoint() {
     const RungId rung = pickedRung();
     if (!rung.isValid() || m_isStale) return emit failed(tr("Select a rung"));
     emit breakpointRequested(m_diagram[rung].range.begin);
-}
-
-void LadderView::forceSelected(const QString& value) {
-    const ladder::Node* node = pickedNode();
-    const bool hasName = node && node->operand && node->kind != NodeKind::Compare;
-    if (!hasName) return emit failed(tr("Select a contact, a coil or a pin with a variable"));
-    emit forceRequested(kit::fromView(node->label), value);
-}
-
-// ------------------------------------------------------------------ online
-
-double LadderView::progressOf(const ladder::Node& box) const {
-    if (box.instance.empty()) return -1;
-    const QString instance = kit::fromView(box.instance);
-    for (const auto& [done, all] : {std::pair{".ET", ".PT"}, std::pair{".CV", ".PV"}}) {
-        const GraphValue part = m_values(instance + done), whole = m_values(instance + all);
-        if (part.text.isEmpty() || whole.text.isEmpty()) continue;
-        const double limit = whole.nanoseconds ? static_cast<double>(whole.nanoseconds) : whole.text.toDouble();
-        const double value = whole.nanoseconds ? static_cast<double>(part.nanoseconds) : part.text.toDouble();
-        return limit > 0 ? std::clamp(value / limit, 0.0, 1.0) : -1;
-    }
-    return -1;
-}
-
-/// Of the rungs that are seen; the others follow when they come into view.
-LadderOnline LadderView::online() const {
-    LadderOnline out;
-    const size_t count = m_diagram.nodes.size();
-    out.power.assign(count, ladder::Power::Unknown);
-    out.values.resize(count);
-    out.progress.assign(count, -1);
-    out.forced.assign(count, false);
-    const QRectF seen = m_canvas->mapToScene(m_canvas->viewport()->rect()).boundingRect();
-    const ladder::Answers answers = [&](const ladder::Question& question) {
-        if (m_flow && question.expr)
-            if (const auto exact = m_flow(question.range)) {
-                out.isOn = true;
-                return *exact ? ladder::Power::On : ladder::Power::Off;
-            }
-        const GraphValue value = m_values(QString::fromStdString(question.text));
-        if (value.text.isEmpty()) return ladder::Power::Unknown;
-        out.isOn = true;
-        return value.isTrue ? ladder::Power::On : ladder::Power::Off;
-    };
-    for (size_t i = 0; i < m_diagram.rungs.size(); ++i) {
-        if (!m_scene->rectOf({RungId(i), {}}).intersects(seen)) continue;
-        const ladder::Rung& rung = m_diagram.rungs[i];
-        ladder::computeFlow(m_text, m_diagram, rung, answers, out.power);
-        for (const NodeId id : m_diagram.nodesOf(rung)) {
-            const ladder::Node& node = m_diagram[id];
-            if (node.kind == NodeKind::Box) out.progress[id.index()] = progressOf(node);
-            if (!node.operand) continue;
-            const GraphValue value = m_values(kit::fromView(node.label));
-            out.isOn |= !value.text.isEmpty();
-            out.forced[id.index()] = value.isForced;
-            const bool isLiteral = node.operand->kind == syntax::ExprKind::Literal;
-            if (node.kind == NodeKind::Operand && !isLiteral) out.values[id.index()] = value.text.left(24);
-        }
-    }
-    return out;
-}
-
-void LadderView::refreshOnline() {
-    if (!m_syntax || m_isStale || !isVisible() || !m_values) return;
-    LadderOnline state = online();
-    if (!state.isOn) state = {};
-    m_scene->setOnline(std::move(state));
 }
 
 } // namespace plc::editor

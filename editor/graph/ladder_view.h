@@ -7,10 +7,11 @@
 
 #include <optional>
 
-namespace plc::editor {
+class QDragMoveEvent;
+class QDropEvent;
+class QMenu;
 
-/// What the program computed at a place of the text, in the scan that is shown; none where that is not known.
-using FlowSource = std::function<std::optional<bool>(SourceRange range)>;
+namespace plc::editor {
 
 class LadderView : public GraphView {
     Q_OBJECT
@@ -24,9 +25,10 @@ public:
     [[nodiscard]] ladder::Form form() const { return m_form; }
     void setText(const std::string& text) override;
     void setModel(const std::shared_ptr<const analysis::CodeModel>& model, const QString& file) override;
-    /// Exact values, where there are any; else the values of the variables are shown.
-    void setFlowSource(FlowSource source) { m_flow = std::move(source); }
     void refreshOnline() override;
+    void setStanding(std::optional<uint32_t> offset) override;
+    void setLook(const LadderLook& look);
+    [[nodiscard]] const LadderLook& look() const { return m_look; }
     void showCursor(uint32_t offset) override;
     [[nodiscard]] LadderScene& scene() { return *m_scene; }
     [[nodiscard]] const ladder::Diagram& diagram() const { return m_diagram; }
@@ -50,9 +52,21 @@ public:
     void toggleForm();
     void showKeys();
     void selectTowards(int dx, int dy);
+    void renameSelected();
+    void usesOfSelected();
+    void definitionOfSelected();
+    void fixSelected();
+    void toggleBookmark();
+    void writeSelected(const QString& value);
+    /// What a click on a wire puts there.
+    enum class Tool : uint8_t { Contact, NegatedContact, Parallel, Block };
+    void setTool(Tool tool) { m_tool = tool; }
+    void insertOnWire(const LadderGap& gap);
 
 signals:
     void forceRequested(const QString& variable, const QString& value);
+    void writeRequested(const QString& variable, const QString& value);
+    void lookChosen(int bits);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -62,7 +76,7 @@ protected:
     [[nodiscard]] QString complaintOf(const QString& text) const override;
     [[nodiscard]] std::vector<kit::Completion> completions(const QString& text, int cursor) const override;
     void marksChanged() override;
-    void themeChanged() override { m_scene->refreshTheme(); }
+    void themeChanged() override;
     [[nodiscard]] bool hasDrawing() const override { return m_syntax != nullptr; }
 
 private:
@@ -82,8 +96,27 @@ private:
     [[nodiscard]] Edits withDeclaration(Edits edits, const std::string& name, const std::string& type) const;
     [[nodiscard]] LadderOnline online() const;
     [[nodiscard]] double progressOf(const ladder::Node& box) const;
+    [[nodiscard]] GraphValue valueOf(const ladder::Question& question, const ComputedValues* computed) const;
+    void showValues(const ladder::Node& node, ladder::NodeId id, const ComputedValues* computed,
+                    LadderOnline& out) const;
+    [[nodiscard]] std::vector<kit::Completion> blockCompletions() const;
+    [[nodiscard]] std::vector<kit::Completion> typeCompletions() const;
+    void addLookMenu();
+    void addWireMenu(QMenu& menu, const LadderGap& gap);
+    [[nodiscard]] uint32_t placeOfName(const LadderPick& pick) const;
+    [[nodiscard]] QString selectedVariable();
+    [[nodiscard]] std::string typeExpected(const ladder::Node& node) const;
     bool mouseEvent(QEvent* event);
-    [[nodiscard]] std::optional<LadderPick> dropAt(QPointF point) const;
+    bool pressed(const QMouseEvent& mouse);
+    bool moved(const QMouseEvent& mouse);
+    bool released(const QMouseEvent& mouse);
+    bool dragEntered(QDragMoveEvent& drag);
+    bool dropped(QDropEvent& drop);
+    [[nodiscard]] bool isContactDragged() const;
+    [[nodiscard]] Result<Edits> moveTo(QPointF point) const;
+    [[nodiscard]] Result<Edits> dropOn(QPointF point, const std::string& name) const;
+    [[nodiscard]] std::optional<LadderGap> gapBeside(QPointF point) const;
+    [[nodiscard]] std::string freeInstance(const std::string& type) const;
 
     ladder::Form m_form = ladder::Form::Ladder;
     std::unique_ptr<syntax::SyntaxFile> m_syntax;
@@ -94,11 +127,15 @@ private:
     ladder::Layout m_layout;
     LadderScene* m_scene;
     QAction* m_formAction = nullptr;
+    LadderLook m_look;
+    Tool m_tool = Tool::Contact;
+    std::optional<uint32_t> m_standing;
     FieldKind m_fieldKind = FieldKind::Operand;
-    FlowSource m_flow;
+    std::string m_fieldType = "BOOL"; // of a new name that is typed next
     LadderPick m_dragged;
     QPoint m_pressedAt;
     bool m_isDragging = false;
+    std::optional<LadderGap> m_pressedGap; // a click on it inserts
 };
 
 } // namespace plc::editor

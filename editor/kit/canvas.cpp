@@ -129,9 +129,11 @@ void Canvas::zoomToRect(const QRectF& rect) {
 
 void Canvas::zoomToFit() {
     if (!scene()) return;
-    const QRectF rect = exportRect();
-    const double fit = std::min((viewport()->width() - 24) / std::max(1.0, rect.width()),
-                                (viewport()->height() - 24) / std::max(1.0, rect.height()));
+    // The sheet with its margins: what is larger than the view would bring back the scroll bars, which take the room.
+    const QRectF rect = exportRect().united(sceneRect());
+    const QSizeF room = maximumViewportSize();
+    const double fit =
+        std::min((room.width() - 4) / std::max(1.0, rect.width()), (room.height() - 4) / std::max(1.0, rect.height()));
     setZoom(std::min(fit, 1.5));
     centerOn(rect.center());
     m_map->update();

@@ -1,5 +1,7 @@
 #include "editor/kit/message_text.h"
 
+#include "editor/kit/translation_tag.h"
+
 #include <QCoreApplication>
 #include <QTranslator>
 
@@ -16,7 +18,7 @@ const QTranslator& translatorFor(const QString& language) {
     std::unique_ptr<QTranslator>& translator = translators[language];
     if (!translator) {
         translator = std::make_unique<QTranslator>();
-        (void)translator->load(QStringLiteral(":/translations/stepwise_%1.qm").arg(language.section('-', 0, 0)));
+        (void)translator->load(QStringLiteral(":/translations/stepwise_%1.qm").arg(translationTag(language)));
     }
     return *translator;
 }

@@ -299,7 +299,7 @@ void drawCurve(QPainter& painter, const CurveShape& shape, const PlotCurve& curv
     else
         pathOfBuckets(shape, curve, mapping, lines);
     painter.save();
-    painter.setClipRect(mapping.area.adjusted(0, -curve.width, 0, curve.width));
+    painter.setClipRect(mapping.area, Qt::IntersectClip);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
     const double width = curve.style == CurveStyle::Line ? curve.width : heldWidth(curve, mapping);

@@ -1,5 +1,6 @@
 #include "editor/kit/plot_export.h"
 
+#include "editor/kit/curve_words.h"
 #include "editor/kit/errors.h"
 #include "editor/kit/plot_renderer.h"
 #include "editor/kit/plot_text.h"
@@ -119,7 +120,7 @@ bool writeCsv(const PlotModel& model, int64_t from, int64_t to, QIODevice& out, 
     for (const PlotCurve& curve : model.curves) {
         if (!curve.isVisible || !curve.source) continue;
         curves.push_back(&curve);
-        line += ',' + quoted(curve.unit.isEmpty() ? curve.name : QStringLiteral("%1 [%2]").arg(curve.name, curve.unit));
+        line += ',' + quoted(withUnit(curve.name, curve.unit));
     }
     out.write(line + '\n');
     if (curves.empty() || to < from) return true;

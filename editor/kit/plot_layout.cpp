@@ -1,4 +1,5 @@
 // Where everything of a plot lies: panes, the ranges and ticks of their axes, legends, lanes.
+#include "editor/kit/curve_words.h"
 #include "editor/kit/plot_pane_parts.h"
 #include "editor/kit/plot_renderer.h"
 #include "editor/kit/plot_table.h"
@@ -146,7 +147,7 @@ std::vector<AxisSpec> PlotRenderer::valueAxes(const PlotModel& model, PlotPane& 
         if (metrics.horizontalAdvance(title) * 1.1 > room) // rather the unit alone than a torn name
             title = room > 90 ? metrics.elidedText(title, Qt::ElideMiddle, room * 0.9)
                               : QString(); // and rather none than its first letter
-        spec.title = title.isEmpty() ? unit : unit.isEmpty() ? title : QStringLiteral("%1 [%2]").arg(title, unit);
+        spec.title = title.isEmpty() ? unit : withUnit(title, unit);
         if (users.size() == 1 && pane.axes.size() > 1) spec.color = users[0]->color;
         const bool named = !users.empty() && !users[0]->valueNames.empty() && users[0]->scale == 1 &&
                            users[0]->offset == 0 && std::all_of(users.begin(), users.end(), [&](const PlotCurve* u) {
@@ -180,19 +181,22 @@ double PlotRenderer::legendHeight(const PlotModel& model, int chart, double left
         x += wide + 18;
         any = true;
     }
-    for (int i = 0; model.hasLegend && i < static_cast<int>(model.curves.size()); ++i) {
-        const PlotCurve& curve = model.curves[static_cast<size_t>(i)];
-        if (curve.chart != chart || (curve.style == CurveStyle::Digital && curve.isVisible)) continue;
-        const QString text = curve.unit.isEmpty() ? curve.name : QStringLiteral("%1 [%2]").arg(curve.name, curve.unit);
+    const auto add = [&](const QString& text, int curve) {
         const double wide = std::min(metrics.horizontalAdvance(text) + 34, width);
         if (x + wide > left + width && x > left) {
             x = left;
             y += rowHeight;
         }
-        if (place) m_legend.push_back({QRectF(x, y, wide, rowHeight), i});
+        if (place) m_legend.push_back({QRectF(x, y, wide, rowHeight), curve});
         x += wide + 10;
         any = true;
+    };
+    for (int i = 0; model.hasLegend && i < static_cast<int>(model.curves.size()); ++i) {
+        const PlotCurve& curve = model.curves[static_cast<size_t>(i)];
+        if (curve.chart != chart || (curve.style == CurveStyle::Digital && curve.isVisible)) continue;
+        add(withUnit(curve.name, curve.unit), i);
     }
+    if (model.hasLegend && chart == 0 && !model.beneathName.isEmpty()) add(model.beneathName, -1);
     return any ? y - top + rowHeight + 2 : 0;
 }
 
@@ -265,7 +269,8 @@ void PlotRenderer::layOut(const PlotModel& model, const QRectF& rect) {
                 weights += std::max(0.05, model.charts[static_cast<size_t>(m_panes[i].chart)].weight);
         }
         const double free = std::max(0.0, bottom - top - used);
-        double laneHeight = weights > 0 ? lane : std::clamp(lanes > 0 ? free / lanes : lane, lane * 0.6, lane * 2);
+        // Without curves the lanes have all the room.
+        double laneHeight = weights > 0 || lanes == 0 ? lane : std::max(free / lanes, lane * 0.6);
         if (weights > 0 && lanes > 0) laneHeight = std::clamp((free - LeastPlot) / lanes, 12.0, lane);
         const double forCharts = std::max(LeastPlot, free - laneHeight * lanes);
         std::vector<double> heights;
@@ -295,6 +300,7 @@ void PlotRenderer::layOut(const PlotModel& model, const QRectF& rect) {
             left = std::max(left, room[i].left());
             right = std::max(right, room[i].right());
         }
+        right = std::max(right, endLabelWidth(model, width));
         left = std::ceil(left / 8) * 8; // so that a digit more does not shift the picture
         right = std::ceil(std::max({10.0, right, m_timeLabel / 2 - PlotPad + 4}) / 8) * 8;
         // A digit less does not move the picture under the user's hand.
@@ -321,6 +327,7 @@ void PlotRenderer::layOut(const PlotModel& model, const QRectF& rect) {
         m_panes[i].area = m_parts[i]->axes.area();
         y += heights[i] + room[i].bottom() + (first ? 4 : 0);
     }
+    placeEndLabels(model, width);
 }
 
 } // namespace plc::kit

@@ -94,7 +94,8 @@ struct PlotModel {
     std::optional<int64_t> cursorA, cursorB;
     std::optional<int64_t> present; // the scan that the other windows show, while it is not the newest
     bool hasLegend = true, hasGrid = true, hasTable = false;
-    QString selected; // id of the curve whose samples the cursors snap to
+    QString beneathName; // of the recording drawn beneath the curves, with its shift in time; empty without one
+    QString selected;    // id of the curve whose samples the cursors snap to
 };
 
 /// First and last time of everything visible; nothing while there are no samples.

@@ -1,5 +1,6 @@
 #include "editor/kit/plot_renderer.h"
 
+#include "editor/kit/curve_words.h"
 #include "editor/kit/plot_pane_parts.h"
 #include "editor/kit/plot_table.h"
 #include "editor/kit/plot_text.h"
@@ -62,6 +63,10 @@ void PlotRenderer::paintLegend(QPainter& painter, const PlotModel& model) {
     }
     painter.setFont(m_font);
     for (const LegendEntry& entry : m_legend) {
+        if (entry.curve < 0) {
+            paintLegendBeneath(painter, model, entry.rect);
+            continue;
+        }
         const PlotCurve& curve = model.curves[static_cast<size_t>(entry.curve)];
         const double middle = entry.rect.center().y();
         QColor color = curve.color;
@@ -75,10 +80,22 @@ void PlotRenderer::paintLegend(QPainter& painter, const PlotModel& model) {
         painter.setPen(QPen(color, std::clamp(curve.width + 0.6, 2.0, 4.0), Qt::SolidLine, Qt::RoundCap));
         painter.drawLine(QPointF(entry.rect.left() + 6, middle), QPointF(entry.rect.left() + 22, middle));
         painter.setPen(!curve.isVisible ? c.disabled : curve.problem.isEmpty() ? c.text : c.bad);
-        const QString text = curve.unit.isEmpty() ? curve.name : QStringLiteral("%1 [%2]").arg(curve.name, curve.unit);
+        const QString text = withUnit(curve.name, curve.unit);
         painter.drawText(entry.rect.adjusted(28, 0, -2, 0), Qt::AlignVCenter | Qt::AlignLeft,
                          metrics.elidedText(text, Qt::ElideMiddle, entry.rect.width() - 30));
     }
+}
+
+/// A faint line: as what lies beneath is drawn, whatever the colour.
+void PlotRenderer::paintLegendBeneath(QPainter& painter, const PlotModel& model, const QRectF& rect) {
+    QColor faint = colors().text;
+    faint.setAlphaF(0.35f);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(faint, 2.2, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(QPointF(rect.left() + 6, rect.center().y()), QPointF(rect.left() + 22, rect.center().y()));
+    painter.setPen(colors().muted);
+    painter.drawText(rect.adjusted(28, 0, -2, 0), Qt::AlignVCenter | Qt::AlignLeft,
+                     QFontMetricsF(m_font).elidedText(model.beneathName, Qt::ElideMiddle, rect.width() - 30));
 }
 
 void PlotRenderer::paintPane(QPainter& painter, const PlotModel& model, size_t index) {
@@ -284,6 +301,7 @@ void PlotRenderer::paintBase(QPainter& painter, const PlotModel& model, const QR
     }
     for (size_t i = 0; i < m_panes.size(); ++i) paintPane(painter, model, i);
     paintLegend(painter, model);
+    paintEndLabels(painter, model);
     if (!m_panes.empty()) {
         QFont bold = m_font;
         bold.setWeight(QFont::DemiBold);
@@ -323,7 +341,7 @@ PlotMapping PlotRenderer::mapping(const PlotModel& model, const PlotPane& pane, 
 
 std::optional<int> PlotRenderer::legendAt(const QPointF& point) const {
     for (const LegendEntry& entry : m_legend)
-        if (entry.rect.contains(point)) return entry.curve;
+        if (entry.curve >= 0 && entry.rect.contains(point)) return entry.curve;
     return std::nullopt;
 }
 

@@ -22,6 +22,13 @@ struct PlotPane {
 
 struct LegendEntry {
     QRectF rect;
+    int curve = 0; // -1: what is drawn beneath all of them
+};
+
+/// The name of a curve where it leaves the plot.
+struct EndLabel {
+    QRectF rect;
+    double from = 0; // height of the curve's end
     int curve = 0;
 };
 
@@ -48,6 +55,7 @@ public:
     [[nodiscard]] std::optional<int> legendAt(const QPointF& point) const;
     [[nodiscard]] std::optional<int> laneAt(const QPointF& point) const;
     [[nodiscard]] const std::vector<LegendEntry>& legend() const { return m_legend; }
+    [[nodiscard]] const std::vector<EndLabel>& endLabels() const { return m_endLabels; }
     /// The axis of `chart` that `point` lies on, left or right of a pane.
     [[nodiscard]] std::optional<std::pair<int, int>> axisAt(const QPointF& point) const;
     [[nodiscard]] std::optional<int> markerAt(const PlotModel& model, const QPointF& point) const;
@@ -63,6 +71,10 @@ private:
     PlotRange rangeOf(const PlotModel& model, const PlotPane& pane, int axis) const;
     double legendHeight(const PlotModel& model, int chart, double left, double width, double top, bool place);
     void paintLegend(QPainter& painter, const PlotModel& model);
+    void paintLegendBeneath(QPainter& painter, const PlotModel& model, const QRectF& rect);
+    [[nodiscard]] double endLabelWidth(const PlotModel& model, double width) const;
+    void placeEndLabels(const PlotModel& model, double width);
+    void paintEndLabels(QPainter& painter, const PlotModel& model);
     void paintPane(QPainter& painter, const PlotModel& model, size_t index);
     void paintMarkers(QPainter& painter, const PlotModel& model);
     void paintCursors(QPainter& painter, const PlotModel& model);
@@ -79,6 +91,7 @@ private:
     std::vector<PlotPane> m_panes;
     std::vector<std::unique_ptr<PaneParts>> m_parts;
     std::vector<LegendEntry> m_legend;
+    std::vector<EndLabel> m_endLabels;
     std::vector<std::pair<int, QRectF>> m_chartTitles;
 };
 

@@ -1,5 +1,6 @@
 #include "editor/kit/plot_table.h"
 
+#include "editor/kit/curve_words.h"
 #include "editor/kit/plot_scale.h"
 #include "editor/kit/plot_text.h"
 #include "editor/kit/theme.h"
@@ -29,7 +30,7 @@ QString numberText(const PlotCurve& curve, double shown) {
 }
 
 QStringList cellsOf(const PlotModel& model, const PlotCurve& curve) {
-    QStringList cells{curve.unit.isEmpty() ? curve.name : QStringLiteral("%1 [%2]").arg(curve.name, curve.unit)};
+    QStringList cells{withUnit(curve.name, curve.unit)};
     const auto at = [&](std::optional<int64_t> time) {
         return time && curve.source ? curve.source->inForceAt(*time) : std::nullopt;
     };

@@ -57,6 +57,38 @@ private:
     QToolButton* m_button;
 };
 
+void paintSwatch(QPainter& painter, const QRectF& box, const QColor& color) {
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(colors().border);
+    painter.setBrush(color.isValid() ? QBrush(color) : QBrush(colors().border, Qt::BDiagPattern));
+    painter.drawRoundedRect(box.adjusted(0.5, 0.5, -0.5, -0.5), 3, 3);
+    painter.restore();
+}
+
+QIcon iconOf(const PropertyChoice& choice) {
+    if (choice.icon) return icon(*choice.icon);
+    if (!choice.color.isValid()) return {};
+    QPixmap swatch(16, 16);
+    swatch.fill(Qt::transparent);
+    {
+        QPainter painter(&swatch);
+        paintSwatch(painter, QRectF(0, 0, 16, 16), choice.color);
+    }
+    return swatch;
+}
+
+/// The colour that an enumeration's value stands for; invalid for one that has none.
+QColor colorOf(const PropertyDescriptor& descriptor, const QVariant& value) {
+    if (descriptor.kind != PropertyKind::Enumeration) return {};
+    bool areColors = false;
+    for (const PropertyChoice& choice : descriptor.choices) {
+        areColors |= choice.color.isValid();
+        if (choice.value == value) return choice.color;
+    }
+    return areColors ? QColor(value.toString()) : QColor(); // one of the user's own
+}
+
 std::optional<QString> askLongText(const QString& title, const QString& text, QWidget* parent) {
     QDialog dialog(parent);
     dialog.setWindowTitle(title);
@@ -165,8 +197,7 @@ QWidget* PropertyDelegate::createEditor(QWidget* parent, const QStyleOptionViewI
     case PropertyKind::Enumeration: {
         auto* combo = new QComboBox(parent);
         combo->setFrame(false);
-        for (const PropertyChoice& choice : d->choices)
-            combo->addItem(choice.icon ? icon(*choice.icon) : QIcon(), choice.label, choice.value);
+        for (const PropertyChoice& choice : d->choices) combo->addItem(iconOf(choice), choice.label, choice.value);
         connect(combo, &QComboBox::highlighted, grid,
                 [grid, id, combo](int row) { emit grid->previewed(id, combo->itemData(row)); });
         connect(combo, &QComboBox::activated, this, [this, combo] { finish(combo); });
@@ -252,7 +283,9 @@ bool PropertyDelegate::eventFilter(QObject* object, QEvent* event) {
 
 void PropertyDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
     const PropertyDescriptor* d = index.column() == 1 ? m_grid.descriptor(idOf(index)) : nullptr;
-    if (!d || (d->kind != PropertyKind::Bool && d->kind != PropertyKind::Color && d->kind != PropertyKind::Action))
+    const QColor chosen = d && !m_grid.isVarious(d->id) ? colorOf(*d, m_grid.value(d->id)) : QColor();
+    if (!d || (d->kind != PropertyKind::Bool && d->kind != PropertyKind::Color && d->kind != PropertyKind::Action &&
+               !chosen.isValid()))
         return QStyledItemDelegate::paint(painter, option, index);
     QStyleOptionViewItem plain(option);
     initStyleOption(&plain, index);
@@ -271,14 +304,8 @@ void PropertyDelegate::paint(QPainter* painter, const QStyleOptionViewItem& opti
                                                                                              : QStyle::State_Off);
         QApplication::style()->drawPrimitive(QStyle::PE_IndicatorCheckBox, &check, painter, &m_grid);
         if (!various) text.clear();
-    } else if (d->kind == PropertyKind::Color) {
-        painter->save();
-        painter->setRenderHint(QPainter::Antialiasing);
-        painter->setPen(colors().border);
-        const auto color = value.value<QColor>();
-        painter->setBrush(color.isValid() ? QBrush(color) : QBrush(colors().border, Qt::BDiagPattern));
-        painter->drawRoundedRect(QRectF(box).adjusted(0.5, 0.5, -0.5, -0.5), 3, 3);
-        painter->restore();
+    } else if (d->kind == PropertyKind::Color || chosen.isValid()) {
+        paintSwatch(*painter, QRectF(box), chosen.isValid() ? chosen : value.value<QColor>());
     } else {
         paintIcon(painter, QRectF(option.rect.right() - 20, option.rect.center().y() - 7, 16, 16), Icon::More);
     }

@@ -3,9 +3,11 @@
 #include "editor/kit/color_popup.h"
 #include "editor/kit/property_delegate.h"
 #include "editor/kit/theme.h"
+#include "editor/kit/variable_picker.h"
 
 #include <QApplication>
 #include <QContextMenuEvent>
+#include <QDropEvent>
 #include <QFileInfo>
 #include <QHeaderView>
 #include <QLocale>
@@ -60,6 +62,8 @@ PropertyGrid::PropertyGrid(QWidget* parent) : QTreeWidget(parent) {
     header()->setStretchLastSection(true);
     header()->resizeSection(0, 130);
     setItemDelegate(new PropertyDelegate(*this));
+    setAcceptDrops(true);
+    viewport()->setAcceptDrops(true);
     connect(this, &QTreeWidget::itemCollapsed, this, [this](QTreeWidgetItem* item) { m_folded[item->text(0)] = true; });
     connect(this, &QTreeWidget::itemExpanded, this, [this](QTreeWidgetItem* item) { m_folded[item->text(0)] = false; });
     connect(&Theme::current(), &Theme::changed, this, [this] {
@@ -263,6 +267,34 @@ void PropertyGrid::contextMenuEvent(QContextMenuEvent* event) {
         if (Entry* now = entry(id)) commit(id, now->descriptor.defaultValue);
     });
     menu.exec(event->globalPos());
+}
+
+const PropertyGrid::Entry* PropertyGrid::entryUnder(const QDropEvent& event) {
+    const Entry* e = entryOf(itemAt(event.position().toPoint()));
+    return e && e->descriptor.kind == PropertyKind::Expression && !e->descriptor.isReadOnly &&
+                   !variablesOf(event.mimeData()).isEmpty()
+               ? e
+               : nullptr;
+}
+
+void PropertyGrid::dragEnterEvent(QDragEnterEvent* event) {
+    if (!variablesOf(event->mimeData()).isEmpty()) event->acceptProposedAction();
+}
+
+void PropertyGrid::dragMoveEvent(QDragMoveEvent* event) {
+    const Entry* under = entryUnder(*event);
+    setCurrentItem(under ? under->item : nullptr);
+    if (under)
+        event->acceptProposedAction();
+    else
+        event->ignore();
+}
+
+void PropertyGrid::dropEvent(QDropEvent* event) {
+    const Entry* under = entryUnder(*event);
+    if (!under) return event->ignore();
+    event->acceptProposedAction();
+    commit(QString(under->descriptor.id), variablesOf(event->mimeData()).first());
 }
 
 } // namespace plc::kit

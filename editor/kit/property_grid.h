@@ -32,6 +32,7 @@ struct PropertyChoice {
     QVariant value;
     QString label;
     std::optional<Icon> icon;
+    QColor color = {}; // shown as a swatch before the label
     bool operator==(const PropertyChoice&) const = default;
 };
 
@@ -92,6 +93,9 @@ protected:
     void mousePressEvent(QMouseEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dragMoveEvent(QDragMoveEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
 
 private:
     friend class PropertyDelegate;
@@ -105,6 +109,8 @@ private:
     const Entry* entry(const QString& id) const;
     Entry* entryOf(const QTreeWidgetItem* item);
     void showValue(Entry& entry);
+    /// The expression under a variable that is dragged; null elsewhere.
+    const Entry* entryUnder(const QDropEvent& event);
     void commit(const QString& id, const QVariant& value);
 
     std::vector<Entry> m_entries;

@@ -68,7 +68,7 @@ StEditor::StEditor(QWidget* parent) : QsciScintilla(parent), m_lexer(new StLexer
     setMarginSensitivity(kMarks, true);
     setMarginSensitivity(kLineNumbers, true);
     setMarginMarkerMask(kMarks, (1 << kBreakpoint) | (1 << kBreakpointOff) | (1 << kErrorMark) | (1 << kWarningMark) |
-                                    (1 << kExecutedArrow) | (1 << kFaultArrow));
+                                    (1 << kExecutedArrow) | (1 << kFaultArrow) | (1 << kBookmark));
     setMarginType(kChanges, SymbolMargin);
     setMarginWidth(kChanges, 4);
     setMarginMarkerMask(kChanges, (1 << kChangedLine) | (1 << kAddedLine));
@@ -163,6 +163,7 @@ void StEditor::applyTheme() {
     markerDefine(drawn(kit::Icon::Warning), kWarningMark);
     markerDefine(drawn(kit::Icon::CurrentLine), kExecutedArrow);
     markerDefine(drawn(kit::Icon::Error), kFaultArrow);
+    markerDefine(drawn(kit::Icon::Marker), kBookmark);
     clearRegisteredImages();
     for (int kind = 0; kind <= static_cast<int>(analysis::ItemKind::Namespace); ++kind)
         registerImage(kind, drawn(iconOf(static_cast<analysis::ItemKind>(kind))));

@@ -77,6 +77,10 @@ public:
     [[nodiscard]] std::map<int, int> movedBreakpoints() const;
     void setExecutedLine(int line); // 0 = none
     void setFaultLine(int line);    // where the controller has stopped with a fault; 0 = none
+    /// They move with their lines.
+    void toggleBookmark(int line);                 // from 0
+    [[nodiscard]] std::set<int> bookmarks() const; // from 1
+    void goToBookmark(int direction);              // the next one, 1, or the one before, -1; around the end
     void setOnlineValues(OnlineValues values);
     void refreshOnlineValues();
     /// What stands beside the lines now, by line from 0.
@@ -115,6 +119,7 @@ signals:
     void forceRequested(const QString& name, const QString& pou);
     void unforceRequested(const QString& name, const QString& pou);
     void cursorMoved(const QString& file, int line, int column);
+    void bookmarksChanged();
     void hoverRequested(const QString& file, uint32_t offset, const QPoint& globalPosition);
     /// A fix that changes other files (too).
     void projectEditsRequested(const std::vector<plc::analysis::FileEdits>& edits);

@@ -17,6 +17,7 @@ enum Marker {
     kExecutedArrow = 7,
     kFault = 8,
     kFaultArrow = 9,
+    kBookmark = 11,
     kAutomaticEnd = 10 // not seen: the line with the END_… that Enter has put there
 };
 /// What is drawn beneath and around characters.

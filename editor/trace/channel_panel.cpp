@@ -333,9 +333,16 @@ void ChannelPanel::describeTrace() {
         d[i].decimals = 9;
         d[i].suffix = QStringLiteral(" s");
     }
+    if (!m_setup.compareWith.empty()) {
+        d.push_back(describe("shift", tr("Compared recording"), tr("Offset in time"), PropertyKind::Number, 0.0));
+        d.back().decimals = 9;
+        d.back().step = 0.1;
+        d.back().suffix = QStringLiteral(" s");
+    }
     m_grid->setDescriptors(std::move(d));
     const TriggerSetup& t = m_setup.trigger;
-    m_grid->setValues({{"title", QString::fromStdString(m_setup.title)},
+    m_grid->setValues({{"shift", static_cast<double>(m_setup.compareShift) / 1e9},
+                       {"title", QString::fromStdString(m_setup.title)},
                        {"every", static_cast<int>(m_setup.every)},
                        {"condition", QString::fromStdString(m_setup.condition)},
                        {"trigger", QString::fromStdString(t.expression)},
@@ -423,6 +430,8 @@ void ChannelPanel::commitTrace(const QString& id, const QVariant& value) {
             s.every = static_cast<uint32_t>(value.toInt());
         else if (id == QLatin1String("condition"))
             s.condition = utf8(value);
+        else if (id == QLatin1String("shift"))
+            s.compareShift = std::llround(std::clamp(value.toDouble(), -9e9, 9e9) * 1e9);
         else if (id == QLatin1String("trigger"))
             s.trigger.expression = utf8(value);
         else if (id == QLatin1String("edge"))

@@ -1,10 +1,12 @@
 #include "editor/trace/trace_plot.h"
 
 #include "editor/kit/message_text.h"
+#include "editor/kit/plot_scale.h"
 #include "editor/kit/theme.h"
 #include "runtime/controller/controller.h"
 
 #include <QCoreApplication>
+#include <QFileInfo>
 
 namespace plc::trace {
 
@@ -197,8 +199,16 @@ void applyBeneath(kit::PlotModel& model, const TraceSetup& setup, const TraceFee
     for (size_t i = 0; i < model.curves.size() && i < setup.channels.size(); ++i) {
         const auto source = older.source(setup.channels[i].expression);
         model.curves[i].beneath.clear();
-        if (source) model.curves[i].beneath.push_back({source, 0});
+        if (source) model.curves[i].beneath.push_back({source, setup.compareShift});
     }
+    const QString name = QFileInfo(QString::fromStdString(setup.compareWith)).completeBaseName();
+    const QString shift = kit::durationText(std::abs(setup.compareShift));
+    if (setup.compareShift == 0)
+        model.beneathName = name;
+    else if (setup.compareShift > 0)
+        model.beneathName = QCoreApplication::translate("plc::trace::TraceView", "%1, %2 later").arg(name, shift);
+    else
+        model.beneathName = QCoreApplication::translate("plc::trace::TraceView", "%1, %2 earlier").arg(name, shift);
 }
 
 } // namespace plc::trace

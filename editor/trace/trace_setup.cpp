@@ -311,6 +311,7 @@ Result<TraceSetup> readSetup(std::string_view text, const std::string& place) {
     r.whole("every", setup.every, 1, 1'000'000'000);
     r.text("condition", setup.condition);
     r.text("compareWith", setup.compareWith);
+    if (json.contains("compareShift")) r.time("compareShift", setup.compareShift, -9e9);
     r.flag("table", setup.hasTable);
     auto cursor = [&](const char* key, std::optional<int64_t>& out) {
         int64_t time = 0;
@@ -339,6 +340,7 @@ std::string writeSetup(const TraceSetup& setup) {
     w.put("every", setup.every, 1u);
     w.put("condition", setup.condition, "");
     w.put("compareWith", setup.compareWith, "");
+    w.put("compareShift", seconds(setup.compareShift), 0.0);
     w.put("table", setup.hasTable, false);
     if (setup.cursorA)
         w.put("cursorA", seconds(*setup.cursorA));

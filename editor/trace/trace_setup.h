@@ -71,6 +71,7 @@ struct TraceSetup {
     uint32_t every = 1;            // records every n-th scan
     std::string condition;         // records only while this holds
     std::string compareWith;       // recording drawn beneath, relative to the project
+    int64_t compareShift = 0;      // nanoseconds by which that one is moved to the right
     bool hasTable = false;         // measuring table shown
     std::optional<int64_t> cursorA, cursorB;
     TriggerSetup trigger;

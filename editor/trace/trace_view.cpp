@@ -369,6 +369,7 @@ void TraceView::setupTaken() {
 void TraceView::rebuildModel() {
     m_plot->edit([this](kit::PlotModel& model) {
         applySetup(model, m_setup, m_feed.get());
+        model.beneathName.clear();
         if (m_olderFeed) applyBeneath(model, m_setup, *m_olderFeed);
     });
     m_channels->showSetup(m_setup, m_plot->model());

@@ -29,10 +29,9 @@ void AlarmBook::setFile(const AlarmFile& file) {
 
 Result<void> AlarmBook::openStore(const QString& path) {
     const Result<void> opened = m_store.open(path);
-    if (opened)
-        m_store.trim(100'000);
-    else
-        (void)m_store.open(QStringLiteral(":memory:"));
+    if (!opened) (void)m_store.open(QStringLiteral(":memory:"));
+    m_store.trim(100'000);
+    m_newestBefore = m_store.newest();
     emit changed();
     return opened;
 }
@@ -49,6 +48,7 @@ void AlarmBook::record(std::span<const AlarmEvent> events, const ValuesOf& value
     std::vector<AlarmRecord> records;
     for (const AlarmEvent& event : events) {
         AlarmRecord record{0, m_definitions[event.alarm].id, event.kind, event.at, now, {}, user};
+        record.calendar = clockOf(record);
         if (values && event.kind == AlarmEventKind::Raised) record.values = values(event.alarm, event.at);
         records.push_back(std::move(record));
     }
@@ -72,7 +72,8 @@ void AlarmBook::take(std::span<const AlarmRecord> records) {
         m_events.push_back({static_cast<size_t>(alarm), record.kind, record.at});
         m_lifeCycle.follow(m_events.back());
         m_records.push_back(record);
-        known.push_back(record);
+        m_records.back().calendar = clockOf(record);
+        known.push_back(m_records.back());
     }
     if (known.empty()) return;
     if (m_store.isOpen()) (void)m_store.append(known, m_run);
@@ -124,6 +125,17 @@ void AlarmBook::clear() {
     emit changed();
 }
 
+/// By the calendar of its own run; what an older version wrote has only the wall clock.
+qint64 AlarmBook::clockOf(const AlarmRecord& record) const {
+    if (record.calendar != 0) return record.calendar;
+    if (isEarlier(record) && record.wallTime != 0) return record.wallTime * 1'000'000;
+    return m_clockAtZero + record.at.time.count();
+}
+
+bool AlarmBook::isEarlier(const AlarmRecord& record) const {
+    return record.number != 0 && record.number <= m_newestBefore && record.run != m_run;
+}
+
 AlarmEntry AlarmBook::entryOf(size_t alarm) const {
     const AlarmDefinition& definition = m_definitions[alarm];
     AlarmEntry entry;
@@ -147,9 +159,13 @@ std::vector<AlarmEntry> AlarmBook::entries(const AlarmLifeCycle& states, quint64
         for (size_t e = m_events.size(); e-- > 0;) {
             const AlarmEvent& event = m_events[e];
             if (event.alarm != i || event.at.position > until) continue;
-            if (event.kind == AlarmEventKind::Returned && !entry.returned) entry.returned = event.at;
-            if (event.kind == AlarmEventKind::Acknowledged && !entry.acknowledged) entry.acknowledged = event.at;
+            const qint64 clock = clockOf(m_records[e]);
+            if (event.kind == AlarmEventKind::Returned && !entry.returned)
+                entry.returned = event.at, entry.returnedClock = clock;
+            if (event.kind == AlarmEventKind::Acknowledged && !entry.acknowledged)
+                entry.acknowledged = event.at, entry.acknowledgedClock = clock;
             if (event.kind != AlarmEventKind::Raised) continue;
+            entry.raisedClock = clock;
             entry.values = m_records[e].values;
             entry.wallTime = m_records[e].wallTime;
             break;
@@ -188,35 +204,54 @@ std::vector<AlarmEntry> AlarmBook::history(const QStringList& classes, int limit
     } else {
         records.assign(m_records.rbegin(), m_records.rend());
     }
-    // Newest first: a return or acknowledgement belongs to the next raise of the same alarm that follows in this order.
+    // Newest first: a return or acknowledgement belongs to the next raise of the same alarm that follows in this order,
+    // in the same run.
+    struct Later {
+        std::optional<AlarmRecord> returned, acknowledged;
+    };
     std::vector<AlarmEntry> out;
-    QHash<QString, std::pair<std::optional<AlarmInstant>, std::optional<AlarmInstant>>> later;
+    QHash<QString, Later> later;
     for (const AlarmRecord& record : records) {
-        auto& [returned, acknowledged] = later[record.alarm];
-        if (record.kind == AlarmEventKind::Returned) returned = record.at;
-        if (record.kind == AlarmEventKind::Acknowledged) acknowledged = record.at;
+        Later& found = later[record.alarm];
+        if (record.kind == AlarmEventKind::Returned) found.returned = record;
+        if (record.kind == AlarmEventKind::Acknowledged) found.acknowledged = record;
         if (record.kind != AlarmEventKind::Raised) continue;
-        const int alarm = indexOf(record.alarm);
-        AlarmEntry entry;
-        if (alarm >= 0) entry = entryOf(static_cast<size_t>(alarm));
-        entry.id = record.alarm;
-        if (alarm < 0) entry.text = record.alarm;
-        entry.raised = record.at;
-        entry.wallTime = record.wallTime;
-        entry.values = record.values;
-        const bool needsAcknowledge = alarm < 0 || m_definitions[static_cast<size_t>(alarm)].mustAcknowledge;
-        entry.returned = returned;
-        entry.acknowledged = acknowledged;
-        entry.state = returned
-                          ? (acknowledged || !needsAcknowledge ? AlarmState::Normal : AlarmState::Returned)
-                          : (acknowledged || !needsAcknowledge ? AlarmState::Acknowledged : AlarmState::Unacknowledged);
-        returned.reset();
-        acknowledged.reset();
+        // What an operator did has no run of its own.
+        const auto ofThisRun = [&](const std::optional<AlarmRecord>& other) {
+            const bool isSame = other && isEarlier(*other) == isEarlier(record) &&
+                                (other->run.isEmpty() || record.run.isEmpty() || other->run == record.run);
+            return isSame ? other : std::nullopt;
+        };
+        AlarmEntry entry = occurrence(record, ofThisRun(found.returned), ofThisRun(found.acknowledged));
+        found = {};
         if (!classes.isEmpty() && !classes.contains(entry.className)) continue;
         out.push_back(std::move(entry));
         if (static_cast<int>(out.size()) >= limit) break;
     }
+    std::stable_sort(out.begin(), out.end(),
+                     [](const AlarmEntry& a, const AlarmEntry& b) { return a.raisedClock > b.raisedClock; });
     return out;
+}
+
+AlarmEntry AlarmBook::occurrence(const AlarmRecord& raised, const std::optional<AlarmRecord>& returned,
+                                 const std::optional<AlarmRecord>& acknowledged) const {
+    const int alarm = indexOf(raised.alarm);
+    AlarmEntry entry;
+    if (alarm >= 0) entry = entryOf(static_cast<size_t>(alarm));
+    entry.id = raised.alarm;
+    if (alarm < 0) entry.text = raised.alarm;
+    entry.raised = raised.at;
+    entry.raisedClock = clockOf(raised);
+    entry.wallTime = raised.wallTime;
+    entry.values = raised.values;
+    if (returned) entry.returned = returned->at, entry.returnedClock = clockOf(*returned);
+    if (acknowledged) entry.acknowledged = acknowledged->at, entry.acknowledgedClock = clockOf(*acknowledged);
+    entry.isOfEarlierRun = isEarlier(raised);
+    const bool needsAcknowledge = alarm < 0 || m_definitions[static_cast<size_t>(alarm)].mustAcknowledge;
+    const bool isDone = acknowledged || !needsAcknowledge;
+    entry.state = returned ? (isDone ? AlarmState::Normal : AlarmState::Returned)
+                           : (isDone ? AlarmState::Acknowledged : AlarmState::Unacknowledged);
+    return entry;
 }
 
 int AlarmBook::unacknowledgedCount() const {

@@ -18,6 +18,10 @@ struct AlarmEntry {
     std::optional<AlarmInstant> returned, acknowledged;
     qint64 wallTime = 0;
     std::vector<std::pair<QString, Value>> values;
+    /// The same instants by the calendar of the controller that was running then, in nanoseconds since 1970.
+    qint64 raisedClock = 0;
+    std::optional<qint64> returnedClock, acknowledgedClock;
+    bool isOfEarlierRun = false; // the controller has been started again since
 };
 
 enum class AlarmOrder { Priority, Time };
@@ -61,7 +65,7 @@ public:
     std::vector<AlarmEntry> present(const QStringList& classes, AlarmOrder order) const;
     /// As they were at a past scan.
     std::vector<AlarmEntry> presentAt(quint64 position, const QStringList& classes, AlarmOrder order) const;
-    /// Past occurrences, newest first, with their return and acknowledgement.
+    /// Past occurrences, newest first by the calendar, with their return and acknowledgement.
     std::vector<AlarmEntry> history(const QStringList& classes, int limit) const;
     int unacknowledgedCount() const;
     int indexOf(const QString& id) const;
@@ -76,12 +80,17 @@ private:
     std::vector<AlarmEntry> entries(const AlarmLifeCycle& states, quint64 until, const QStringList& classes,
                                     AlarmOrder order) const;
     AlarmEntry entryOf(size_t alarm) const;
+    qint64 clockOf(const AlarmRecord& record) const;
+    bool isEarlier(const AlarmRecord& record) const;
+    AlarmEntry occurrence(const AlarmRecord& raised, const std::optional<AlarmRecord>& returned,
+                          const std::optional<AlarmRecord>& acknowledged) const;
 
     std::vector<AlarmDefinition> m_definitions;
     std::vector<AlarmClass> m_classes;
     AlarmLifeCycle m_lifeCycle;
     AlarmStore m_store;
     QString m_run;
+    qint64 m_newestBefore = 0;                 // number in the store of what was there before this book opened it
     qint64 m_clockAtZero = 946684800000000000; // 2000-01-01, where virtual time begins
     std::vector<AlarmEvent> m_events;          // of this run, oldest first
     std::vector<AlarmRecord> m_records;        // beside each event, for values at a past scan

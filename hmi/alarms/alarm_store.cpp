@@ -84,15 +84,18 @@ Result<void> AlarmStore::open(const QString& path) {
     QSqlQuery query(m_database);
     query.exec(QStringLiteral("PRAGMA journal_mode=WAL"));
     query.exec(QStringLiteral("PRAGMA synchronous=NORMAL"));
-    const auto hasRun = [&] { return query.exec(QStringLiteral("SELECT run FROM events LIMIT 1")); };
+    const auto has = [&](const char* column) {
+        return query.exec(QStringLiteral("SELECT %1 FROM events LIMIT 1").arg(QLatin1String(column)));
+    };
     if (!query.exec(QStringLiteral("CREATE TABLE IF NOT EXISTS events (number INTEGER PRIMARY KEY AUTOINCREMENT, alarm "
                                    "TEXT NOT NULL, kind INTEGER NOT NULL, "
                                    "position INTEGER NOT NULL, scan INTEGER NOT NULL, time INTEGER NOT NULL, wall "
                                    "INTEGER NOT NULL, vals TEXT NOT NULL, "
-                                   "user TEXT NOT NULL, run TEXT)")) ||
+                                   "user TEXT NOT NULL, run TEXT, calendar INTEGER)")) ||
         !query.exec(QStringLiteral("CREATE INDEX IF NOT EXISTS events_by_alarm ON events (alarm, number)")) ||
-        (!hasRun() &&
-         !query.exec(QStringLiteral("ALTER TABLE events ADD COLUMN run TEXT"))) || // a file of an older version
+        (!has("run") && // a file of an older version
+         !query.exec(QStringLiteral("ALTER TABLE events ADD COLUMN run TEXT"))) ||
+        (!has("calendar") && !query.exec(QStringLiteral("ALTER TABLE events ADD COLUMN calendar INTEGER"))) ||
         !query.exec(
             QStringLiteral("CREATE UNIQUE INDEX IF NOT EXISTS events_once ON events (run, alarm, kind, position)")) ||
         !query.exec(QStringLiteral("BEGIN IMMEDIATE")) || !query.exec(QStringLiteral("COMMIT"))) // it can be written
@@ -105,7 +108,7 @@ Result<void> AlarmStore::append(std::span<const AlarmRecord> records, const QStr
     m_database.transaction();
     QSqlQuery query(m_database);
     query.prepare(QStringLiteral("INSERT OR IGNORE INTO events (alarm, kind, position, scan, time, wall, vals, user, "
-                                 "run) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"));
+                                 "run, calendar) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"));
     for (const AlarmRecord& record : records) {
         Json values = Json::object();
         for (const auto& [name, value] : record.values) values[toUtf8(name)] = toJson(value);
@@ -117,8 +120,9 @@ Result<void> AlarmStore::append(std::span<const AlarmRecord> records, const QStr
                                    record.wallTime,
                                    QString::fromStdString(values.dump()),
                                    record.user.isNull() ? QStringLiteral("") : record.user,
-                                   run.isEmpty() ? QVariant() : QVariant(run)}; // no run differs from every other
-        for (int i = 0; i < 9; ++i) query.bindValue(i, fields[i]);
+                                   run.isEmpty() ? QVariant() : QVariant(run), // no run differs from every other
+                                   record.calendar};
+        for (int i = 0; i < static_cast<int>(std::size(fields)); ++i) query.bindValue(i, fields[i]);
         if (!query.exec()) {
             m_database.rollback();
             return Error{errors::AlarmHistoryNotWritten(query.lastError().text().toStdString()),
@@ -147,10 +151,12 @@ std::vector<AlarmRecord> AlarmStore::query(const AlarmQuery& wanted) const {
     }
     QSqlQuery query(m_database);
     query.setForwardOnly(true);
-    query.prepare(QStringLiteral("SELECT number, alarm, kind, position, scan, time, wall, vals, user FROM events %1 "
-                                 "ORDER BY number DESC LIMIT %2")
-                      .arg(where)
-                      .arg(wanted.limit));
+    query.prepare(
+        QStringLiteral(
+            "SELECT number, alarm, kind, position, scan, time, wall, vals, user, run, calendar FROM events %1 "
+            "ORDER BY number DESC LIMIT %2")
+            .arg(where)
+            .arg(wanted.limit));
     for (const QVariant& value : bound) query.addBindValue(value);
     if (!query.exec()) return out;
     while (query.next()) {
@@ -166,6 +172,8 @@ std::vector<AlarmRecord> AlarmStore::query(const AlarmQuery& wanted) const {
             for (const auto& [name, value] : values.items())
                 record.values.emplace_back(QString::fromStdString(name), valueFromJson(value));
         record.user = query.value(8).toString();
+        record.run = query.value(9).toString();
+        record.calendar = query.value(10).toLongLong();
         out.push_back(std::move(record));
     }
     return out;
@@ -173,6 +181,11 @@ std::vector<AlarmRecord> AlarmStore::query(const AlarmQuery& wanted) const {
 
 qint64 AlarmStore::count() const {
     QSqlQuery query(QStringLiteral("SELECT COUNT(*) FROM events"), m_database);
+    return query.next() ? query.value(0).toLongLong() : 0;
+}
+
+qint64 AlarmStore::newest() const {
+    QSqlQuery query(QStringLiteral("SELECT MAX(number) FROM events"), m_database);
     return query.next() ? query.value(0).toLongLong() : 0;
 }
 

@@ -17,6 +17,8 @@ struct AlarmRecord {
     qint64 wallTime = 0; // ms since 1970 when it was recorded, 0 in virtual time
     std::vector<std::pair<QString, Value>> values;
     QString user;
+    qint64 calendar = 0; // of the controller, in nanoseconds since 1970; 0 in files of older versions
+    QString run;         // as it was appended with
 };
 
 struct AlarmQuery {
@@ -47,6 +49,8 @@ public:
     /// Keeps the newest `keep` entries.
     void trim(qint64 keep);
     void clear();
+    /// The newest number; what has one above it was appended since.
+    qint64 newest() const;
 
 private:
     QSqlDatabase m_database;

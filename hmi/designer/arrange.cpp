@@ -228,13 +228,18 @@ void insertCopies(Panel& scratch, const Json& elements, QPointF offset, EditList
 
 } // namespace
 
-Edit pasted(const Panel& panel, const Json& elements, std::optional<QPointF> at, ElementIds* added) {
-    EditList list;
-    if (!elements.is_array()) return {list};
+QRectF boundsOf(const Json& elements) {
     QRectF bounds;
     for (const Json& fields : elements)
         if (fields.is_object())
             bounds = bounds.isNull() ? Element(fields).rect() : bounds.united(Element(fields).rect());
+    return bounds;
+}
+
+Edit pasted(const Panel& panel, const Json& elements, std::optional<QPointF> at, ElementIds* added) {
+    EditList list;
+    if (!elements.is_array()) return {list};
+    const QRectF bounds = boundsOf(elements);
     QPointF offset = at ? *at - bounds.topLeft() : QPointF(16, 16);
     // Several pastes at one place would hide each other.
     const auto isTaken = [&](QPointF by) {
@@ -291,6 +296,42 @@ Edit duplicatedAsArray(const Panel& panel, const ElementIds& ids, const ArrayLay
             element = single.elements().front();
             if (const QString name = element.text("name"); !name.isEmpty())
                 element.set("name", toUtf8(withShiftedNumber(name, shift)));
+        });
+    }
+    return {list};
+}
+
+namespace {
+
+Json argumentsAt(const Json& arguments, const ArrayArrangement& arrangement, int index) {
+    Json out = arguments.is_object() ? arguments : Json::object();
+    for (Json& one : out)
+        if (one.is_string()) one = toUtf8(toQString(one).replace(u'#', QString::number(index)));
+    out[toUtf8(arrangement.parameter)] = toUtf8(QStringLiteral("%1[%2]").arg(arrangement.array).arg(index));
+    return out;
+}
+
+} // namespace
+
+Edit arrangedOverArray(const Panel& panel, const ElementId& faceplate, const ArrayArrangement& arrangement,
+                       ElementIds* added) {
+    EditList list;
+    const Element* original = panel.find(faceplate);
+    if (!original || original->kind() != ElementKind::Faceplate) return {list};
+    const Json arguments = original->at("arguments");
+    list.edits.push_back(
+        setProperty(panel, faceplate, "arguments", argumentsAt(arguments, arrangement, arrangement.first)));
+    const QSizeF size = original->rect().size();
+    const Json single = copied(panel, {faceplate});
+    Panel scratch = panel;
+    for (int index = arrangement.first + 1; index <= arrangement.last; ++index) {
+        const int copy = index - arrangement.first, columns = std::max(1, arrangement.columns);
+        const QPointF offset((copy % columns) * (size.width() + arrangement.gap.x()),
+                             (copy / columns) * (size.height() + arrangement.gap.y()));
+        insertCopies(scratch, single, offset, list, added, [&](Element& element) {
+            element.set("arguments", argumentsAt(arguments, arrangement, index));
+            if (const QString name = element.text("name"); !name.isEmpty())
+                element.set("name", toUtf8(withShiftedNumber(name, copy)));
         });
     }
     return {list};

@@ -27,6 +27,8 @@ Edit setLocked(const Panel& panel, const ElementIds& ids, bool locked);
 
 /// The elements with all that lies in them, as the clipboard holds them.
 Json copied(const Panel& panel, const ElementIds& ids);
+/// Around copied elements, where they were.
+QRectF boundsOf(const Json& elements);
 /// New ids; the upper left corner at `at`, or a little beside the original place. `added` receives the outermost ones.
 Edit pasted(const Panel& panel, const Json& elements, std::optional<QPointF> at, ElementIds* added = nullptr);
 
@@ -38,6 +40,17 @@ struct ArrayLayout {
 };
 /// Copies in rows; the first index in each binding (`Motor[1]`) and the last number of each text count up.
 Edit duplicatedAsArray(const Panel& panel, const ElementIds& ids, const ArrayLayout& layout,
+                       ElementIds* added = nullptr);
+/// A faceplate for every element of an array: the one that is there is that of the first index.
+struct ArrayArrangement {
+    QString array;     // "Plant.Valves"
+    QString parameter; // gets "Plant.Valves[3]"
+    int first = 1, last = 1;
+    int columns = 1;
+    QPointF gap{8, 8};
+};
+/// `#` in the other arguments (the text "V#", the key "@valve.#") is the index.
+Edit arrangedOverArray(const Panel& panel, const ElementId& faceplate, const ArrayArrangement& arrangement,
                        ElementIds* added = nullptr);
 /// `Motor[1].on` → `Motor[3].on` for a shift of 2.
 QString withShiftedIndex(const QString& expression, int shift);

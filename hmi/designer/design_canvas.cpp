@@ -29,10 +29,12 @@ DesignCanvas::DesignCanvas(PanelDocument& document, Selection& selection, Design
         painter.restore();
     });
     m_scene.setFolder(context.project().folder);
+    m_scene.setPicturesOutside(context.project().picturesOutside);
     m_scene.setTexts(&context.project().texts);
     m_alarms.setFile(context.project().alarms);
     m_scene.setAlarms(&m_alarms);
     m_scene.setLanguage(context.language());
+    m_scene.setFaceplates(context.project().panelLookup());
     m_scene.setPanel(document.panel());
     m_scene.refresh(0);
     connect(&m_document, &PanelDocument::changed, this, [this](const Touched& touched) {
@@ -44,6 +46,12 @@ DesignCanvas::DesignCanvas(PanelDocument& document, Selection& selection, Design
     connect(&m_selection, &Selection::changed, viewport(), qOverload<>(&QWidget::update));
     connect(&m_context, &DesignContext::textsChanged, this, [this] {
         m_scene.setTexts(&m_context.project().texts);
+        viewport()->update();
+    });
+    connect(&m_context, &DesignContext::panelEdited, this, [this](const QString& name) {
+        if (name == m_panelName || !placesPanel(m_document.panel(), name, m_context.project().panelLookup())) return;
+        m_scene.setPanel(m_document.panel());
+        m_scene.refresh(0);
         viewport()->update();
     });
     connect(&m_context, &DesignContext::alarmsChanged, this, [this] { m_alarms.setFile(m_context.project().alarms); });
@@ -141,6 +149,7 @@ ElementId DesignCanvas::elementAt(QPointF at, bool inside) const {
     const auto& views = m_scene.views();
     for (size_t i = views.size(); i-- > 0;) {
         const ElementView& view = *views[i];
+        if (m_scene.isInner(view)) continue; // the faceplate is one element here
         if (!m_scene.isShown(view) || !m_scene.shownRect(view).contains(at) || view.element().isSet("locked")) continue;
         if (!QRectF(view.rect()).adjusted(-3, -3, 3, 3).contains(at) && view.element().number("angle") == 0) continue;
         const hmi::Panel& panel = m_document.panel();
@@ -177,7 +186,8 @@ SnapField DesignCanvas::snapField(const ElementIds& without) const {
     for (const ElementId& id : without)
         for (const ElementId& one : m_document.panel().withDescendants(id)) moving += one;
     for (const auto& view : m_scene.views())
-        if (!moving.contains(view->element().id()) && m_scene.isShown(*view)) field.others.push_back(view->rect());
+        if (!moving.contains(view->element().id()) && !m_scene.isInner(*view) && m_scene.isShown(*view))
+            field.others.push_back(view->rect());
     field.panel = QRectF(QPointF(), m_scene.size());
     field.grid = std::max(1.0, m_document.panel().number("grid"));
     field.reach = 6 / m_zoom;
@@ -223,8 +233,8 @@ int DesignCanvas::pointAt(QPoint at) const {
 ElementId DesignCanvas::tabAt(QPointF at, int* page) const {
     const auto& views = m_scene.views();
     for (size_t i = views.size(); i-- > 0;) {
-        if (views[i]->element().kind() != ElementKind::Tab || !m_scene.isShown(*views[i]) ||
-            !views[i]->rect().contains(at))
+        if (views[i]->element().kind() != ElementKind::Tab || m_scene.isInner(*views[i]) ||
+            !m_scene.isShown(*views[i]) || !views[i]->rect().contains(at))
             continue;
         *page = views[i]->currentPage();
         return views[i]->element().id();
@@ -392,7 +402,9 @@ void DesignCanvas::bandTo(QPointF at) {
     m_band = QRectF(m_drag.from, at).normalized();
     ElementIds ids = m_drag.before;
     for (const auto& view : m_scene.views()) {
-        if (!m_scene.isShown(*view) || view->element().isSet("locked") || !m_band.contains(view->rect())) continue;
+        if (m_scene.isInner(*view) || !m_scene.isShown(*view) || view->element().isSet("locked") ||
+            !m_band.contains(view->rect()))
+            continue;
         const Element* outer = m_document.panel().find(view->element().parent());
         if (outer && outer->kind() == ElementKind::Group && outer->id() != m_entered) continue;
         if (std::find(ids.begin(), ids.end(), view->element().id()) == ids.end()) ids.push_back(view->element().id());
@@ -441,8 +453,12 @@ void DesignCanvas::mouseMoveEvent(QMouseEvent* event) {
     }
 }
 
-void DesignCanvas::mouseReleaseEvent(QMouseEvent*) {
+void DesignCanvas::mouseReleaseEvent(QMouseEvent* event) {
     // A press without a move on one of several narrows the selection to it.
+    const bool isClick = m_drag.mode == Mode::Press && event->button() == Qt::LeftButton;
+    if (isClick && !(event->modifiers() & (Qt::ShiftModifier | Qt::ControlModifier)) && m_selection.ids().size() > 1 &&
+        m_selection.contains(m_drag.pressed))
+        m_selection.set({m_drag.pressed});
     m_drag.mode = Mode::Idle;
     m_guides.clear();
     viewport()->setCursor(m_space ? Qt::OpenHandCursor : Qt::ArrowCursor);

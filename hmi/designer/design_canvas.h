@@ -27,6 +27,8 @@ public:
     void setGridShown(bool on);
     bool isGridShown() const { return m_gridShown; }
     /// Elements that have findings: a mark shows it.
+    /// Which panel this is: it cannot be placed in itself.
+    void setPanelName(const QString& name) { m_panelName = name; }
     void setFindings(const std::vector<Finding>& findings);
 
     QPointF toPanel(QPointF viewportPoint) const;
@@ -43,6 +45,7 @@ public:
     QPointF handle(int index) const;
 
 signals:
+    void refused(const QString& reason);
     void zoomChanged(double zoom);
     void pointerMoved(QPointF at);
     void contextMenuRequested(QPoint globalPoint);
@@ -70,6 +73,8 @@ private:
     static constexpr double kHandle = 4.5; // half the side of a handle
 
     QStringList droppedVariables(const QMimeData* mime) const;
+    /// The element under the place and the property of it that takes the variable; none: a new element is made.
+    std::pair<ElementId, std::string> bindingUnder(QPointF at, const QStringList& variables) const;
     enum class Mode { Idle, Press, Move, Resize, Band, Point, Pan };
     struct Drag {
         Mode mode = Mode::Idle;
@@ -111,6 +116,7 @@ private:
     DesignContext& m_context;
     AlarmBook m_alarms; // lists show the texts of the project
     PanelScene m_scene;
+    QString m_panelName;
     double m_zoom = 1;
     bool m_keepsFit = true; // until a zoom is chosen
     bool m_snaps = true, m_gridShown = true, m_space = false;

@@ -1,8 +1,13 @@
 // What is dropped on the canvas of the panel designer: elements of the palette, variables of the project.
 #include "hmi/designer/design_canvas.h"
 
+#include "editor/kit/message_text.h"
 #include "editor/kit/variable_picker.h"
+#include "hmi/designer/applicable.h"
+#include "hmi/designer/arrange.h"
 #include "hmi/designer/palette.h"
+#include "hmi/model/errors.h"
+#include "hmi/view/property_check.h"
 #include "runtime/base/read_json.h"
 
 #include <QDragEnterEvent>
@@ -41,9 +46,31 @@ void DesignCanvas::dragMoveEvent(QDragMoveEvent* event) {
         rect.translate(snapped.offset);
         m_guides = snapped.guides;
     }
+    const bool isNew = event->modifiers() & Qt::ShiftModifier; // an element that operates
+    const QStringList variables = isNew ? QStringList() : droppedVariables(event->mimeData());
+    if (const ElementId bound = bindingUnder(at, variables).first; !bound.isEmpty()) {
+        rect = m_document.panel().find(bound)->rect(); // that is what the drop changes
+        m_guides.clear();
+    }
     m_dropRect = rect;
     viewport()->update();
     event->acceptProposedAction();
+}
+
+std::pair<ElementId, std::string> DesignCanvas::bindingUnder(QPointF at, const QStringList& variables) const {
+    const ElementId id = variables.size() == 1 ? elementAt(at, true) : ElementId();
+    const Element* element = m_document.panel().find(id);
+    if (!element || element->isSet("locked")) return {};
+    for (const PropertyDescriptor* property : mainBindings(*element)) {
+        Found place;
+        place.property = property->key;
+        place.hint = property->hint;
+        if (m_context
+                .checkBinding(variables.front(), wantedType(*element, place), property->type == PropertyType::Target)
+                .isEmpty())
+            return {id, std::string(property->key)};
+    }
+    return {};
 }
 
 void DesignCanvas::dragLeaveEvent(QDragLeaveEvent*) {
@@ -53,24 +80,38 @@ void DesignCanvas::dragLeaveEvent(QDragLeaveEvent*) {
 }
 
 void DesignCanvas::dropEvent(QDropEvent* event) {
+    const QStringList variables = droppedVariables(event->mimeData());
+    const bool isNew = event->modifiers() & Qt::ShiftModifier;
+    const auto [bound, property] = bindingUnder(toPanel(event->position()), isNew ? QStringList() : variables);
     const QPointF at = m_dropRect ? m_dropRect->center() : toPanel(event->position());
     m_dropRect.reset();
     m_guides.clear();
     if (event->mimeData()->hasFormat(kElementMime)) {
         const Json list = readJson<Json>(event->mimeData()->data(kElementMime).toStdString()).value;
         if (list.is_array()) insertElements(list, at);
+    } else if (!bound.isEmpty()) {
+        m_document.perform(tr("Bind"),
+                           hmi::setProperty(m_document.panel(), bound, property, toUtf8(variables.front())));
+        m_selection.set({bound});
     } else {
-        insertVariables(droppedVariables(event->mimeData()), at, event->modifiers() & Qt::ShiftModifier);
+        insertVariables(variables, at, event->modifiers() & Qt::ShiftModifier);
     }
     event->acceptProposedAction();
     setFocus();
 }
 
 void DesignCanvas::insertElements(const Json& elements, QPointF at) {
-    QRectF bounds;
-    for (const Json& fields : elements)
-        if (fields.is_object())
-            bounds = bounds.isNull() ? Element(fields).rect() : bounds.united(Element(fields).rect());
+    const PanelLookup panels = m_context.project().panelLookup();
+    for (const Json& fields : elements) {
+        if (!fields.is_object() || Element(fields).kind() != ElementKind::Faceplate) continue;
+        const QString placed = Element(fields).text("panel");
+        const hmi::Panel* panel = panels(placed);
+        if (panel && (placed == m_panelName || placesPanel(*panel, m_panelName, panels))) {
+            emit refused(kit::messageText(errors::FaceplateContainsItself(toUtf8(placed))));
+            return;
+        }
+    }
+    const QRectF bounds = boundsOf(elements);
     QPointF corner = at - QPointF(bounds.width() / 2, bounds.height() / 2);
     corner = QPointF(std::round(corner.x()), std::round(corner.y()));
     if (m_snaps) corner += snapMove(QRectF(corner, bounds.size()), snapField({})).offset;

@@ -133,18 +133,20 @@ void DesignContext::setPanel(const QString& name, const Panel& panel) {
     if (!known) return;
     known->panel = panel;
     PanelDocument* open = m_documents.value(name);
-    if (!open) {
-        if (!m_changedPanels.contains(name)) m_changedPanels += name;
-        return;
+    if (open) {
+        open->reset(panel);
+        open->undoStack().resetClean();
+    } else if (!m_changedPanels.contains(name)) {
+        m_changedPanels += name;
     }
-    open->reset(panel);
-    open->undoStack().resetClean();
+    emit panelEdited(name);
 }
 
 void DesignContext::panelReplaced(const QString& name) {
     m_changedPanels.removeAll(name);
     const NamedPanel* panel = m_project.find(name);
     if (PanelDocument* open = m_documents.value(name); open && panel) open->reset(panel->panel);
+    emit panelEdited(name);
 }
 
 void DesignContext::textsReplaced() {
@@ -183,6 +185,7 @@ bool DesignContext::rewritePanels(const QString& title, const std::function<Edit
         }
         applyTo(panel.panel, change);
         if (!m_changedPanels.contains(panel.name)) m_changedPanels += panel.name;
+        emit panelEdited(panel.name);
     }
     return any;
 }
@@ -259,6 +262,7 @@ std::optional<QString> DesignContext::variableNamed(const QString& words) const 
 }
 
 QString DesignContext::checkBinding(const QString& expression, std::string_view wanted, bool isTarget) const {
+    if (!parameterNames(expression).isEmpty()) return {}; // by what it is given: checked with the panel
     return m_checked.analysis && !expression.trimmed().isEmpty()
                ? kit::messageText(hmi::checkBinding(m_checked, expression, wanted, isTarget))
                : QString();
@@ -266,10 +270,7 @@ QString DesignContext::checkBinding(const QString& expression, std::string_view 
 
 CheckInput DesignContext::checkInput() const {
     CheckInput input = m_project.checkInput();
-    if (m_checked.analysis)
-        input.checkBinding = [this](const QString& expression, std::string_view wanted, bool isTarget) {
-            return hmi::checkBinding(m_checked, expression, wanted, isTarget);
-        };
+    askProgram(input, m_checked);
     return input;
 }
 

@@ -75,6 +75,8 @@ public:
     std::vector<VariableUse> usesOfVariable(const QString& path) const;
     void openDocument(const QString& panel, PanelDocument* document);
     void closeDocument(const PanelDocument* document);
+    /// A panel is another now: those who place it as a faceplate show it.
+    void reportPanelEdited(const QString& name) { emit panelEdited(name); }
 
     /// Facts of a variable in the checked program; nothing when it is unknown.
     std::optional<ValueFacts> factsOf(const QString& path) const;
@@ -93,6 +95,7 @@ signals:
     void saved();
     void languageChanged();
     void programChanged();
+    void panelEdited(const QString& name);
     void recordingChanged();
     void positionChanged();
 

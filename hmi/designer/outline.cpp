@@ -12,17 +12,24 @@ namespace plc::hmi {
 namespace {
 constexpr int kIdRole = Qt::UserRole;
 
-/// The name given by the engineer, else what it is.
-QString titleOf(const Element& element) {
-    const QString name = element.text("name");
-    return name.isEmpty() ? QStringLiteral("%1  %2").arg(QCoreApplication::translate("Hmi", element.descriptor().title),
-                                                         element.id())
-                          : name;
+/// The name given by the engineer, else what it is and what it says or shows.
+QString titleOf(const Element& element, const DesignContext& context) {
+    if (const QString name = element.text("name"); !name.isEmpty()) return name;
+    const QString kind = QCoreApplication::translate("Hmi", element.descriptor().title);
+    for (const char* const words : {"text", "title", "label", "onText"})
+        if (const QString text = context.shownText(element.text(words)).simplified(); !text.isEmpty())
+            return QStringLiteral("%1  “%2”").arg(kind, text.left(40));
+    for (const char* const bound : {"target", "value", "state", "file", "panel", "symbol"})
+        if (const QString text = element.text(bound).simplified(); !text.isEmpty())
+            return QStringLiteral("%1  %2").arg(kind, text.left(40));
+    return QStringLiteral("%1  %2").arg(kind, element.id());
 }
 } // namespace
 
-Outline::Outline(PanelDocument& document, Selection& selection, QWidget* parent)
-    : QTreeWidget(parent), m_document(document), m_selection(selection) {
+Outline::Outline(PanelDocument& document, Selection& selection, DesignContext& context, QWidget* parent)
+    : QTreeWidget(parent), m_document(document), m_selection(selection), m_context(context) {
+    connect(&context, &DesignContext::textsChanged, this, &Outline::rebuild);
+    connect(&context, &DesignContext::languageChanged, this, &Outline::rebuild);
     setHeaderHidden(true);
     setColumnCount(2);
     header()->setStretchLastSection(false);
@@ -35,7 +42,7 @@ Outline::Outline(PanelDocument& document, Selection& selection, QWidget* parent)
         const bool names = std::any_of(touched.elements.begin(), touched.elements.end(), [this](const ElementId& id) {
             const QTreeWidgetItem* item = itemOf(id);
             const Element* element = m_document.panel().find(id);
-            return !item || !element || item->text(0) != titleOf(*element) ||
+            return !item || !element || item->text(0) != titleOf(*element, m_context) ||
                    item->icon(1).isNull() == element->isSet("locked");
         });
         if (touched.structure || names) rebuild();
@@ -68,9 +75,10 @@ void Outline::rebuild() {
     QHash<ElementId, QTreeWidgetItem*> items;
     const auto& elements = m_document.panel().elements();
     for (const Element& element : elements) {
-        auto* item = new QTreeWidgetItem({titleOf(element)});
+        auto* item = new QTreeWidgetItem({titleOf(element, m_context)});
         item->setData(0, kIdRole, element.id());
-        item->setToolTip(0, QCoreApplication::translate("Hmi", element.descriptor().title));
+        item->setToolTip(0, QStringLiteral("%1  %2").arg(QCoreApplication::translate("Hmi", element.descriptor().title),
+                                                         element.id()));
         if (element.isSet("locked")) item->setIcon(1, kit::icon(kit::Icon::Lock));
         if (!element.isContainer()) item->setFlags(item->flags() & ~Qt::ItemIsDropEnabled);
         items.insert(element.id(), item);

@@ -1,6 +1,7 @@
 // The elements of the panel as a tree, topmost first: what lies in groups and tabs below them, with lock marks;
 // selection both ways, and dragging changes order and group. Owned by its Qt parent; main thread.
 #pragma once
+#include "hmi/designer/design_context.h"
 #include "hmi/designer/selection.h"
 #include "hmi/model/document.h"
 
@@ -11,7 +12,7 @@ namespace plc::hmi {
 class Outline final : public QTreeWidget {
     Q_OBJECT
 public:
-    Outline(PanelDocument& document, Selection& selection, QWidget* parent = nullptr);
+    Outline(PanelDocument& document, Selection& selection, DesignContext& context, QWidget* parent = nullptr);
     void rebuild();
     QTreeWidgetItem* itemOf(const ElementId& id) const;
 
@@ -22,6 +23,7 @@ private:
     void showSelection();
     PanelDocument& m_document;
     Selection& m_selection;
+    DesignContext& m_context;
     bool m_updating = false;
 };
 

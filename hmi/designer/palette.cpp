@@ -41,6 +41,32 @@ Json newElementFields(ElementKind kind, const QString& symbol) {
     return element.fields();
 }
 
+Json newFaceplateFields(const NamedPanel& panel) {
+    Element element =
+        Element::make(ElementKind::Faceplate, QStringLiteral("new"), QRectF(QPointF(), QSizeF(panel.panel.size())));
+    element.set("panel", toUtf8(panel.name));
+    return element.fields();
+}
+
+QIcon faceplateIcon(const NamedPanel& panel, const std::vector<NamedPanel>& panels, int side) {
+    Panel shown = panel.panel;
+    shown.set("theme", kit::Theme::current().isDark() ? "dark" : "light");
+    PanelScene scene;
+    scene.setDesigning(true);
+    scene.setFaceplates(lookupIn(panels));
+    scene.setPanel(shown);
+    const QSizeF size = shown.size();
+    QPixmap pixmap(side * 2, side * 2);
+    pixmap.fill(Qt::transparent);
+    const double scale = side * 2 / std::max(size.width(), size.height());
+    const QImage picture = scene.picture(scale);
+    QPainter painter(&pixmap);
+    painter.drawImage((pixmap.width() - picture.width()) / 2, (pixmap.height() - picture.height()) / 2, picture);
+    painter.end();
+    pixmap.setDevicePixelRatio(2);
+    return QIcon(pixmap);
+}
+
 QIcon elementIcon(const Json& fields, int side) {
     Panel panel;
     Element element{fields};
@@ -84,19 +110,8 @@ Palette::Palette(QWidget* parent) : QWidget(parent), m_search(new QLineEdit), m_
     QHash<int, QTreeWidgetItem*> groups;
     const auto add = [&](ElementCategory category, const QString& title, const QString& words, const Json& fields) {
         QTreeWidgetItem*& group = groups[static_cast<int>(category)];
-        if (!group) {
-            group = new QTreeWidgetItem(m_tree, {titleOf(category)});
-            group->setFlags(Qt::ItemIsEnabled);
-            QFont bold = m_tree->font();
-            bold.setBold(true);
-            group->setFont(0, bold);
-            group->setExpanded(true);
-        }
-        auto* item = new QTreeWidgetItem(group, {title});
-        item->setIcon(0, elementIcon(fields));
-        item->setData(0, kFieldsRole, QByteArray::fromStdString(fields.dump()));
-        item->setData(0, kWordsRole, QString(title + u' ' + words + u' ' + titleOf(category)));
-        item->setSizeHint(0, QSize(100, 38));
+        if (!group) group = addGroup(titleOf(category));
+        addItem(group, title, words, fields, elementIcon(fields));
     };
     for (const ElementDescriptor& kind : elementDescriptors()) {
         const QString title = QCoreApplication::translate("Hmi", kind.title), words = QString::fromLatin1(kind.words);
@@ -115,6 +130,40 @@ Palette::Palette(QWidget* parent) : QWidget(parent), m_search(new QLineEdit), m_
         const QByteArray fields = item->data(0, kFieldsRole).toByteArray();
         if (!fields.isEmpty()) emit elementChosen(Json::parse(fields.toStdString()));
     });
+}
+
+QTreeWidgetItem* Palette::addGroup(const QString& title) {
+    auto* group = new QTreeWidgetItem(m_tree, {title});
+    group->setFlags(Qt::ItemIsEnabled);
+    QFont bold = m_tree->font();
+    bold.setBold(true);
+    group->setFont(0, bold);
+    group->setExpanded(true);
+    return group;
+}
+
+void Palette::addItem(QTreeWidgetItem* group, const QString& title, const QString& words, const Json& fields,
+                      const QIcon& icon) {
+    auto* item = new QTreeWidgetItem(group, {title});
+    item->setIcon(0, icon);
+    item->setData(0, kFieldsRole, QByteArray::fromStdString(fields.dump()));
+    item->setData(0, kWordsRole, QString(title + u' ' + words + u' ' + group->text(0)));
+    item->setSizeHint(0, QSize(100, 38));
+}
+
+void Palette::setFaceplates(const std::vector<NamedPanel>& panels) {
+    if (!m_faceplates) m_faceplates = addGroup(tr("Faceplates"));
+    qDeleteAll(m_faceplates->takeChildren());
+    const auto add = [&](const NamedPanel& panel) {
+        QStringList types;
+        for (const Parameter& one : parametersOf(panel.panel)) types += one.type;
+        addItem(m_faceplates, panel.name, types.join(u' '), newFaceplateFields(panel), faceplateIcon(panel, panels));
+        m_faceplates->child(m_faceplates->childCount() - 1)->setToolTip(0, types.join(QStringLiteral(", ")));
+    };
+    for (const NamedPanel& panel : panels)
+        if (!parametersOf(panel.panel).empty()) add(panel);
+    for (const NamedPanel& panel : readyFaceplates()) add(panel);
+    setFilter(m_search->text());
 }
 
 void Palette::setFilter(const QString& text) {

@@ -5,11 +5,13 @@
 #include "editor/kit/message_text.h"
 #include "editor/kit/own_keys.h"
 #include "editor/kit/theme.h"
+#include "hmi/designer/array_arrangement_dialog.h"
 #include "hmi/designer/array_dialog.h"
 #include "hmi/designer/outline.h"
 #include "hmi/designer/palette.h"
 #include "hmi/model/walk.h"
 #include "hmi/player/panel_player.h"
+#include "hmi/view/faceplate_check.h"
 #include "runtime/base/read_json.h"
 
 #include <QAction>
@@ -25,6 +27,7 @@
 #include <QStackedWidget>
 #include <QTabWidget>
 #include <QToolBar>
+#include <QToolTip>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
@@ -40,9 +43,12 @@ Panel panelNamed(DesignContext& context, const QString& name) {
 PanelDesigner::PanelDesigner(DesignContext& context, const QString& panelName, QWidget* parent)
     : QWidget(parent), m_context(context), m_name(panelName), m_document(panelNamed(context, panelName)),
       m_palette(new Palette), m_canvas(new DesignCanvas(m_document, m_selection, context)),
-      m_sheet(new PropertySheet(m_document, m_selection, context)), m_outline(new Outline(m_document, m_selection)),
-      m_findingList(new QTreeWidget), m_pages(new QStackedWidget), m_where(new QLabel) {
+      m_sheet(new PropertySheet(m_document, m_selection, context)),
+      m_outline(new Outline(m_document, m_selection, context)), m_findingList(new QTreeWidget),
+      m_pages(new QStackedWidget), m_where(new QLabel) {
     m_sheet->setPanelName(panelName);
+    m_canvas->setPanelName(panelName);
+    m_palette->setFaceplates(context.project().panels);
     m_context.openDocument(panelName, &m_document);
     makeActions();
     new kit::OwnKeys(this);
@@ -76,6 +82,7 @@ PanelDesigner::PanelDesigner(DesignContext& context, const QString& panelName, Q
 
     connect(m_palette, &Palette::elementChosen, this,
             [this](const Json& fields) { m_canvas->insertElements(Json::array({fields}), m_canvas->visibleCenter()); });
+    connect(m_canvas, &DesignCanvas::refused, this, &PanelDesigner::sayRefusal);
     connect(m_canvas, &DesignCanvas::contextMenuRequested, this, &PanelDesigner::showMenu);
     connect(m_canvas, &DesignCanvas::pointerMoved, this, [this](QPointF at) {
         m_where->setText(QStringLiteral("%1, %2").arg(std::lround(at.x())).arg(std::lround(at.y())));
@@ -83,6 +90,8 @@ PanelDesigner::PanelDesigner(DesignContext& context, const QString& panelName, Q
     connect(m_canvas, &DesignCanvas::editRequested, this, [this](const ElementId& id) {
         // A double click edits what the element is about: its text, else its binding.
         const Element* element = m_document.panel().find(id);
+        if (element && element->kind() == ElementKind::Faceplate && m_context.project().find(element->text("panel")))
+            emit panelRequested(element->text("panel"));
         for (const char* key : {"text", "target", "value", "title", "state"})
             if (element && element->descriptor().property(key))
                 return m_sheet->grid().editProperty(QString::fromLatin1(key));
@@ -94,6 +103,7 @@ PanelDesigner::PanelDesigner(DesignContext& context, const QString& panelName, Q
     });
     connect(&m_document, &PanelDocument::changed, this, [this](const Touched& touched) {
         if (NamedPanel* panel = m_context.project().find(m_name)) panel->panel = m_document.panel();
+        m_context.reportPanelEdited(m_name);
         if (m_player) m_player->follow(m_document.panel(), touched);
         m_checkTimer.start();
     });
@@ -101,6 +111,13 @@ PanelDesigner::PanelDesigner(DesignContext& context, const QString& panelName, Q
             [this](bool clean) { emit modifiedChanged(!clean); });
     connect(&m_context, &DesignContext::textsChanged, this, [this] {
         if (m_player) m_player->projectChanged();
+        m_checkTimer.start();
+    });
+    connect(&m_context, &DesignContext::panelEdited, this, [this](const QString& name) {
+        if (name == m_name) return;
+        m_palette->setFaceplates(m_context.project().panels);
+        m_sheet->refresh();
+        if (m_player) m_player->follow(m_document.panel(), Touched{{}, true, false});
         m_checkTimer.start();
     });
     connect(&m_context, &DesignContext::languageChanged, this, [this] {
@@ -189,10 +206,13 @@ void PanelDesigner::makeActions() {
     add(QStringLiteral("cut"), tr("Cut"), Icon::Cut, QKeySequence::Cut, [this] { cut(); });
     add(QStringLiteral("copy"), tr("Copy"), Icon::Copy, QKeySequence::Copy, [this] { copy(); });
     add(QStringLiteral("paste"), tr("Paste"), Icon::Paste, QKeySequence::Paste, [this] { paste(); });
+    add(QStringLiteral("paste-in-place"), tr("Paste in place"), Icon::Paste,
+        QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_V), [this] { paste(true); });
     add(QStringLiteral("duplicate"), tr("Duplicate"), Icon::Copy, QKeySequence(Qt::CTRL | Qt::Key_D),
         [this] { duplicate(); });
     add(QStringLiteral("duplicate-array"), tr("Duplicate as array…"), Icon::Table,
         QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_D), [this] { duplicateAsArray(); });
+    add(QStringLiteral("arrange-array"), tr("Arrange over array…"), Icon::Table, {}, [this] { arrangeOverArray(); });
     add(QStringLiteral("select-all"), tr("Select all"), Icon::Select, QKeySequence::SelectAll, [this] { selectAll(); });
     addEdit(QStringLiteral("delete"), tr("Delete"), Icon::Delete, {}, [=] { return removeElements(panel(), ids()); });
     const std::tuple<const char*, QString, Icon, Alignment> alignments[] = {
@@ -263,7 +283,7 @@ QToolBar* PanelDesigner::makeToolBar() {
     put({"undo", "redo"});
     put({"align-left", "align-center", "align-right", "align-top", "align-middle", "align-bottom"});
     put({"distribute-x", "distribute-y", "same-size"});
-    put({"front", "back", "group", "ungroup", "lock", "duplicate-array"});
+    put({"front", "back", "group", "ungroup", "lock", "duplicate-array", "arrange-array"});
     put({"grid", "snap", "zoom-out", "zoom-in", "zoom-fit"});
     auto* languages = new QComboBox;
     languages->setToolTip(tr("Language shown"));
@@ -317,6 +337,7 @@ void PanelDesigner::updateActions() {
                              "align-right", "align-top", "align-middle", "align-bottom", "front", "forward", "backward",
                              "back", "group", "ungroup", "lock"})
         m_actions.value(QString::fromLatin1(name))->setEnabled(count > 0);
+    m_actions.value(QStringLiteral("arrange-array"))->setEnabled(selectedFaceplate());
     for (const char* name : {"same-width", "same-height", "same-size"})
         m_actions.value(QString::fromLatin1(name))->setEnabled(count > 1);
     for (const char* name : {"distribute-x", "distribute-y"})
@@ -326,8 +347,9 @@ void PanelDesigner::updateActions() {
 void PanelDesigner::showMenu(QPoint at) {
     QMenu menu;
     for (const char* name :
-         {"cut", "copy", "paste", "duplicate", "duplicate-array", "delete", "", "group", "ungroup", "lock", "", "front",
-          "forward", "backward", "back", "", "same-width", "same-height", "same-size"}) {
+         {"cut",  "copy",  "paste",      "paste-in-place", "duplicate", "duplicate-array", "arrange-array", "delete",
+          "",     "group", "ungroup",    "lock",           "",          "front",           "forward",       "backward",
+          "back", "",      "same-width", "same-height",    "same-size"}) {
         if (*name)
             menu.addAction(m_actions.value(QString::fromLatin1(name)));
         else
@@ -352,12 +374,13 @@ void PanelDesigner::cut() {
     m_document.perform(tr("Cut"), removeElements(m_document.panel(), m_selection.ids()));
 }
 
-void PanelDesigner::paste() {
+void PanelDesigner::paste(bool inPlace) {
     const QMimeData* mime = QApplication::clipboard()->mimeData();
     if (!mime || !mime->hasFormat(kElementMime)) return;
     const Json elements = readJson<Json>(mime->data(kElementMime).toStdString()).value;
     ElementIds added;
-    m_document.perform(tr("Paste"), pasted(m_document.panel(), elements, std::nullopt, &added));
+    const std::optional<QPointF> at = inPlace ? std::optional(boundsOf(elements).topLeft()) : std::nullopt;
+    m_document.perform(tr("Paste"), pasted(m_document.panel(), elements, at, &added));
     m_selection.set(added);
 }
 
@@ -383,6 +406,29 @@ void PanelDesigner::duplicateAsArray() {
     ElementIds all = m_selection.ids();
     all.insert(all.end(), added.begin(), added.end());
     m_selection.set(all);
+}
+
+const Element* PanelDesigner::selectedFaceplate() const {
+    if (m_selection.ids().size() != 1) return nullptr;
+    const Element* element = m_document.panel().find(m_selection.ids().front());
+    return element && element->kind() == ElementKind::Faceplate ? element : nullptr;
+}
+
+void PanelDesigner::arrangeOverArray() {
+    const Element* faceplate = selectedFaceplate();
+    if (!faceplate) return;
+    const ElementId id = faceplate->id();
+    ArrayArrangementDialog dialog(m_document.panel(), *faceplate, m_context, this);
+    if (dialog.exec() != QDialog::Accepted) return;
+    ElementIds all{id};
+    m_document.perform(tr("Arrange over array"), arrangedOverArray(m_document.panel(), id, dialog.arrangement(), &all));
+    m_selection.set(all);
+}
+
+/// What the canvas cannot do is said at the pointer.
+void PanelDesigner::sayRefusal(const QString& reason) {
+    QToolTip::showText(QCursor::pos(), reason, m_canvas);
+    emit refused(reason);
 }
 
 void PanelDesigner::group() {
@@ -417,6 +463,9 @@ void PanelDesigner::setLive(bool live) {
         return;
     }
     m_player = std::make_unique<PanelPlayer>(m_context.project(), m_context.session());
+    // A faceplate by itself shows the first thing that it stands for.
+    if (const auto given = argumentsGiven(m_context.checkInput(), m_name); !given.empty())
+        m_player->setArguments(given.front());
     m_player->showPanel(m_name, m_document.panel());
     m_player->setLanguage(m_context.language());
     showInPreview();

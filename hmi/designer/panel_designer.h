@@ -51,14 +51,18 @@ public:
 public slots:
     void cut();
     void copy();
-    void paste();
+    void paste(bool inPlace = false);
     void duplicate();
     void duplicateAsArray();
+    void arrangeOverArray();
     void group();
     void ungroup();
     void selectAll();
 
 signals:
+    /// To open the panel of a faceplate.
+    void panelRequested(const QString& name);
+    void refused(const QString& reason);
     void modifiedChanged(bool modified);
     void findingsChanged();
 
@@ -74,6 +78,9 @@ private:
     void showFindings();
     void showInPreview();
     void updateActions();
+    void sayRefusal(const QString& reason);
+    /// The faceplate that is selected alone, or null.
+    const Element* selectedFaceplate() const;
 
     DesignContext& m_context;
     QString m_name;

@@ -35,7 +35,8 @@ kit::PropertyDescriptor numberRow(const PropertyDescriptor& property, const std:
 std::vector<kit::PropertyChoice> colorChoices() {
     std::vector<kit::PropertyChoice> out{{QStringLiteral(""), Hmi::tr("as it is"), {}},
                                          {QStringLiteral("none"), Hmi::tr("none"), {}}};
-    for (const QString& role : PanelTheme::roles()) out.push_back({role, role, {}});
+    for (const QString& role : PanelTheme::roles())
+        out.push_back({role, role, {}, PanelTheme::of(PanelThemeKind::Light).color(role)});
     out.push_back({QStringLiteral("?"), Hmi::tr("Other…"), {}});
     return out;
 }
@@ -67,8 +68,41 @@ QString summaryOf(const PropertyDescriptor& property, const Json& value) {
     return list.isEmpty() ? count : QStringLiteral("%1: %2").arg(count, list.size() > 40 ? list.left(38) + u'…' : list);
 }
 
+namespace {
+
+const Panel* placedBy(const Element& element, const DesignContext& context) {
+    return context.project().panelLookup()(element.text("panel"));
+}
+
+} // namespace
+
+std::vector<kit::PropertyDescriptor> argumentRows(const PropertyDescriptor& property, const Element& element,
+                                                  const DesignContext& context) {
+    std::vector<kit::PropertyDescriptor> out;
+    const Panel* placed = placedBy(element, context);
+    if (!placed) return out;
+    for (const Parameter& parameter : parametersOf(*placed)) {
+        kit::PropertyDescriptor row = base(property, {}, u'.' + parameter.name);
+        row.label = u'$' + parameter.name;
+        row.kind = parameter.isText() ? kit::PropertyKind::Text : kit::PropertyKind::Expression;
+        if (!parameter.type.isEmpty() && !parameter.isText()) row.toolTip = parameter.type;
+        row.placeholder = parameter.fallback;
+        row.defaultValue = QString();
+        out.push_back(std::move(row));
+    }
+    return out;
+}
+
+std::optional<Parameter> parameterOf(const Element& element, const QString& gridId, const DesignContext& context) {
+    const Panel* placed = gridId.startsWith(QLatin1String("arguments.")) ? placedBy(element, context) : nullptr;
+    if (!placed) return {};
+    for (const Parameter& parameter : parametersOf(*placed))
+        if (gridId.section(u'.', 1).compare(parameter.name, Qt::CaseInsensitive) == 0) return parameter;
+    return {};
+}
+
 std::vector<kit::PropertyDescriptor> gridRows(const PropertyDescriptor& property, const DesignContext& context,
-                                              const std::string& prefix) {
+                                              const std::string& prefix, bool hasParameters) {
     kit::PropertyDescriptor row = base(property, prefix);
     switch (property.type) {
     case PropertyType::Name:
@@ -105,7 +139,7 @@ std::vector<kit::PropertyDescriptor> gridRows(const PropertyDescriptor& property
         break;
     case PropertyType::Integer:
     case PropertyType::Number:
-        row.kind = property.isOptional()                    ? kit::PropertyKind::Text
+        row.kind = property.isOptional() || hasParameters   ? kit::PropertyKind::Text
                    : property.type == PropertyType::Integer ? kit::PropertyKind::Integer
                                                             : kit::PropertyKind::Number;
         if (property.isOptional()) row.placeholder = Hmi::tr("none");
@@ -144,11 +178,15 @@ std::vector<kit::PropertyDescriptor> gridRows(const PropertyDescriptor& property
         row.kind = kit::PropertyKind::Enumeration;
         row.choices.push_back({QString(), Hmi::tr("none"), {}});
         for (const NamedPanel& panel : context.project().panels) row.choices.push_back({panel.name, panel.name, {}});
+        if (property.hint == "faceplate")
+            for (const NamedPanel& panel : readyFaceplates()) row.choices.push_back({panel.name, panel.name, {}});
         break;
     case PropertyType::Expression:
     case PropertyType::Target:
         row.kind = kit::PropertyKind::Expression;
         break;
+    case PropertyType::Arguments:
+        return {}; // argumentRows
     case PropertyType::Bindings:
     case PropertyType::Records:
         row.kind = kit::PropertyKind::Action;
@@ -180,12 +218,18 @@ QVariant gridValue(const PropertyDescriptor& property, const Json& value, const 
     case PropertyType::Bool:
         return value.is_boolean() && value.get<bool>();
     case PropertyType::Integer:
+        if (value.is_string()) return toQString(value);
         return value.is_number() ? QVariant(static_cast<int>(value.get<double>())) : QVariant(0);
     case PropertyType::Number:
+        if (value.is_string()) return toQString(value); // a parameter
         if (!property.isOptional()) return value.is_number() ? value.get<double>() : 0.0;
         return value.is_number() ? QString::number(value.get<double>(), 'g', 9) : QString();
     case PropertyType::Text:
         return context.shownText(toQString(value));
+    case PropertyType::Arguments: {
+        const QString argument = argumentsOf(value).value(part.toLower());
+        return argument.startsWith(u'@') ? context.shownText(argument) : argument;
+    }
     case PropertyType::Bindings:
     case PropertyType::Records:
         return summaryOf(property, value);
@@ -227,8 +271,18 @@ Json fromGrid(const PropertyDescriptor& property, const Json& present, const QSt
     case PropertyType::Bool:
         return edited.toBool();
     case PropertyType::Integer:
+        if (edited.toString().startsWith(u'$')) return toUtf8(edited.toString());
         return edited.toInt();
+    case PropertyType::Arguments: {
+        Json arguments = Json::object();
+        if (present.is_object())
+            for (const auto& [name, argument] : present.items())
+                if (QString::fromStdString(name).compare(part, Qt::CaseInsensitive) != 0) arguments[name] = argument;
+        if (!edited.toString().isEmpty()) arguments[part.toStdString()] = toUtf8(edited.toString());
+        return arguments;
+    }
     case PropertyType::Number: {
+        if (edited.toString().startsWith(u'$')) return toUtf8(edited.toString());
         bool ok = false;
         const double number = edited.toDouble(&ok);
         if (ok) return canonicalNumbers(Json(number));

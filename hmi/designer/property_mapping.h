@@ -7,8 +7,14 @@
 namespace plc::hmi {
 
 /// The grid's rows for a property: rectangles and sizes have several, names none.
+/// In a panel with parameters, numbers may be given as "$limit".
 std::vector<kit::PropertyDescriptor> gridRows(const PropertyDescriptor& property, const DesignContext& context,
-                                              const std::string& prefix = {});
+                                              const std::string& prefix = {}, bool hasParameters = false);
+/// A row for each parameter of the panel that the element places ("arguments.valve").
+std::vector<kit::PropertyDescriptor> argumentRows(const PropertyDescriptor& property, const Element& element,
+                                                  const DesignContext& context);
+/// The parameter of a row of the element's arguments; none for other rows.
+std::optional<Parameter> parameterOf(const Element& element, const QString& gridId, const DesignContext& context);
 /// The value as the grid shows it; `id` is that of a grid row ("rect.x").
 QVariant gridValue(const PropertyDescriptor& property, const Json& value, const QString& id,
                    const DesignContext& context);

@@ -1,6 +1,8 @@
 #include "hmi/designer/property_sheet.h"
 
 #include "editor/kit/edit_history.h"
+#include "editor/kit/texts.h"
+#include "hmi/designer/applicable.h"
 #include "hmi/designer/records_dialog.h"
 
 #include <QColorDialog>
@@ -47,7 +49,10 @@ PropertySheet::PropertySheet(PanelDocument& document, Selection& selection, Desi
         if (!property) return;
         EditList list;
         for (const ElementId& one : targets())
-            list.edits.push_back(hmi::setProperty(m_document.panel(), one, property->key, property->fallback));
+            list.edits.push_back(hmi::setProperty(m_document.panel(), one, property->key,
+                                                  property->type == PropertyType::Arguments
+                                                      ? fromGrid(*property, valueOf(one, *property), id, QString())
+                                                      : property->fallback));
         m_document.perform(tr("Reset"), {list});
     });
     connect(m_grid, &kit::PropertyGrid::actionRequested, this, &PropertySheet::editRecords);
@@ -80,18 +85,40 @@ std::vector<const PropertyDescriptor*> PropertySheet::shared() const {
         for (const ElementId& id : targets()) {
             if (id.isEmpty()) continue;
             const PropertyDescriptor* other = m_document.panel().find(id)->descriptor().property(property.key);
-            isShared &= other && other->type == property.type && other->hint == property.hint;
+            isShared &= other && other->type == property.type && other->hint == property.hint &&
+                        isApplicable(*m_document.panel().find(id), property.key);
         }
         if (isShared) out.push_back(&property);
     }
     return out;
 }
 
+/// What the rows depend on: the kinds that are selected, the panels that they place.
+QString PropertySheet::shapeNow() const {
+    QString shape = parametersOf(m_document.panel()).empty() ? QString() : QStringLiteral("$ ");
+    for (const ElementId& id : targets()) {
+        if (id.isEmpty()) return shape + QStringLiteral("panel");
+        const Element& element = *m_document.panel().find(id);
+        shape += element.text("kind") + u' ';
+        if (const PropertyDescriptor* property = element.descriptor().property("arguments"))
+            for (const kit::PropertyDescriptor& row : argumentRows(*property, element, m_context))
+                shape += row.id + u':' + row.toolTip + u' ';
+    }
+    for (const PropertyDescriptor* property : shared()) // the action of a button hides some
+        shape += u' ' + kit::fromView(property->key);
+    return shape;
+}
+
+std::vector<kit::PropertyDescriptor> PropertySheet::rowsOf(const PropertyDescriptor& property) const {
+    const ElementIds ids = targets();
+    if (property.type == PropertyType::Arguments)
+        return argumentRows(property, *m_document.panel().find(ids.front()), m_context);
+    return gridRows(property, m_context, {}, !parametersOf(m_document.panel()).empty() && !ids.front().isEmpty());
+}
+
 void PropertySheet::rebuild() {
     const ElementIds ids = targets();
-    QString shape;
-    for (const ElementId& id : ids)
-        shape += id.isEmpty() ? QStringLiteral("panel") : m_document.panel().find(id)->text("kind") + u' ';
+    const QString shape = shapeNow();
     const QString name = QCoreApplication::translate("Hmi", descriptor().title);
     if (ids.size() > 1)
         m_title->setText(tr("%n elements", nullptr, static_cast<int>(ids.size())));
@@ -99,8 +126,8 @@ void PropertySheet::rebuild() {
         m_title->setText(name);
     else
         m_title->setText(QStringLiteral("%1  –  %2").arg(name, m_document.panel().find(ids.front())->caption()));
-    m_gestureId.clear();
     if (shape != m_shape) {
+        m_gestureId.clear();
         m_shape = shape;
         std::vector<kit::PropertyDescriptor> rows;
         // What the element is about comes first; the place is mostly set with the mouse.
@@ -132,7 +159,7 @@ void PropertySheet::rebuild() {
                              return aCommon < bCommon;
                          });
         for (const PropertyDescriptor* property : properties)
-            for (kit::PropertyDescriptor& row : gridRows(*property, m_context)) rows.push_back(std::move(row));
+            for (kit::PropertyDescriptor& row : rowsOf(*property)) rows.push_back(std::move(row));
         m_grid->setDescriptors(std::move(rows));
         m_grid->setFilter(m_filter->text());
     }
@@ -146,8 +173,9 @@ const Json& PropertySheet::valueOf(const ElementId& id, const PropertyDescriptor
 void PropertySheet::refresh() {
     const ElementIds ids = targets();
     if (ids.empty() || m_shape.isEmpty()) return;
+    if (shapeNow() != m_shape) return rebuild();
     for (const PropertyDescriptor* property : shared())
-        for (const kit::PropertyDescriptor& row : gridRows(*property, m_context)) {
+        for (const kit::PropertyDescriptor& row : rowsOf(*property)) {
             const QVariant first = gridValue(*property, valueOf(ids.front(), *property), row.id, m_context);
             bool isSame = true;
             for (const ElementId& id : ids)
@@ -188,21 +216,32 @@ void PropertySheet::commit(const QString& id, const QVariant& value) {
             refresh();
         return;
     }
-    if (property->type == PropertyType::Text) {
-        // The key in the table and the property that names it are one step.
-        kit::MacroScope macro(m_document.undoStack(), QCoreApplication::translate("Hmi", property->title));
-        for (const ElementId& one : targets()) {
-            const QString stored = m_context.storeText(toQString(valueOf(one, *property)), value.toString(),
-                                                       m_panelName, m_document.undoStack());
-            m_document.perform(QCoreApplication::translate("Hmi", property->title),
-                               hmi::setProperty(m_document.panel(), one, property->key, toUtf8(stored)));
-        }
-        return;
-    }
+    const ElementId first = targets().empty() ? ElementId() : targets().front();
+    const Element* element = first.isEmpty() ? nullptr : m_document.panel().find(first);
+    const std::optional<Parameter> parameter = element ? parameterOf(*element, id, m_context) : std::nullopt;
+    if (property->type == PropertyType::Text || (parameter && parameter->isText()))
+        return storeTexts(*property, id, value.toString());
     const int gesture = m_gestureId == id ? m_gesture : 0;
     m_gestureId.clear();
     apply(id, value, gesture);
     refresh();
+}
+
+/// The key in the table and the property that names it are one step.
+void PropertySheet::storeTexts(const PropertyDescriptor& property, const QString& id, const QString& typed) {
+    const QString title = QCoreApplication::translate("Hmi", property.title);
+    kit::MacroScope macro(m_document.undoStack(), title);
+    for (const ElementId& one : targets()) {
+        const Json& present = valueOf(one, property);
+        const QString before = property.type == PropertyType::Arguments
+                                   ? argumentsOf(present).value(id.section(u'.', 1).toLower())
+                                   : toQString(present);
+        const QString stored = parameterNames(typed).isEmpty()
+                                   ? m_context.storeText(before, typed, m_panelName, m_document.undoStack())
+                                   : typed; // what stands for a text is none
+        m_document.perform(
+            title, hmi::setProperty(m_document.panel(), one, property.key, fromGrid(property, present, id, stored)));
+    }
 }
 
 void PropertySheet::editRecords(const QString& id) {

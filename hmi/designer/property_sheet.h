@@ -24,10 +24,15 @@ public:
 
 private:
     void rebuild();
+    /// Changes with the rows: kinds of what is selected, and which properties say something.
+    QString shapeNow() const;
     ElementIds targets() const;
     const ElementDescriptor& descriptor() const;
     std::vector<const PropertyDescriptor*> shared() const;
     const Json& valueOf(const ElementId& id, const PropertyDescriptor& property) const;
+    std::vector<kit::PropertyDescriptor> rowsOf(const PropertyDescriptor& property) const;
+    QString shapeNow() const;
+    void storeTexts(const PropertyDescriptor& property, const QString& id, const QString& typed);
     void apply(const QString& id, const QVariant& value, int gesture);
     PanelDocument& m_document;
     Selection& m_selection;

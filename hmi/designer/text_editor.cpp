@@ -206,6 +206,13 @@ TextEditor::TextEditor(DesignContext& context, QWidget* parent)
                                                           tr("Text tables (*.csv)"));
         if (!path.isEmpty()) exportCsv(path);
     });
+    bar->addAction(kit::icon(kit::Icon::Import), tr("Import XLIFF"), this, [this] {
+        const QString path =
+            QFileDialog::getOpenFileName(this, tr("Import XLIFF"), {}, tr("Translations (*.xlf *.xliff)"));
+        if (path.isEmpty()) return;
+        if (const auto report = importXliff(path)) showReport(*report);
+    });
+    bar->addAction(kit::icon(kit::Icon::Export), tr("Export XLIFF"), this, &TextEditor::askForXliff);
     bar->addSeparator();
     bar->addWidget(m_search);
     bar->addWidget(m_incomplete);

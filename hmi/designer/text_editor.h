@@ -2,6 +2,7 @@
 // Owned by its Qt parent; the context must outlive it. Main thread.
 #pragma once
 #include "hmi/designer/design_context.h"
+#include "hmi/texts/xliff.h"
 
 #include <QAbstractTableModel>
 #include <QSortFilterProxyModel>
@@ -51,10 +52,15 @@ public:
     void addLanguage(const QString& tag);
     void importCsv(const QString& path);
     void exportCsv(const QString& path) const;
+    /// For translators' tools: from one language into another; taken back with a report of what does not fit.
+    void exportXliff(const QString& path, const QString& from, const QString& to, XliffVersion version) const;
+    std::optional<XliffReport> importXliff(const QString& path);
     void revealKey(const QString& key);
 
 private:
     void showUsers();
+    void askForXliff();
+    void showReport(const XliffReport& report);
     DesignContext& m_context;
     QUndoStack m_undo;
     TextModel* m_model;

@@ -81,7 +81,8 @@ Tables makeTables() {
     {#Kind, {ElementKind::Kind, Key, ElementCategory::Category, Title, {Width, Height}, Words, {}}},
 #include "hmi/model/elements.def"
     };
-    const std::vector<PropertyRow> rows = propertyRows();
+    std::vector<PropertyRow> rows = propertyRows();
+    for (PropertyRow& row : rows) row.property.limits = row.property.range();
     for (const PropertyRow& row : rows) {
         if (row.kind == "Panel") tables.panel.properties.push_back(row.property);
         if (row.kind == "Alarm") tables.alarm.properties.push_back(row.property);
@@ -100,7 +101,10 @@ Tables makeTables() {
     {Record, {Key, PropertyType::Type, Json::parse(Default), PropertyGroup::Value, Title, Hint}},
 #include "hmi/model/elements.def"
     };
-    for (const auto& [record, field] : fields) tables.records[record].push_back(field);
+    for (const auto& [record, field] : fields) {
+        tables.records[record].push_back(field);
+        tables.records[record].back().limits = field.range();
+    }
     return tables;
 }
 

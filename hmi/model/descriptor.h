@@ -37,6 +37,7 @@ enum class PropertyType {
     Expression, // ST, read
     Target,     // ST, a variable that is written
     Bindings,   // {"name": "expression"}
+    Arguments,  // the same, by the parameters of the panel that the element places; texts as they are
     Records,    // list of objects, each as HMI_RECORD says
 };
 
@@ -49,6 +50,8 @@ struct PropertyDescriptor {
     PropertyGroup group;
     const char* title; // for translation in the context "Hmi"
     std::string_view hint;
+    /// range(), worked out once: numbers are read for every repaint.
+    std::optional<std::pair<double, double>> limits = {};
 
     std::vector<std::string_view> choices() const;
     /// Smallest and largest value of a number "a..b"; none where the hint says nothing.

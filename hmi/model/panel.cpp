@@ -18,8 +18,14 @@ const Json& Properties::at(std::string_view key) const {
 
 double Properties::number(std::string_view key) const {
     const Json& value = at(key);
-    return value.is_number() ? value.get<double>() : 0.0;
+    if (!value.is_number()) return 0;
+    const double number = value.get<double>();
+    const PropertyDescriptor* property = m_descriptor->property(key);
+    if (!property || !property->limits) return number;
+    return std::clamp(number, property->limits->first, property->limits->second);
 }
+
+int Properties::integer(std::string_view key) const { return static_cast<int>(std::clamp(number(key), -1e9, 1e9)); }
 
 std::optional<double> Properties::optionalNumber(std::string_view key) const {
     const Json& value = at(key);
@@ -38,7 +44,8 @@ QRectF Properties::rect(std::string_view key) const {
     if (value.is_array())
         for (size_t i = 0; i < 4 && i < value.size(); ++i)
             if (value[i].is_number()) part[i] = value[i].get<double>();
-    return {part[0], part[1], std::max(0.0, part[2]), std::max(0.0, part[3])};
+    for (double& at : part) at = std::clamp(at, -kFurthestElement, kFurthestElement);
+    return {part[0], part[1], std::clamp(part[2], 0.0, kLargestElement), std::clamp(part[3], 0.0, kLargestElement)};
 }
 
 QSize Properties::size(std::string_view key) const {

@@ -15,6 +15,9 @@ namespace plc::hmi {
 
 using ElementId = QString;
 
+/// No element is larger, and none lies further out: a picture of it must fit into memory.
+inline constexpr double kLargestElement = 16384, kFurthestElement = 1e6;
+
 /// Fields in the order of the file, read with the defaults of a descriptor.
 class Properties {
 public:
@@ -28,9 +31,11 @@ public:
     const Json& at(std::string_view key) const;
     bool has(std::string_view key) const { return m_fields.contains(std::string(key)); }
     QString text(std::string_view key) const { return toQString(at(key)); }
+    /// Never outside the range that elements.def gives, whatever the file says.
     double number(std::string_view key) const;
     std::optional<double> optionalNumber(std::string_view key) const;
-    int integer(std::string_view key) const { return static_cast<int>(number(key)); }
+    /// Within ±1,000,000,000, so that an index can be added to it.
+    int integer(std::string_view key) const;
     bool isSet(std::string_view key) const;
     QRectF rect(std::string_view key) const;
     QSize size(std::string_view key) const;
@@ -60,6 +65,8 @@ public:
     ElementId parent() const { return text("parent"); }
     QRectF rect() const { return Properties::rect("rect"); }
     bool isContainer() const { return kind() == ElementKind::Group || kind() == ElementKind::Tab; }
+    /// What is drawn in it moves and hides with it.
+    bool hasContents() const { return isContainer() || kind() == ElementKind::Faceplate; }
 };
 
 class Panel : public Properties {

@@ -11,6 +11,8 @@ QString Found::place() const {
 
 namespace {
 
+bool isTextKey(const Json& value) { return value.is_string() && value.get_ref<const std::string&>().starts_with("@"); }
+
 void forEachOf(const Properties& properties, const std::function<bool(PropertyType)>& wanted,
                const std::function<void(const Found&)>& visit) {
     const auto give = [&](const PropertyDescriptor& property, const Found& place, const Json& value) {
@@ -25,11 +27,19 @@ void forEachOf(const Properties& properties, const std::function<bool(PropertyTy
     for (const PropertyDescriptor& property : properties.descriptor().properties) {
         const Json& value = properties.at(property.key);
         const Found place{property.type, std::string(property.key), -1, {}, {}, {}};
-        if (wanted(property.type) && property.type != PropertyType::Bindings) give(property, place, value);
+        const bool isNamed = property.type == PropertyType::Bindings || property.type == PropertyType::Arguments;
+        if (wanted(property.type) && !isNamed) give(property, place, value);
         if (property.type == PropertyType::Bindings && wanted(property.type) && value.is_object()) {
             for (const auto& [name, expression] : value.items())
                 give(property, {property.type, place.property, -1, name, {}, {}}, expression);
         }
+        if (property.type == PropertyType::Arguments && value.is_object())
+            for (const auto& [name, argument] : value.items()) {
+                // The key of a text is one, whatever the parameter is.
+                PropertyDescriptor one = property;
+                if (isTextKey(argument)) one.type = PropertyType::Text;
+                if (wanted(one.type)) give(one, {one.type, place.property, -1, name, {}, {}}, argument);
+            }
         if (property.type != PropertyType::Records || !value.is_array()) continue;
         for (size_t row = 0; row < value.size(); ++row) {
             if (!value[row].is_object()) continue;
@@ -45,7 +55,8 @@ void forEachOf(const Properties& properties, const std::function<bool(PropertyTy
 }
 
 bool isBinding(PropertyType type) {
-    return type == PropertyType::Expression || type == PropertyType::Target || type == PropertyType::Bindings;
+    return type == PropertyType::Expression || type == PropertyType::Target || type == PropertyType::Bindings ||
+           type == PropertyType::Arguments;
 }
 
 } // namespace

@@ -20,7 +20,8 @@ struct Found {
     QString place() const;
 };
 
-/// Expressions, targets and the values of texts. Those that are empty are left out.
+/// Expressions, targets, the values of texts and arguments (type Arguments; of text parameters too, but for keys).
+/// Those that are empty are left out.
 void forEachBinding(const Properties& properties, const std::function<void(const Found&)>& visit);
 /// Texts that people see, as they stand ("@key" or the text itself).
 void forEachText(const Properties& properties, const std::function<void(const Found&)>& visit);

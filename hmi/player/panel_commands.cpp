@@ -3,12 +3,10 @@
 
 #include "hmi/model/errors.h"
 #include "hmi/player/panel_player.h"
-#include "runtime/base/text.h"
 
 #include <QApplication>
 #include <QCryptographicHash>
 #include <QDir>
-#include <QRegularExpression>
 #include <QStandardPaths>
 
 namespace plc::hmi {
@@ -17,14 +15,14 @@ QImage renderPanel(const PanelProject& project, session::Session* session, const
                    double scale, const QString& theme) {
     const NamedPanel* named = project.find(name);
     if (!named) return {};
-    Panel panel = named->panel;
+    Panel panel = withArguments(named->panel, completed(parametersOf(named->panel), {}));
     if (!theme.isEmpty()) panel.set("theme", toUtf8(theme));
     std::unique_ptr<PlcValues> values;
     AlarmBook alarms;
     alarms.setFile(project.alarms);
     if (session) {
         values = std::make_unique<PlcValues>(*session);
-        alarms.setClockAtZero(values->clock() - values->status().time.count());
+        if (const auto clock = values->clockAtZero()) alarms.setClockAtZero(*clock);
         AlarmEvaluator evaluator(*session, alarms.definitions());
         std::vector<AlarmFindings> findings;
         while (evaluator.process(findings)) {
@@ -37,9 +35,11 @@ QImage renderPanel(const PanelProject& project, session::Session* session, const
     PanelScene scene;
     scene.setDesigning(!session);
     scene.setFolder(project.folder);
+    scene.setPicturesOutside(project.picturesOutside);
     scene.setTexts(&project.texts);
     scene.setAlarms(&alarms);
     scene.setLanguage(language);
+    scene.setFaceplates(project.panelLookup());
     scene.setPanel(panel);
     scene.setValues(values.get());
     return scene.picture(scale);
@@ -73,61 +73,11 @@ Result<void> formatPanels(const PanelProject& project) {
     return {};
 }
 
-namespace {
-
-/// The nearest name of the program for the first name in the expression that nothing is called.
-QString nearMatch(const driver::Checked& checked, const QString& expression) {
-    if (!checked.analysis) return {};
-    std::vector<std::string> names;
-    for (const sema::Symbol& symbol : checked.analysis->symbols) names.push_back(symbol.name);
-    static const QRegularExpression word(QStringLiteral("[\\p{L}_][\\p{L}\\p{N}_]*"));
-    for (auto it = word.globalMatch(expression); it.hasNext();) {
-        const std::string name = it.next().captured().toStdString();
-        const bool isKnown = std::any_of(names.begin(), names.end(),
-                                         [&](const std::string& one) { return equalsIgnoringCase(one, name); });
-        if (isKnown) continue;
-        if (const std::optional<std::string> near = nearestName(name, names)) return QString::fromStdString(*near);
-    }
-    return {};
-}
-
-} // namespace
-
-Message checkBinding(const driver::Checked& checked, const QString& expression, std::string_view wanted,
-                     bool isTarget) {
-    const auto compiled = driver::compileExpression(checked, expression.toStdString());
-    if (!compiled) {
-        const Message& message = compiled.error().message;
-        const QString near = nearMatch(checked, expression);
-        return near.isEmpty() || message.english().find(toUtf8(near)) != std::string::npos
-                   ? message
-                   : errors::BindingDidYouMean(message, toUtf8(near));
-    }
-    const types::TypeTable& types = compiled->types();
-    const types::TypeId type = compiled->type();
-    const std::string& name = types[type].name;
-    const std::string text = toUtf8(expression);
-    if (isTarget && !compiled->place()) return errors::TargetNotVariable(text);
-    const types::Family family = types.family(type);
-    const bool isBool = family == types::Family::Bool, isArray = types.isAggregate(type);
-    const bool isNumber = types::isInteger(family) || family == types::Family::Real ||
-                          family == types::Family::Duration || types.kind(type) == types::TypeKind::Enum;
-    if (wanted == "bool" && !isBool) return errors::BoolNeeded(text, name);
-    if (wanted == "number" && !isNumber && !isBool) return errors::NumberNeeded(text, name);
-    if (wanted == "text" && !types.isText(type)) return errors::StringNeeded(text, name);
-    if (wanted == "array" && !isArray) return errors::ArrayNeeded(text, name);
-    if (wanted == "any" && isArray) return errors::SingleValueNeeded(text, name);
-    return {};
-}
-
 std::vector<Finding> checkPanels(const PanelProject& project, const driver::Checked& checked,
                                  const QStringList& languages) {
     CheckInput input = project.checkInput();
     input.languages = languages;
-    if (checked.analysis)
-        input.checkBinding = [&](const QString& expression, std::string_view wanted, bool isTarget) {
-            return checkBinding(checked, expression, wanted, isTarget);
-        };
+    askProgram(input, checked);
     std::vector<Finding> out;
     for (const Error& problem : project.problems)
         out.push_back(

@@ -2,6 +2,7 @@
 // without the studio. Functions for the application's `panel` command; main thread, a QApplication must exist.
 #pragma once
 #include "hmi/player/panel_project.h"
+#include "hmi/player/program_facts.h"
 #include "projects/session/session.h"
 
 namespace plc::hmi {
@@ -28,8 +29,6 @@ Result<void> formatPanels(const PanelProject& project);
 /// All findings, those of the front end included: unknown paths, wrong types.
 std::vector<Finding> checkPanels(const PanelProject& project, const driver::Checked& checked,
                                  const QStringList& languages = {});
-/// The answer of the front end to one binding; used by the designer while typing, too.
-Message checkBinding(const driver::Checked& checked, const QString& expression, std::string_view wanted, bool isTarget);
 
 /// Opens a window and plays until it is closed; returns the application's exit code.
 int playPanels(const PanelProject& project, session::Session& session, const QString& panel, bool fullScreen);

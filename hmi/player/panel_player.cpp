@@ -21,6 +21,8 @@ PanelPlayer::PanelPlayer(const PanelProject& project, session::Session* session,
     if (project.hasAlarms) (void)m_alarms.openStore(QStringLiteral(":memory:"));
     connectScene();
     scene().setFolder(project.folder);
+    scene().setPicturesOutside(project.picturesOutside);
+    scene().setFaceplates(project.panelLookup());
     scene().setTexts(&project.texts);
     scene().setAlarms(&m_alarms);
     scene().setLanguage(project.texts.settings().languages.value(0, QStringLiteral("en")));
@@ -42,6 +44,7 @@ void PanelPlayer::connectScene() {
     const auto look = [this] { return OverlayLook{&scene().theme(), &m_project.texts, language()}; };
     connect(&scene(), &PanelScene::writeRequested, this, [this](const WriteRequest& write) { post(write); });
     connect(&scene(), &PanelScene::confirmRequested, this, [this, look](const ConfirmRequest& confirm) {
+        if (refusesLocked()) return;
         auto* question = new Question(confirm, look(), this);
         connect(question, &Question::confirmed, this, [this](const WriteRequest& write) {
             post(write);
@@ -50,12 +53,14 @@ void PanelPlayer::connectScene() {
         });
     });
     connect(&scene(), &PanelScene::entryRequested, this, [this, look](const EntryRequest& entry) {
+        if (refusesLocked()) return;
         auto* keypad = new Keypad(entry, look(), this);
         connect(keypad, &Keypad::accepted, this, [this](const EntryRequest& request, const Value& value) {
             post(WriteRequest{request.element, request.target, WriteKind::Write, value, {}});
         });
     });
     connect(&scene(), &PanelScene::choiceRequested, this, [this, look](const ChoiceRequest& choice) {
+        if (!choice.isLanguage && refusesLocked()) return;
         auto* list = new ChoiceList(choice, look(), this);
         connect(list, &ChoiceList::chosen, this, [this](const ChoiceRequest& request, int index) {
             const Value& value = request.values[static_cast<size_t>(index)];
@@ -67,11 +72,12 @@ void PanelPlayer::connectScene() {
     });
     connect(&scene(), &PanelScene::acknowledgeRequested, this, [this](const AcknowledgeRequest& acknowledge) {
         if (m_recording) return refuse(systemText(m_project.texts, SystemText::InThePast, language()));
-        if (!m_watch) return;
+        AlarmWatch* const watch = alarmWatch();
+        if (!watch || refusesLocked()) return;
         if (acknowledge.all)
-            m_watch->acknowledgeAll(acknowledge.classes);
+            watch->acknowledgeAll(acknowledge.classes);
         else
-            m_watch->acknowledge(acknowledge.alarm);
+            watch->acknowledge(acknowledge.alarm);
     });
     connect(&scene(), &PanelScene::panelRequested, this,
             [this](const QString& name) { kit::post(this, [this, name] { showPanel(name); }); });
@@ -94,17 +100,26 @@ void PanelPlayer::setSession(session::Session* session) {
         m_values = std::make_unique<PlcValues>(*session);
         if (!m_project.texts.settings().variable.isEmpty())
             m_languageBinding = m_values->bind(m_project.texts.settings().variable);
-        m_alarms.setClockAtZero(m_values->clock() - m_values->status().time.count());
+        if (const auto clock = m_values->clockAtZero()) m_alarms.setClockAtZero(*clock);
         if (!m_alarms.definitions().empty()) m_watch = std::make_unique<AlarmWatch>(*session, m_alarms);
         scene().setValues(m_values.get());
     }
     updateStatus();
 }
 
+void PanelPlayer::shareAlarms(PanelPlayer& station) {
+    m_watch.reset();
+    m_station = &station;
+    scene().setAlarms(&alarms());
+}
+
+QString PanelPlayer::alarmStoreOf(const PanelProject& project) {
+    return project.folder + QStringLiteral("/.stepwise/alarms.sqlite");
+}
+
 Result<void> PanelPlayer::keepAlarmsInProject() {
-    const QString folder = m_project.folder + QStringLiteral("/.stepwise");
-    QDir().mkpath(folder);
-    return m_alarms.openStore(folder + QStringLiteral("/alarms.sqlite"));
+    QDir().mkpath(m_project.folder + QStringLiteral("/.stepwise"));
+    return m_alarms.openStore(alarmStoreOf(m_project));
 }
 
 bool PanelPlayer::showPanel(const QString& name) {
@@ -115,16 +130,46 @@ bool PanelPlayer::showPanel(const QString& name) {
 }
 
 void PanelPlayer::showPanel(const QString& name, const Panel& panel) {
-    scene().setPanel(panel);
+    scene().setPanel(withArguments(panel, argumentsFor(panel)));
+    m_shown = shownState();
     const bool isNew = std::exchange(m_panelName, name) != name;
     updateStatus();
     if (isNew) emit panelChanged(name);
 }
 
-void PanelPlayer::follow(const Panel& panel, const Touched& touched) { scene().follow(panel, touched); }
+void PanelPlayer::follow(const Panel& panel, const Touched& touched) {
+    scene().follow(withArguments(panel, argumentsFor(panel)), touched);
+    m_shown = shownState();
+}
+
+/// What a panel with parameters is shown with: what it was opened with, else its defaults.
+Arguments PanelPlayer::argumentsFor(const Panel& panel) const { return completed(parametersOf(panel), m_arguments); }
+
+/// All that decides on what is drawn: the panel and what it places, as their files have it.
+std::string PanelPlayer::shownState() const {
+    std::string out = scene().panel().write();
+    QStringList names;
+    const std::function<void(const Panel&)> add = [&](const Panel& panel) {
+        for (const Element& element : panel.elements()) {
+            const QString name = element.kind() == ElementKind::Faceplate ? element.text("panel") : QString();
+            const Panel* placed = name.isEmpty() || names.contains(name) ? nullptr : scene().panelNamed(name);
+            if (!placed) continue;
+            names += name;
+            out += placed->write();
+            add(*placed);
+        }
+    };
+    add(scene().panel());
+    return out;
+}
 
 void PanelPlayer::projectChanged() {
     scene().setTexts(&m_project.texts);
+    // What is edited in a designer is seen here, too, as is a faceplate that this panel places.
+    if (const NamedPanel* now = m_project.find(m_panelName)) {
+        const Panel panel = withArguments(now->panel, argumentsFor(now->panel));
+        if (panel.write() != scene().panel().write() || shownState() != m_shown) showPanel(m_panelName, now->panel);
+    }
     if (m_project.alarms.write() != m_alarmFile) {
         m_watch.reset();
         m_alarmFile = m_project.alarms.write();
@@ -147,7 +192,7 @@ void PanelPlayer::requestLanguage(const QString& tag) {
     if (!m_project.texts.settings().languages.contains(tag)) return;
     setLanguage(tag);
     // The program reads the language; until it has it, its older value must not switch back.
-    if (!m_values || !m_languageBinding.isValid()) return;
+    if (!m_values || !m_languageBinding.isValid() || m_hasOwnLanguage) return;
     const ValueKind kind = m_values->facts(m_languageBinding).kind;
     const Value value = m_project.texts.settings().valueOf(tag, kind);
     if (value.isNone()) return;
@@ -157,7 +202,7 @@ void PanelPlayer::requestLanguage(const QString& tag) {
 }
 
 void PanelPlayer::followLanguageVariable() {
-    if (!m_values || !m_languageBinding.isValid()) return;
+    if (m_hasOwnLanguage || !m_values || !m_languageBinding.isValid()) return;
     const Value& now = m_values->value(m_languageBinding);
     const QString tag = m_project.texts.settings().tagOf(now);
     if (!m_languageAsked.isEmpty()) {
@@ -200,9 +245,7 @@ void PanelPlayer::setRecording(std::optional<PanelRecording> recording) {
     if (m_recording) {
         m_recordedAlarms.clear();
         m_recordedAlarms.setFile(m_project.alarms);
-        const history::Statistics there = m_recording->history->statistics();
-        if (const auto newest = there.end > there.first ? m_recording->history->stamp(there.end - 1) : std::nullopt)
-            m_recordedAlarms.setClockAtZero(m_values->clock() - newest->time.count());
+        if (const auto clock = m_values->clockAtZero()) m_recordedAlarms.setClockAtZero(*clock);
         if (m_recording->program && !m_recordedAlarms.definitions().empty()) {
             const AlarmSource source{
                 m_recording->history, [program = m_recording->program] { return program; },
@@ -242,6 +285,7 @@ QString PanelPlayer::post(const WriteRequest& write) {
         refuse(reason);
         return reason;
     };
+    if (m_isLocked && write.kind != WriteKind::Release) return no(say(SystemText::LogInFirst));
     if (m_recording && write.kind != WriteKind::Release) return no(say(SystemText::InThePast));
     if (!m_session || !m_values) return no(say(SystemText::NoController));
     const std::string path = write.target.toStdString();
@@ -297,6 +341,11 @@ void PanelPlayer::refuse(const QString& reason) {
     emit writeRefused(reason);
 }
 
+bool PanelPlayer::refusesLocked() {
+    if (m_isLocked) refuse(systemText(m_project.texts, SystemText::LogInFirst, language()));
+    return m_isLocked;
+}
+
 void PanelPlayer::updateStatus() {
     const auto say = [&](SystemText text) { return systemText(m_project.texts, text, language()); };
     QString text;
@@ -336,9 +385,11 @@ void PanelPlayer::updateStatus() {
 void PanelPlayer::frame() {
     if (m_values) {
         m_values->refresh();
+        // A controller that has not run yet has no calendar: it is known with the first scan.
+        if (const auto clock = m_values->clockAtZero(); clock && !m_values->isPast()) m_alarms.setClockAtZero(*clock);
         followLanguageVariable();
         evaluateRecorded();
-        if (m_session)
+        if (m_session && !m_station) // taken once, by who keeps what all share
             for (const Error& refusal : m_session->takeRefusals()) refuse(kit::messageText(refusal, language()));
     }
     updateStatus();
@@ -348,6 +399,8 @@ void PanelPlayer::frame() {
     }
     if (m_view->isVisible()) m_view->frame();
 }
+
+QString PanelPlayer::stateText() const { return m_status->stateText(); }
 
 Overlay* PanelPlayer::overlay() const { return findChild<Overlay*>(); }
 

@@ -25,6 +25,8 @@ public:
     /// The panel that is edited, while the designer shows it live.
     void showPanel(const QString& name, const Panel& panel);
     void follow(const Panel& panel, const Touched& touched);
+    /// What parameters of the panels shown from now on stand for; the rest have their defaults.
+    void setArguments(Arguments arguments) { m_arguments = std::move(arguments); }
     /// Texts, languages or alarms of the project changed.
     void projectChanged();
     void setLanguage(const QString& tag);
@@ -37,21 +39,34 @@ public:
     /// A recording from a file in the place of the controller, as its past: nothing can be written. None goes back.
     void setRecording(std::optional<PanelRecording> recording);
     void setFullScreen(bool full);
+    /// Shows everything, writes nothing and says that one must log in first (browsers before their login).
+    void setLocked(bool locked) { m_isLocked = locked; }
+    bool isLocked() const { return m_isLocked; }
+    /// Neither follows nor writes the program's language variable: one of several people with a language each.
+    void setOwnLanguage(bool own) { m_hasOwnLanguage = own; }
+    /// What the strip over the panel says of the controller; empty: all is well.
+    QString stateText() const;
     /// Keeps the alarm history in this file from now on; without it, in memory.
     Result<void> keepAlarmsIn(const QString& path) { return m_alarms.openStore(path); }
     /// The same in `.stepwise` of the project's folder, where the studio and `stepwise panel --play` both look.
     Result<void> keepAlarmsInProject();
+    static QString alarmStoreOf(const PanelProject& project);
 
     PanelView& view() { return *m_view; }
     PanelScene& scene() { return m_view->scene(); }
-    AlarmBook& alarms() { return m_recording ? m_recordedAlarms : m_alarms; } // as the lists show them
-    AlarmWatch* alarmWatch() { return m_watch.get(); }
+    AlarmBook& alarms() { return m_recording ? m_recordedAlarms : liveAlarms(); } // as the lists show them
+    AlarmWatch* alarmWatch() { return m_station ? m_station->alarmWatch() : m_watch.get(); }
+    /// Shows and acknowledges the alarms that another player of the same controller keeps; it must outlive this one.
+    void shareAlarms(PanelPlayer& station);
+    const PanelScene& scene() const { return m_view->scene(); }
     PlcValues* values() { return m_values.get(); }
+    /// Frames come from the owner alone, not from a timer.
+    void setStepped() { m_timer.stop(); }
     /// One frame now: values, language variable, state, refusals, repaint.
     void frame();
     Overlay* overlay() const;
     /// The history of the controller's alarms and its place, whatever is shown.
-    AlarmBook& liveAlarms() { return m_alarms; }
+    AlarmBook& liveAlarms() { return m_station ? m_station->liveAlarms() : m_alarms; }
     QString lastRefusal() const { return m_refusal; }
 
     /// Posts a write as a press on the panel would; the answer says why it was refused, or nothing.
@@ -76,9 +91,14 @@ private:
     void evaluateRecorded();
     QString whyNot(const ValueFacts& facts, const Value& value, const QString& reason) const;
     void refuse(const QString& reason);
+    bool refusesLocked();
+    Arguments argumentsFor(const Panel& panel) const;
+    std::string shownState() const;
     struct Look;
     const PanelProject& m_project;
     session::Session* m_session;
+    Arguments m_arguments;
+    std::string m_shown;
     std::string m_alarmFile; // what the watch was made of
     std::unique_ptr<PlcValues> m_values;
     AlarmBook m_alarms;
@@ -86,6 +106,7 @@ private:
     std::optional<PanelRecording> m_recording;
     AlarmBook m_recordedAlarms; // those of the recording
     std::unique_ptr<AlarmEvaluator> m_recordedEvaluator;
+    PanelPlayer* m_station = nullptr; // keeps the alarms; null: this one does
     PanelView* m_view;
     PlayerStatus* m_status;
     QTimer m_timer;
@@ -95,6 +116,7 @@ private:
     QString m_languageAsked;
     QMap<QString, Value> m_pressed; // momentary buttons that are down: target → value to release to
     QElapsedTimer m_refusalAge;
+    bool m_isLocked = false, m_hasOwnLanguage = false;
     bool m_isInDock = false; // while it fills the screen: comes back into its place
 };
 

@@ -29,6 +29,7 @@ CheckInput PanelProject::checkInput() const {
     input.alarms = alarms;
     input.hasAlarms = hasAlarms;
     input.folder = folder;
+    input.picturesOutside = picturesOutside;
     return input;
 }
 
@@ -109,8 +110,10 @@ PanelProject loadPanelProject(const projects::Project& project) {
     PanelProject out;
     out.folder = QString::fromStdString(project.folder);
     LanguageSettings settings;
-    if (const auto hmi = project.json.find("hmi"); hmi != project.json.end())
+    if (const auto hmi = project.json.find("hmi"); hmi != project.json.end()) {
         settings = LanguageSettings::fromJson(*hmi);
+        out.picturesOutside = hmi->is_object() && hmi->contains("picturesOutside") && (*hmi)["picturesOutside"] == true;
+    }
     out.startPanel = QString::fromStdString(project.startPanel);
     TextTable empty;
     for (const QString& tag : settings.languages) empty.addLanguage(tag);
@@ -119,7 +122,11 @@ PanelProject loadPanelProject(const projects::Project& project) {
     if (QFileInfo::exists(out.alarmsPath())) out.readAlarms();
     for (const QString& name : panelsOnDisk(out.folder)) out.readPanel(name);
     if (out.startPanel.endsWith(QStringLiteral(".panel.json"))) out.startPanel.chop(11);
-    if (!out.find(out.startPanel) && !out.panels.empty()) out.startPanel = out.panels.front().name;
+    if (out.find(out.startPanel)) return out;
+    out.startPanel.clear();
+    for (const NamedPanel& panel : out.panels) // a faceplate shows nothing by itself
+        if (out.startPanel.isEmpty() && parametersOf(panel.panel).empty()) out.startPanel = panel.name;
+    if (out.startPanel.isEmpty() && !out.panels.empty()) out.startPanel = out.panels.front().name;
     return out;
 }
 

@@ -14,6 +14,7 @@ namespace plc::hmi {
 struct PanelProject {
     QString folder;
     QString startPanel;
+    bool picturesOutside = false;   // project.json: "hmi": {"picturesOutside": true}
     std::vector<NamedPanel> panels; // by name
     TextCatalog texts;
     AlarmFile alarms;
@@ -24,6 +25,8 @@ struct PanelProject {
 
     const NamedPanel* find(const QString& name) const;
     NamedPanel* find(const QString& name);
+    /// Finds panels of the project, then ready faceplates; the project must outlive it.
+    PanelLookup panelLookup() const { return lookupIn(panels); }
     /// What the check needs.
     CheckInput checkInput() const;
     QString panelPath(const QString& name) const;

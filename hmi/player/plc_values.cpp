@@ -264,4 +264,12 @@ qint64 PlcValues::clock() const {
     return header.calendarNs;
 }
 
+std::optional<qint64> PlcValues::clockAtZero() const {
+    if (m_image.size() < sizeof(image::ImageHeader)) return {};
+    image::ImageHeader header;
+    std::memcpy(&header, m_image.data(), sizeof header);
+    if (header.calendarNs == 0) return {};
+    return header.calendarNs - header.timeNs;
+}
+
 } // namespace plc::hmi

@@ -42,6 +42,8 @@ public:
     std::vector<CurvePiece> curve(BindingId binding, double seconds, int buckets) const override;
     Freshness freshness() const override;
     qint64 clock() const override;
+    /// The calendar at PLC time 0 of what is shown; nothing before the first scan.
+    std::optional<qint64> clockAtZero() const;
     quint64 revision() const override { return m_revision; }
 
 private:

@@ -13,6 +13,12 @@ enum class SystemText {
     No,
     Clear,
     Close,
+    LogIn,
+    LogOut,
+    AccessCode,
+    WrongAccessCode,
+    LogInFirst,
+    ConnectionLost,
     Time,
     Alarm,
     NoAlarms,
@@ -22,6 +28,7 @@ enum class SystemText {
     Acknowledged,
     Returned,
     Gone, // states of alarms
+    UntilRestart, // neither gone nor acknowledged when the controller was started again
     Stopped,
     Paused,
     Fault,

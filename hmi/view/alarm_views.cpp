@@ -78,7 +78,7 @@ void drawPriority(QPainter& painter, const QRectF& area, int priority, const QCo
 } // namespace
 
 QString alarmTime(const AlarmEntry& entry, const QLocale& locale, qint64 clockAtZero) {
-    const qint64 at = clockAtZero + entry.raised.time.count();
+    const qint64 at = entry.raisedClock != 0 ? entry.raisedClock : clockAtZero + entry.raised.time.count();
     return formatDate(at, locale) + u' ' + formatTime(at, locale, true);
 }
 
@@ -154,9 +154,24 @@ QString AlarmListView::stateText(const AlarmEntry& entry) const {
     case AlarmState::Normal:
         break;
     }
-    const QString state = systemText(scene().texts(), which, tag());
+    const bool isLeft = entry.isOfEarlierRun && entry.state == AlarmState::Unacknowledged;
+    QString state = systemText(scene().texts(), isLeft ? SystemText::UntilRestart : which, tag());
+    if (isHistory()) state = historyText(entry, state);
     const AlarmClass* own = classOf(scene().alarms(), entry.className);
     return own ? classTitle(*own) + QStringLiteral(" · ") + state : state;
+}
+
+/// When it went and when it was acknowledged; what it is now where neither has happened.
+QString AlarmListView::historyText(const AlarmEntry& entry, const QString& state) const {
+    QStringList parts;
+    const auto add = [&](SystemText which, const std::optional<qint64>& clock) {
+        if (clock)
+            parts += systemText(scene().texts(), which, tag()) + u' ' + leftToRight(formatTime(*clock, locale(), true));
+    };
+    add(SystemText::Gone, entry.returnedClock);
+    add(SystemText::Acknowledged, entry.acknowledgedClock);
+    if (entry.state == AlarmState::Returned || parts.isEmpty()) parts += state;
+    return parts.join(QStringLiteral(" · "));
 }
 
 // ---- places; keys and rows are high enough for a finger
@@ -184,7 +199,7 @@ QRectF AlarmListView::acknowledgeAllArea() const {
 }
 
 QRectF AlarmListView::filterArea() const {
-    if (!hasKeys() || width() < num("fontSize") * 36) return {};
+    if (!hasKeys() || width() < num("fontSize") * 42) return {}; // the head of the texts comes first
     const double w = std::min(width() * 0.28, num("fontSize") * 11),
                  taken = isHistory() ? 0 : acknowledgeAllArea().width() + 4;
     return mirrored({width() - taken - w - 4, 3, w, headHeight() - 6});
@@ -378,7 +393,24 @@ void AlarmListView::release(QPointF at, bool inside) {
         scene().request(AcknowledgeRequest{false, entry.alarm, {}});
 }
 
+/// The words of the head, which a list that is too narrow cuts.
+void AlarmListView::collectHead(const QString& forTag, std::vector<TextBox>& out) const {
+    const auto add = [&](const QRectF& area, SystemText which, double size, bool bold) {
+        if (!area.isEmpty())
+            out.push_back(textBox(systemText(scene().texts(), which, forTag), area, size, TextAlign::Start, "rect",
+                                  bold, forTag));
+    };
+    const double size = num("fontSize");
+    add(timeHead(), SystemText::Time, size * 0.9, true);
+    QRectF words = alarmHead();
+    if (words.isEmpty()) words = QRectF(0, 0, 1, headHeight()); // no room at all is a cut as well
+    add(words, SystemText::Alarm, size * 0.9, true);
+    const QRectF keys = acknowledgeAllArea();
+    add(keys.isEmpty() ? keys : keys.adjusted(8, 0, -8, 0), SystemText::AcknowledgeAll, size, false);
+}
+
 void AlarmListView::collectTexts(const QString& forTag, std::vector<TextBox>& out) const {
+    collectHead(forTag, out);
     if (!scene().alarms()) return;
     for (const AlarmDefinition& alarm : scene().alarms()->definitions()) {
         if (!classes().isEmpty() && !classes().contains(alarm.className)) continue;

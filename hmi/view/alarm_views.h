@@ -34,6 +34,7 @@ private:
     QString classTitle(const AlarmClass& one) const;
     QString filterText() const;
     QString stateText(const AlarmEntry& entry) const;
+    QString historyText(const AlarmEntry& entry, const QString& state) const;
     double rowHeight() const;
     double headHeight() const;
     double timeWidth() const;
@@ -47,6 +48,7 @@ private:
     QRectF textArea(int visibleRow) const;
     void drawRow(QPainter& painter, const AlarmEntry& entry, int visibleRow);
     void drawHead(QPainter& painter);
+    void collectHead(const QString& tag, std::vector<TextBox>& out) const;
     std::optional<AlarmOrder> m_order; // once the operator has touched a heading
     int m_filter = 0;                  // 0 all, 1 not acknowledged, from 2 on the classes
     int m_top = 0, m_pressedTop = 0;

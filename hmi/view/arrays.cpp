@@ -139,7 +139,7 @@ void ArrayTableView::setUp() {
             const Properties column(descriptorOf(ElementKind::Unknown), row);
             const bool editable = !column.has("editable") || column.isSet("editable");
             m_columns.push_back({column.text("title"), column.text("value"), column.text("format"), column.text("unit"),
-                                 editable, column.has("width") ? std::max(0.05, column.number("width")) : 1});
+                                 editable, column.has("width") ? std::clamp(column.number("width"), 0.05, 100.0) : 1});
         }
     m_selectedTarget = bindProperty("selected");
     const int first = element().integer("first");

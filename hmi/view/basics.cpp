@@ -1,11 +1,8 @@
 #include "hmi/view/basics.h"
 
 #include "hmi/view/panel_scene.h"
+#include "hmi/view/picture_file.h"
 #include "hmi/view/symbol_art.h"
-
-#include <QDir>
-#include <QFileInfo>
-#include <QSvgRenderer>
 
 namespace plc::hmi {
 
@@ -38,19 +35,11 @@ void TextView::collectTexts(const QString& forTag, std::vector<TextBox>& out) co
 
 void ImageView::setUp() {
     const QString file = text("file");
-    const QString path = file.isEmpty() ? QString() : QDir(scene().folder()).filePath(file);
-    if (path == m_path) return;
-    m_path = path;
-    m_isSvg = path.endsWith(QStringLiteral(".svg"), Qt::CaseInsensitive);
-    m_picture = m_isSvg ? QPixmap() : QPixmap(path);
-    if (!m_isSvg || !QFileInfo::exists(path)) return;
-    QSvgRenderer renderer(path);
-    const QSizeF natural = renderer.defaultSize();
-    const double scale = natural.isEmpty() ? 1 : std::max(width() / natural.width(), height() / natural.height()) * 2;
-    m_picture = QPixmap((natural * scale).toSize().boundedTo(QSize(4096, 4096)).expandedTo(QSize(1, 1)));
-    m_picture.fill(Qt::transparent);
-    QPainter painter(&m_picture);
-    renderer.render(&painter);
+    if (file == m_file) return;
+    m_file = file;
+    m_picture = {};
+    if (file.isEmpty()) return;
+    if (Result<QPixmap> picture = loadPicture(scene().pictures(), file, rect().size() * 2)) m_picture = *picture;
 }
 
 void ImageView::draw(QPainter& painter) {

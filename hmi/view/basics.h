@@ -30,9 +30,8 @@ protected:
     void draw(QPainter& painter) override;
 
 private:
-    QString m_path;
+    QString m_file;
     QPixmap m_picture;
-    bool m_isSvg = false;
 };
 
 class SymbolView final : public ElementView {

@@ -1,5 +1,6 @@
 #include "hmi/view/charts.h"
 
+#include "editor/kit/curve_words.h"
 #include "editor/kit/pen_order.h"
 #include "hmi/view/panel_scene.h"
 
@@ -132,7 +133,7 @@ void BarChartView::draw(QPainter& painter) {
     painter.setPen(theme().color("text"));
     const QString title = shown(text("title"));
     drawText(painter, titleBox("title", QRectF(8, 2, width() - 16, fontSize() * 1.7), TextAlign::Start, tag()));
-    if (!view.unit.isEmpty()) {
+    if (!view.unit.isEmpty() && !kit::namesUnit(title, view.unit)) {
         painter.setPen(theme().color("muted"));
         drawText(painter, textBox(leftToRight(view.unit), QRectF(8, 2, width() - 16, fontSize() * 1.7), fontSize(),
                                   title.isEmpty() ? TextAlign::Start : TextAlign::End, ""));
@@ -259,6 +260,20 @@ void XyChartView::collectTexts(const QString& forTag, std::vector<TextBox>& out)
 
 // ---- trend
 
+/// The colour of the lamp that shows the same, else one that the name says, else the next of the theme: a curve must
+/// not contradict what stands beside it.
+QColor TrendChartView::standardColor(const Properties& series, int index) const {
+    const QString expression = series.text("value").trimmed();
+    for (const Element& other : scene().panel().elements())
+        if (other.kind() == ElementKind::Lamp && !expression.isEmpty() &&
+            other.text("value").trimmed().compare(expression, Qt::CaseInsensitive) == 0)
+            if (const QColor lamp = theme().color(other.text("onColor")); lamp.isValid()) return lamp;
+    const QString title = scene().texts().text(series.text("title"), scene().language());
+    for (const QString& name : {title, expression})
+        if (const QColor named = theme().color(kit::colorNamed(name)); named.isValid()) return named;
+    return theme().series(index);
+}
+
 void TrendChartView::setUp() {
     m_series.clear();
     const Json& rows = element().at("series");
@@ -269,7 +284,7 @@ void TrendChartView::setUp() {
             const int index = static_cast<int>(m_series.size());
             m_series.push_back({bindExpression(series.text("value")),
                                 series.text("title"),
-                                colorOr(series.text("color"), theme().series(index)),
+                                colorOr(series.text("color"), standardColor(series, index)),
                                 !series.has("hold") || series.isSet("hold"),
                                 {}});
         }
@@ -331,6 +346,16 @@ TextBox TrendChartView::legend(size_t index, const QString& forTag) const {
     return out;
 }
 
+/// Nothing where the title or every name in the legend has the unit already.
+QString TrendChartView::shownUnit() const {
+    const QString own = text("unit");
+    if (own.isEmpty() || kit::namesUnit(shown(text("title")), own)) return {};
+    const bool allNameIt = flag("legend") && !m_series.empty() &&
+                           std::all_of(m_series.begin(), m_series.end(),
+                                       [&](const Series& one) { return kit::namesUnit(shown(one.title), own); });
+    return allNameIt ? QString() : own;
+}
+
 void TrendChartView::draw(QPainter& painter) {
     const QRectF area = plot();
     Axis y{num("min"), num("max")};
@@ -357,7 +382,7 @@ void TrendChartView::draw(QPainter& painter) {
     painter.setPen(theme().color("text"));
     drawText(painter, titleBox("title", QRectF(8, 2, width() - 16, fontSize() * 1.7), TextAlign::Start, tag()));
     painter.setPen(theme().color("muted"));
-    const QString unitText = text("unit");
+    const QString unitText = shownUnit();
     if (!unitText.isEmpty())
         drawText(painter, textBox(leftToRight(unitText), QRectF(8, 2, width() - 16, fontSize() * 1.7), fontSize(),
                                   text("title").isEmpty() ? TextAlign::Start : TextAlign::End, ""));

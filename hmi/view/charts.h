@@ -74,6 +74,8 @@ protected:
     bool advance(qint64 milliseconds) override;
 
 private:
+    QColor standardColor(const Properties& series, int index) const;
+    QString shownUnit() const;
     struct Series {
         Slot value;
         QString title;

@@ -8,6 +8,7 @@
 #include "hmi/view/containers.h"
 #include "hmi/view/displays.h"
 #include "hmi/view/entries.h"
+#include "hmi/view/faceplate_view.h"
 #include "hmi/view/meters.h"
 #include "hmi/view/selectors.h"
 #include "hmi/view/shapes.h"

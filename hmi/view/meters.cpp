@@ -37,7 +37,7 @@ std::vector<double> MeterView::steps(int count) const {
     const UnitView view = unit();
     const double from = view.shown(num("min")), to = view.shown(num("max")), span = to - from;
     std::vector<double> out;
-    if (span <= 0 || count < 1) return out;
+    if (!(span > 0) || !std::isfinite(span) || count < 1) return out;
     const double rough = span / count, size = std::pow(10, std::floor(std::log10(rough)));
     double step = size;
     for (const double factor : {1.0, 2.0, 2.5, 5.0, 10.0})
@@ -45,7 +45,8 @@ std::vector<double> MeterView::steps(int count) const {
             step = size * factor;
             break;
         }
-    for (double at = std::ceil(from / step - 1e-9) * step; at <= to + span * 1e-9; at += step)
+    constexpr size_t Most = 100; // also where a step is too small to change the number it is added to
+    for (double at = std::ceil(from / step - 1e-9) * step; at <= to + span * 1e-9 && out.size() < Most; at += step)
         out.push_back(std::abs(at) < step * 1e-9 ? 0 : at);
     return out;
 }

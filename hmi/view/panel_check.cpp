@@ -3,9 +3,9 @@
 #include "hmi/model/errors.h"
 #include "hmi/model/walk.h"
 #include "hmi/view/arrays.h"
+#include "hmi/view/faceplate_check.h"
+#include "hmi/view/property_check.h"
 
-#include <QDir>
-#include <QFileInfo>
 #include <QFontDatabase>
 #include <QFontMetrics>
 #include <QSet>
@@ -50,7 +50,8 @@ struct Checker {
     void checkText(const QString& file, const ElementId& id, const Found& text, const QStringList& names,
                    bool hasFixedLanguage) {
         if (!isTextKey(text.text)) {
-            if (hasLetters(text.text) && settings().languages.size() > 1 && !hasFixedLanguage)
+            const bool isGiven = !parameterNames(text.text).isEmpty(); // by whoever places the panel
+            if (hasLetters(text.text) && settings().languages.size() > 1 && !hasFixedLanguage && !isGiven)
                 add(FindingKind::HardCodedText, false, file, id, text.place(),
                     errors::TextWithoutKey(toUtf8(text.text)));
             checkNames(file, id, text, text.text, {}, names);
@@ -94,12 +95,14 @@ struct Checker {
     void checkBindings(const QString& file, const ElementId& id, const Properties& properties, bool hasIndex = false) {
         if (!input.checkBinding) return;
         forEachBinding(properties, [&](const Found& binding) {
+            if (binding.type == PropertyType::Arguments) return; // by the parameters' types: checkPlacements
             QString expression = binding.text;
             if (hasIndex) { // tried with the first index
                 const int first = properties.integer("first");
                 expression = withIndex(expression, first, first, first);
             }
-            Message complaint = input.checkBinding(expression, binding.hint, binding.type == PropertyType::Target);
+            Message complaint =
+                input.checkBinding(expression, wantedType(properties, binding), binding.type == PropertyType::Target);
             if (!complaint.isEmpty())
                 add(FindingKind::WrongBinding, true, file, id, binding.place(), std::move(complaint));
         });
@@ -119,20 +122,17 @@ struct Checker {
                 errors::NoLanguage(toUtf8(fixed)));
         forEachText(element, [&](const Found& text) { checkText(file, id, text, names, !fixed.isEmpty()); });
         checkLists(file, id, element);
-        checkBindings(file, id, element,
-                      element.kind() == ElementKind::ArrayTable || element.kind() == ElementKind::CellGrid);
+        if (parametersOf(panel).empty())
+            checkBindings(file, id, element,
+                          element.kind() == ElementKind::ArrayTable || element.kind() == ElementKind::CellGrid);
         if (const QRectF rect = element.rect(); !QRectF(QPointF(), panel.size()).intersects(rect))
             add(FindingKind::Outside, false, file, id, QStringLiteral("rect"), errors::ElementOutside());
         for (const PropertyDescriptor& property : element.descriptor().properties) {
             const QString value = element.text(property.key);
             const QString name = QString::fromStdString(std::string(property.key));
-            if (property.type == PropertyType::File && !value.isEmpty() && !input.folder.isEmpty() &&
-                !QFileInfo::exists(QDir(input.folder).filePath(value)))
-                add(FindingKind::MissingImage, true, file, id, name, errors::FileMissing(toUtf8(value)));
             if (property.type == PropertyType::Panel && !value.isEmpty()) {
-                const bool isKnown = std::any_of(input.panels.begin(), input.panels.end(),
-                                                 [&](const NamedPanel& one) { return one.name == value; });
-                if (!isKnown) add(FindingKind::UnknownPanel, true, file, id, name, errors::NoPanel(toUtf8(value)));
+                if (!value.contains(u'$') && !input.panelLookup()(value))
+                    add(FindingKind::UnknownPanel, true, file, id, name, errors::NoPanel(toUtf8(value)));
             }
             if (property.key == "format" && !value.isEmpty() && !NumberFormat::parse(value))
                 add(FindingKind::BadFormat, true, file, id, name,
@@ -147,6 +147,14 @@ struct Checker {
         const QString file = panelFile(named.name);
         forEachText(named.panel, [&](const Found& text) { checkText(file, {}, text, {}, false); });
         for (const Element& element : named.panel.elements()) checkElement(file, named.panel, element);
+        for (PropertyFinding& one : checkProperties(input, named.panel))
+            add(one.kind, one.isError, file, one.element, one.property, std::move(one.message));
+        append(checkPlacements(input, named));
+        if (!parametersOf(named.panel).empty()) append(checkParameterBindings(input, named));
+    }
+
+    void append(std::vector<Finding> more) {
+        for (Finding& one : more) found.push_back(std::move(one));
     }
 
     void checkAlarms() {
@@ -172,6 +180,11 @@ struct Checker {
     }
 
     void checkTable() {
+        if (!table().rows().empty())
+            for (const QString& tag : table().tags())
+                if (!settings().languages.contains(tag, Qt::CaseInsensitive))
+                    add(FindingKind::UnlistedColumn, false, kTextFile, {}, {}, errors::ColumnNotInProject(toUtf8(tag)),
+                        tag, 1);
         for (const QString& key : input.keysUsedElsewhere) usedKeys += key;
         for (const TextTable::Row& row : table().rows()) {
             if (!usedKeys.contains(row.key) && !row.key.startsWith(QStringLiteral("hmi.")))
@@ -240,6 +253,8 @@ struct Checker {
         scene.setTexts(&input.texts);
         scene.setAlarms(&book);
         scene.setFolder(input.folder);
+        scene.setPicturesOutside(input.picturesOutside);
+        scene.setFaceplates(input.panelLookup());
         scene.setPanel(named.panel);
         QSet<QString> said;
         for (const QString& tag : languages()) {
@@ -251,6 +266,8 @@ struct Checker {
                 view->collectTexts(fixed.isEmpty() ? tag : fixed, boxes);
                 for (const TextBox& box : boxes) {
                     if (fits(box)) continue;
+                    // Said where the faceplate is drawn, unless the text comes from here.
+                    if (scene.isInner(*view) && !dependsOnArguments(scene, *view, box.property)) continue;
                     const QString place = view->element().id() + u'.' + box.property;
                     if (said.contains(place + tag + box.text)) continue;
                     said += place + tag + box.text;

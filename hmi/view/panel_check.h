@@ -4,6 +4,7 @@
 #include "hmi/alarms/alarm_file.h"
 #include "hmi/texts/catalog.h"
 #include "hmi/view/panel_scene.h"
+#include "hmi/view/ready_faceplates.h"
 
 namespace plc::hmi {
 
@@ -26,6 +27,18 @@ enum class FindingKind {
     UnknownLanguage,
     Outside,
     BadFormat,
+    WrongArgument,
+    FaceplateInItself,
+    BadPicture = 30, // H1031
+    OutOfRange,
+    UnknownProperty,
+    WrongPropertyType,
+    BadColor,
+    WrongLimits,
+    BadGroup,
+    UnlistedColumn,
+    UnnamedControl,
+    LeavesRange,
 };
 
 struct Finding {
@@ -43,13 +56,13 @@ struct Finding {
     QString text() const;
 };
 
-struct NamedPanel {
-    QString name; // file name without ".panel.json"
-    Panel panel;
-};
-
 /// What the checker says to a binding: nothing, or why it is wrong (with the near match).
 using BindingCheck = std::function<Message(const QString& expression, std::string_view wanted, bool isTarget)>;
+
+/// Names of an expression's type: its own and those that it extends or implements; none when it is wrong.
+using TypeNames = std::function<QStringList(const QString& expression)>;
+/// A variable of a type, for checks of what is bound to parameters; empty when the program has none.
+using AnInstance = std::function<QString(const QString& type)>;
 
 struct CheckInput {
     std::vector<NamedPanel> panels;
@@ -59,7 +72,14 @@ struct CheckInput {
     QString folder;        // of the project, for image files
     QStringList languages; // to measure in; empty: all of the project
     QStringList keysUsedElsewhere;
-    BindingCheck checkBinding; // may be empty
+    bool picturesOutside = false; // the project allows pictures outside its folder
+    BindingCheck checkBinding;    // may be empty, and those below with it
+    TypeNames typeNames;
+    AnInstance anInstance;
+    std::function<bool(const QString& type)> isType; // a block or structure of the program or its libraries
+
+    /// The project's panels, then the ready faceplates.
+    PanelLookup panelLookup() const;
 };
 
 std::vector<Finding> checkPanels(const CheckInput& input);

@@ -1,8 +1,17 @@
 #include "hmi/view/panel_scene.h"
 
+#include "hmi/view/faceplate_view.h"
+
 #include <QTransform>
 
+#include <utility>
+
 namespace plc::hmi {
+
+namespace {
+constexpr QPainter::RenderHints kHints =
+    QPainter::Antialiasing | QPainter::TextAntialiasing | QPainter::SmoothPixmapTransform;
+}
 
 PanelScene::PanelScene(QObject* parent)
     : QObject(parent), m_theme(&PanelTheme::of(PanelThemeKind::Light)), m_texts(&m_noTexts),
@@ -21,12 +30,25 @@ void PanelScene::rebuild() {
     if (ElementView* held = std::exchange(m_pressed, nullptr)) held->release(QPointF(-1e6, -1e6), false);
     m_lastRects.clear();
     m_byId.clear();
+    m_inner.clear();
     m_views.clear();
     for (const Element& element : m_panel.elements()) {
-        m_views.push_back(makeElementView(element, *this));
-        m_byId.insert(element.id(), m_views.back().get());
+        addView(element, false);
+        if (element.kind() != ElementKind::Faceplate) continue;
+        for (const Element& inner : contentsOf(element, m_panels)) addView(inner, true);
     }
     prepareAll();
+}
+
+void PanelScene::addView(const Element& element, bool isInner) {
+    m_views.push_back(makeElementView(element, *this));
+    m_byId.insert(element.id(), m_views.back().get());
+    if (isInner) m_inner += m_views.back().get();
+}
+
+void PanelScene::setFaceplates(PanelLookup panels) {
+    m_panels = std::move(panels);
+    if (!m_views.empty()) rebuild();
 }
 
 void PanelScene::prepareAll() {
@@ -37,7 +59,12 @@ void PanelScene::prepareAll() {
 }
 
 void PanelScene::follow(const Panel& panel, const Touched& touched) {
-    if (touched.panel || touched.structure) {
+    const auto isFaceplate = [&](const ElementId& id) {
+        const Element* element = panel.find(id);
+        return element && element->kind() == ElementKind::Faceplate;
+    };
+    if (touched.panel || touched.structure ||
+        std::any_of(touched.elements.begin(), touched.elements.end(), isFaceplate)) {
         setPanel(panel);
         return;
     }
@@ -52,13 +79,14 @@ void PanelScene::follow(const Panel& panel, const Touched& touched) {
             m_pressed = nullptr;
             old->release(QPointF(-1e6, -1e6), false);
         }
-        auto& place = m_views[static_cast<size_t>(index)];
+        const auto at = std::find_if(m_views.begin(), m_views.end(), [&](const auto& one) { return one.get() == old; });
+        auto& place = *at;
         place = makeElementView(m_panel.elements()[static_cast<size_t>(index)], *this);
         m_byId[id] = place.get();
         place->prepare();
         place->refresh();
         // What lies in a group may be hidden or moved by it.
-        if (place->element().isContainer())
+        if (place->element().hasContents())
             m_allDirty = true;
         else
             markDirty(*place);
@@ -118,7 +146,7 @@ QRegion PanelScene::refresh(qint64 milliseconds) {
             if (!view->refresh()) continue;
             const Appearance& now = view->appearance();
             // A container that moves or hides takes all that lies in it along.
-            if (view->element().isContainer() && before != now) m_allDirty = true;
+            if (view->element().hasContents() && before != now) m_allDirty = true;
             if (!m_allDirty) markDirty(*view);
         }
     }
@@ -140,8 +168,9 @@ QRegion PanelScene::refresh(qint64 milliseconds) {
 QTransform PanelScene::transformOf(const ElementView& view) const {
     QTransform transform;
     QPointF offset = view.rect().topLeft() + QPointF(view.appearance().moveX, view.appearance().moveY);
+    const FaceplateView* frame = faceplateOf(view);
     int guard = 0;
-    for (const ElementView* outer = this->view(view.element().parent()); outer && guard < 32;
+    for (const ElementView* outer = this->view(view.element().parent()); outer && outer != frame && guard < 32;
          outer = this->view(outer->element().parent()), ++guard)
         offset += QPointF(outer->appearance().moveX, outer->appearance().moveY);
     transform.translate(offset.x(), offset.y());
@@ -151,7 +180,23 @@ QTransform PanelScene::transformOf(const ElementView& view) const {
         transform.rotate(angle);
         transform.translate(-view.rect().width() / 2, -view.rect().height() / 2);
     }
-    return transform;
+    return frame ? transform * frame->contents() * transformOf(*frame) : transform;
+}
+
+const FaceplateView* PanelScene::faceplateOf(const ElementView& view) const {
+    if (!isInner(view)) return nullptr;
+    int guard = 0;
+    for (const ElementView* outer = this->view(view.element().parent()); outer && guard < 32;
+         outer = this->view(outer->element().parent()), ++guard)
+        if (outer->element().kind() == ElementKind::Faceplate) return static_cast<const FaceplateView*>(outer);
+    return nullptr;
+}
+
+bool PanelScene::isEnabled(const ElementView& view) const {
+    const ElementView* one = &view;
+    for (int guard = 0; one && guard < 32; ++guard, one = this->view(one->element().parent()))
+        if (!one->appearance().enabled) return false;
+    return true;
 }
 
 bool PanelScene::isShown(const ElementView& view) const {
@@ -184,7 +229,7 @@ void PanelScene::markDirty(const ElementView& view) {
 }
 
 void PanelScene::paint(QPainter& painter, const QRectF& clip, const QRegion* region, const QTransform& toDevice) {
-    painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing | QPainter::SmoothPixmapTransform);
+    painter.setRenderHints(kHints);
     const QColor ground = m_theme->color(m_panel.text("background"));
     painter.fillRect(clip & QRectF(QPointF(), size()), ground.isValid() ? ground : m_theme->color("background"));
     if (m_underlay) m_underlay(painter);
@@ -192,11 +237,17 @@ void PanelScene::paint(QPainter& painter, const QRectF& clip, const QRegion* reg
         const QRectF shown = shownRect(*view);
         if (!shown.intersects(clip) || !isShown(*view)) continue;
         if (region && !region->intersects(toDevice.mapRect(shown).toAlignedRect())) continue;
-        painter.save();
-        painter.setTransform(transformOf(*view), true);
-        view->paint(painter);
-        painter.restore();
+        paintElement(painter, *view);
     }
+}
+
+void PanelScene::paintElement(QPainter& painter, ElementView& view) const {
+    if (!isShown(view)) return;
+    painter.setRenderHints(kHints);
+    painter.save();
+    painter.setTransform(transformOf(view), true);
+    view.paint(painter);
+    painter.restore();
 }
 
 QImage PanelScene::picture(double scale) {
@@ -225,7 +276,7 @@ ElementView* PanelScene::view(const ElementId& id) const { return id.isEmpty() ?
 void PanelScene::press(QPointF at) {
     if (m_designing || m_pressed) return;
     ElementView* view = viewAt(at);
-    if (!view || !view->appearance().enabled) return;
+    if (!view || !isEnabled(*view)) return;
     m_pressed = view;
     view->setPressed(true);
     view->press(transformOf(*view).inverted().map(at));
@@ -246,7 +297,7 @@ void PanelScene::release(QPointF at) {
 void PanelScene::wheel(QPointF at, double steps) {
     if (m_designing) return;
     ElementView* view = viewAt(at);
-    if (view && view->appearance().enabled) view->wheel(steps);
+    if (view && isEnabled(*view)) view->wheel(steps);
 }
 
 void PanelScene::request(const WriteRequest& write, const QString& confirm) {

@@ -3,14 +3,19 @@
 #pragma once
 #include "hmi/alarms/alarm_book.h"
 #include "hmi/model/edit.h"
+#include "hmi/model/faceplate.h"
 #include "hmi/view/element_view.h"
+#include "hmi/view/picture_file.h"
 
 #include <QImage>
 #include <QObject>
 #include <QRegion>
+#include <QSet>
 #include <QTransform>
 
 namespace plc::hmi {
+
+class FaceplateView;
 
 class PanelScene final : public QObject {
     Q_OBJECT
@@ -25,9 +30,13 @@ public:
     void setValues(ValueSource* values);
     void setTexts(const TextCatalog* texts);
     void setAlarms(AlarmBook* alarms);
+    /// Where faceplates are found; before the panel, or the panel is made again.
+    void setFaceplates(PanelLookup panels);
     void setLanguage(const QString& tag);
     /// Folder to which image files are relative (the project's).
     void setFolder(const QString& folder) { m_folder = folder; }
+    /// The project allows pictures outside its folder.
+    void setPicturesOutside(bool allowed) { m_picturesOutside = allowed; }
     /// Unbound elements show sample values, and nothing reacts to being pressed.
     void setDesigning(bool designing);
     /// Position of the recording that alarm lists show; none: the present.
@@ -42,6 +51,8 @@ public:
     std::optional<quint64> alarmPosition() const { return m_alarmPosition; }
     const QString& language() const { return m_language; }
     const QString& folder() const { return m_folder; }
+    PictureFolder pictures() const { return {m_folder, m_picturesOutside}; }
+    const Panel* panelNamed(const QString& name) const { return m_panels ? m_panels(name) : nullptr; }
     bool isDesigning() const { return m_designing; }
     /// Placeholders without a value are filled with wide figures, for the check of sizes.
     void setMeasuring(bool measuring) { m_measuring = measuring; }
@@ -54,6 +65,8 @@ public:
     void setUnderlay(std::function<void(QPainter&)> underlay) { m_underlay = std::move(underlay); }
     /// Paints what lies in `clip`; with a region (in device coordinates of `toDevice`) only the elements that touch it.
     void paint(QPainter& painter, const QRectF& clip, const QRegion* region = nullptr, const QTransform& toDevice = {});
+    /// One element alone, in panel coordinates; nothing when it is not shown.
+    void paintElement(QPainter& painter, ElementView& view) const;
     QImage picture(double scale = 1);
 
     void press(QPointF at);
@@ -68,6 +81,11 @@ public:
     /// Where the element is drawn now, motion included.
     QRectF shownRect(const ElementView& view) const;
     bool isShown(const ElementView& view) const;
+    bool isEnabled(const ElementView& view) const;
+    /// The faceplate in which a view is drawn, or null for an element of the panel itself.
+    const FaceplateView* faceplateOf(const ElementView& view) const;
+    /// A view of what a placed faceplate contains: no element of the panel.
+    bool isInner(const ElementView& view) const { return m_inner.contains(&view); }
 
     // Called by element views.
     void markDirty(const ElementView& view);
@@ -90,6 +108,7 @@ signals:
 
 private:
     void rebuild();
+    void addView(const Element& element, bool isInner);
     void prepareAll();
     QTransform transformOf(const ElementView& view) const;
     void addDirty(const ElementView& view, const QRectF& before);
@@ -100,11 +119,14 @@ private:
     TextCatalog m_noTexts;
     const TextCatalog* m_texts;
     AlarmBook* m_alarms = nullptr;
+    PanelLookup m_panels;
     QString m_language, m_folder;
+    bool m_picturesOutside = false;
     bool m_designing = false, m_measuring = false, m_lit = true, m_allDirty = true;
     std::optional<quint64> m_alarmPosition;
     std::vector<std::unique_ptr<ElementView>> m_views;
     QHash<ElementId, ElementView*> m_byId;
+    QSet<const ElementView*> m_inner;
     ElementView* m_pressed = nullptr;
     QRegion m_dirty;
     std::function<void(QPainter&)> m_underlay;

@@ -65,6 +65,7 @@ bool hasLevel(const QString& symbol) { return artOf(symbol).contains("@levelY@")
 QPixmap symbolPixmap(const SymbolLook& look, QSize size) {
     static QCache<QString, QPixmap> kept(64 << 20); // bytes
     if (size.isEmpty()) return {};
+    size = size.boundedTo(QSize(4096, 4096)); // the painter enlarges it
     const QString key =
         QStringLiteral("%1|%2|%3|%4|%5|%6|%7|%8|%9")
             .arg(look.symbol, look.body.name(), look.line.name(), look.accent.name(), look.ground.name())

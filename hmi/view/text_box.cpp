@@ -1,5 +1,7 @@
 #include "hmi/view/text_box.h"
 
+#include "hmi/view/glyph_sink.h"
+
 #include <QFontMetricsF>
 #include <QGlyphRun>
 #include <QHash>
@@ -132,11 +134,30 @@ bool drawPlain(QPainter& painter, const TextBox& box) {
     run.setRawFont(glyphs->font);
     run.setGlyphIndexes(indexes);
     run.setPositions(places);
-    painter.drawGlyphRun({}, run);
+    if (GlyphSink* sink = GlyphSink::of(painter))
+        sink->addGlyphs(painter, run, {});
+    else
+        painter.drawGlyphRun({}, run);
     return true;
 }
 
 } // namespace
+
+void addLine(GlyphSink& sink, const QPainter& painter, const QString& line, const QFont& font, QPointF at,
+             bool rightToLeft) {
+    QTextLayout layout(line, font);
+    QTextOption option(Qt::AlignLeft | Qt::AlignAbsolute);
+    option.setTextDirection(rightToLeft ? Qt::RightToLeft : Qt::LeftToRight);
+    option.setWrapMode(QTextOption::NoWrap);
+    layout.setTextOption(option);
+    layout.beginLayout();
+    QTextLine shaped = layout.createLine();
+    if (shaped.isValid()) shaped.setLineWidth(shaped.naturalTextWidth());
+    layout.endLayout();
+    if (!shaped.isValid()) return;
+    shaped.setPosition({});
+    for (const QGlyphRun& run : layout.glyphRuns()) sink.addGlyphs(painter, run, at - QPointF(0, shaped.ascent()));
+}
 
 TextAlign textAlign(const QString& name) {
     if (name == QStringLiteral("center")) return TextAlign::Center;
@@ -157,6 +178,8 @@ bool fits(const TextBox& box) {
 
 void drawText(QPainter& painter, const TextBox& box) {
     if (box.text.isEmpty() || box.rect.width() < 1) return;
+    GlyphSink* const sink = GlyphSink::of(painter);
+    if (sink) sink->addWords(box.text);
     if (isPlain(box.text) && drawPlain(painter, box)) return;
     painter.setFont(box.font);
     painter.setLayoutDirection(box.rightToLeft ? Qt::RightToLeft : Qt::LeftToRight);
@@ -179,7 +202,10 @@ void drawText(QPainter& painter, const TextBox& box) {
             x += (box.rect.width() - width) / 2;
         else if (isAtRight(box))
             x = box.rect.right() - width;
-        painter.drawText(QPointF(x, y), text);
+        if (sink)
+            addLine(*sink, painter, text, box.font, {x, y}, box.rightToLeft);
+        else
+            painter.drawText(QPointF(x, y), text);
         y += lines.spacing;
     }
 }

@@ -32,9 +32,15 @@ void collectHidden(const std::vector<syntax::Decl*>& declarations, std::set<std:
 } // namespace
 
 std::shared_ptr<const CodeModel> CodeModel::make(const driver::BuildInput& input, uint64_t revision) {
+    driver::KeptFiles kept;
+    return make(input, revision, kept);
+}
+
+std::shared_ptr<const CodeModel> CodeModel::make(const driver::BuildInput& input, uint64_t revision,
+                                                 driver::KeptFiles& kept) {
     auto model = std::make_shared<CodeModel>();
     model->m_revision = revision;
-    model->m_checked = driver::check(input);
+    model->m_checked = driver::check(input, kept);
     const sema::Analysis& analysis = *model->m_checked.analysis;
     model->m_referencesOf.resize(analysis.symbols.size());
     for (uint32_t i = 0; i < analysis.symbols.size(); ++i) {

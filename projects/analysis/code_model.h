@@ -110,6 +110,9 @@ struct FileEdits {
 class CodeModel {
 public:
     [[nodiscard]] static std::shared_ptr<const CodeModel> make(const driver::BuildInput& input, uint64_t revision = 0);
+    /// As make; reads only the files that changed since `kept` was used last.
+    [[nodiscard]] static std::shared_ptr<const CodeModel> make(const driver::BuildInput& input, uint64_t revision,
+                                                               driver::KeptFiles& kept);
 
     [[nodiscard]] uint64_t revision() const { return m_revision; }
     [[nodiscard]] const driver::Checked& checked() const { return m_checked; }

@@ -3,13 +3,13 @@
 // its parameters; a call with others, or a sentence whose {0} {1}… do not match, does not compile.
 // "{1:element|elements}" in a sentence is the one or the other as argument 1 is 1 or not. Values, any thread.
 #pragma once
-#include <concepts>
 #include <cstdint>
 #include <functional>
 #include <iosfwd>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -54,7 +54,7 @@ struct Names {
 };
 struct Integer {
     static constexpr ParameterKind kKind = ParameterKind::Integer;
-    template <std::integral T> Integer(T number) {
+    template <class T, class = std::enable_if_t<std::is_integral_v<T>>> Integer(T number) {
         if constexpr (std::is_signed_v<T>)
             value = static_cast<int64_t>(number);
         else

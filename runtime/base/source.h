@@ -1,8 +1,9 @@
-// Source texts: a file's UTF-8 text, byte ranges into it, and line/column of a byte. Owned by whoever loaded the
-// file (a SourceSet); immutable after construction, so any thread may read.
+// Source texts: a file's UTF-8 text, byte ranges into it, and line/column of a byte. Immutable after construction, so
+// any thread may read; copies share the text, and what views it stays valid as long as one of them lives.
 #pragma once
 #include "runtime/base/ids.h"
 
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,18 +35,21 @@ class SourceText {
 public:
     SourceText(std::string path, std::string text);
     [[nodiscard]] const std::string& path() const { return m_path; }
-    [[nodiscard]] std::string_view text() const { return m_text; }
+    [[nodiscard]] std::string_view text() const { return m_content->text; }
     [[nodiscard]] std::string_view slice(SourceRange range) const;
     [[nodiscard]] LineColumn lineColumn(uint32_t offset) const;
     /// Offset of the first byte of the 1-based line; the text's size past the last line.
     [[nodiscard]] uint32_t lineBegin(uint32_t line) const;
     [[nodiscard]] std::string_view line(uint32_t line) const; // without its line end
-    [[nodiscard]] uint32_t lineCount() const { return static_cast<uint32_t>(m_lineBegins.size()); }
+    [[nodiscard]] uint32_t lineCount() const { return static_cast<uint32_t>(m_content->lineBegins.size()); }
 
 private:
+    struct Content {
+        std::string text;
+        std::vector<uint32_t> lineBegins;
+    };
     std::string m_path;
-    std::string m_text;
-    std::vector<uint32_t> m_lineBegins;
+    std::shared_ptr<const Content> m_content;
 };
 
 /// The files of one compilation; FileId indexes `files`.

@@ -146,6 +146,9 @@ public:
     /// A recording on disk: sources and libraries to rebuild the program, then the segments. Atomic write; cancelled,
     /// the file is as it was.
     Result<void> save(const std::string& path, Progress* progress = nullptr) const;
+    /// Only the pieces of the recording that have scans in the range, each in whole. The answer: where the last of them
+    /// begins, which may still grow.
+    Result<Position> saveRange(const std::string& path, PositionRange range, Progress* progress = nullptr) const;
     /// `rebuild` compiles the sources the file holds (the history does not know the compiler).
     /// `libraryTexts` are empty in recordings of earlier versions: then those of this studio serve.
     struct Sources {

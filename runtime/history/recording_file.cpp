@@ -182,10 +182,15 @@ bool writeSegment(Writer& out, const Segment& s, uint64_t program, const Progres
 } // namespace
 
 Result<void> History::save(const std::string& path, Progress* progress) const {
+    const Result<Position> saved = saveRange(path, {0, ~Position(0)}, progress);
+    return saved ? Result<void>() : saved.error();
+}
+
+Result<Position> History::saveRange(const std::string& path, PositionRange range, Progress* progress) const {
     struct stat known {};
     if (::stat(path.c_str(), &known) == 0 && !S_ISREG(known.st_mode)) return Error{errors::NotReplaceable(), path};
     const std::string aside = path + ".new";
-    const auto refused = [&](int handle) {
+    const auto refused = [&](int handle) -> Error {
         Error error{errors::RecordingNotWritten(errors::ofSystem(errno)), path};
         if (handle >= 0) ::close(handle);
         ::unlink(aside.c_str());
@@ -237,12 +242,15 @@ Result<void> History::save(const std::string& path, Progress* progress) const {
         ::unlink(aside.c_str());
         return Error{errors::Cancelled(), path};
     };
+    Position last = range.begin;
     const uint64_t begin = m->firstSegment.load(), end = m->endSegment.load();
     for (uint64_t n = begin; n < end; ++n) {
         if (!goesOn(progress, static_cast<double>(n - begin) / static_cast<double>(end - begin))) return cancelled();
         const Epochs::Pin pin = m->epochs.pin();
         const Segment* s = m->segment(n);
         if (!s) continue; // evicted meanwhile
+        if (s->first >= range.end || s->first + s->count.load(std::memory_order_acquire) <= range.begin) continue;
+        last = s->first;
         const auto known = std::find_if(origins.begin(), origins.end(),
                                         [&](const ProgramOrigin& o) { return o.program == s->program; });
         if (!writeSegment(out, *s, static_cast<uint64_t>(known - origins.begin()), progress)) return cancelled();
@@ -251,7 +259,7 @@ Result<void> History::save(const std::string& path, Progress* progress) const {
     if (isCancelled(progress)) return cancelled();
     if (!out.finish() || ::fsync(handle) != 0) return refused(handle);
     if (::close(handle) != 0 || ::rename(aside.c_str(), path.c_str()) != 0) return refused(-1);
-    return {};
+    return last;
 }
 
 namespace {

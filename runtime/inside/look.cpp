@@ -91,6 +91,11 @@ types::Value Look::valueOf(const Event& event) const {
     return types::readValue(types, type, bytes, event.kind == WatchKind::Value ? -1 : event.bit);
 }
 
+std::span<const std::byte> Look::bytesOf(const Event& event) const {
+    if (event.copy >= m_copies.size()) return {};
+    return m_copies[event.copy];
+}
+
 std::string Look::instanceOf(uint32_t at) const {
     while (at != kNone) {
         const Activation& activation = m_activations[at];

@@ -33,6 +33,7 @@ struct Event {
         0; // Value: the bits; Read, Write: the first 8 bytes there; Arm: number; Text, Bytes: index of a copy
     uint32_t offset = 0; // Read, Write: place in the image
     uint32_t size = 0;
+    uint32_t copy = kNone; // Write of more than 8 bytes: index of a copy
 
     [[nodiscard]] const tree::Stmt* stmt() const { return static_cast<const tree::Stmt*>(node); }
     [[nodiscard]] const tree::Expr* expr() const { return static_cast<const tree::Expr*>(node); }
@@ -80,7 +81,7 @@ public:
     /// The scan came out as recorded; else differences() says where not, doubt() why.
     [[nodiscard]] bool isExact() const { return m_rerun.isExact(); }
     [[nodiscard]] const std::vector<Difference>& differences() const { return m_rerun.differences; }
-    [[nodiscard]] const std::string& doubt() const { return m_rerun.doubt; }
+    [[nodiscard]] const Message& doubt() const { return m_rerun.doubt; }
     [[nodiscard]] const std::optional<controller::Fault>& fault() const { return m_rerun.fault; }
     /// The image after the scan.
     [[nodiscard]] std::span<const std::byte> image() const { return m_rerun.image; }
@@ -91,12 +92,16 @@ public:
     [[nodiscard]] std::span<const Event> events() const { return m_events; }
     [[nodiscard]] std::span<const Activation> activations() const { return m_activations; }
     [[nodiscard]] types::Value valueOf(const Event& event) const; // Value, Text, Bytes, Read, Write
+    /// What a Write of more than 8 bytes has written, its first 4096 bytes; else empty.
+    [[nodiscard]] std::span<const std::byte> bytesOf(const Event& event) const;
     /// "Main.pump": the instance an activation ran on; the caller's for functions.
     [[nodiscard]] std::string instanceOf(uint32_t activation) const;
     /// Passes of the loops around an event, outermost first.
     [[nodiscard]] std::vector<uint64_t> passesAt(EventIndex event) const;
 
     // --- by place in the text. `instance`: a path; empty: any
+    /// By index in activations(): whether it counts for the instance.
+    [[nodiscard]] std::vector<bool> activationsIn(const std::string& instance) const;
     /// Each value that an expression with exactly this text had, in order.
     [[nodiscard]] std::vector<Seen> valuesOf(SourceRange range, const std::string& instance = {}) const;
     /// How often a statement with this text began.
@@ -112,8 +117,6 @@ public:
 private:
     friend class Insight;
     friend class Recorder;
-    /// The activations that count for an instance: by index.
-    [[nodiscard]] std::vector<bool> activationsIn(const std::string& instance) const;
     struct Index;
     [[nodiscard]] const Index& index() const;
 

@@ -56,6 +56,8 @@ void Recorder::report(image::RuntimeContext& context, const void* node, WatchKin
         event.offset = static_cast<uint32_t>(at);
         event.bits = 0;
         std::memcpy(&event.bits, context.image + at, std::min<size_t>(8, event.size));
+        if (kind == WatchKind::Write && event.size > sizeof event.bits)
+            event.copy = static_cast<uint32_t>(copyOf(a, event.size));
     } else if (kind == WatchKind::Text || kind == WatchKind::Bytes) {
         const uint64_t width = kind == WatchKind::Text && (b >> 32 & 1) != 0 ? 2 : 1;
         uint64_t size = b & 0xffffffffu;
@@ -83,7 +85,7 @@ bool Recorder::isLeftOut(const void*, WatchKind kind) {
 }
 
 uint64_t Recorder::copyOf(uint64_t address, uint64_t size) {
-    if (m_look.m_events.size() >= m_options.eventLimit) return 0;
+    if (m_look.m_events.size() >= m_options.eventLimit) return kNone;
     const auto* first = reinterpret_cast<const std::byte*>(address);
     m_look.m_copies.emplace_back(first, first + std::min(size, kLargestCopy));
     return m_look.m_copies.size() - 1;

@@ -1,5 +1,7 @@
 #include "runtime/inside/rerun.h"
 
+#include "runtime/inside/texts.h"
+
 #include <algorithm>
 #include <cstring>
 
@@ -52,7 +54,7 @@ Result<Rerun> Rerunner::run(Position position, const How& how) {
     if (!input) return input.error();
     Rerun rerun;
     rerun.input = std::move(*input);
-    if (!rerun.input.hasJournal) rerun.doubt = "recorded by an earlier version, which kept no journal";
+    if (!rerun.input.hasJournal) rerun.doubt = texts::NoJournal();
     const bool stood = std::any_of(rerun.input.notes.begin(), rerun.input.notes.end(),
                                    [](const image::OutsideNote& note) { return note.site != 0; });
     for (uint32_t occurrence = 0; occurrence < (stood ? kOccurrences : 1); ++occurrence) {
@@ -60,7 +62,7 @@ Result<Rerun> Rerunner::run(Position position, const How& how) {
         compare(rerun, position);
         if (rerun.isExact()) return rerun;
     }
-    if (stood) rerun.doubt = "it was written to while it stood at a breakpoint";
+    if (stood) rerun.doubt = texts::StoodAtBreakpoint();
     return rerun;
 }
 

@@ -23,7 +23,7 @@ struct Rerun {
     std::vector<Difference> differences;
     std::optional<controller::Fault> fault, simulationFault;
     /// Why it may differ: "recorded by an earlier version, which kept no journal"; empty: no reason known.
-    std::string doubt;
+    Message doubt;
     [[nodiscard]] bool isExact() const { return differences.empty(); }
 };
 

@@ -38,7 +38,7 @@ struct Step {
     SourceRange range;
     std::string function, instance, path; // Statement: what was written; Block: the block's path
     std::string blockType;                // Block: "TON"
-    std::string note;                     // Block: "has run 3.2 s of 5 s, 1.8 s to go"
+    Message note;                         // Block: "has run 3.2 s of 5 s, 1.8 s to go"
     types::Value value;
     uint32_t leaf = kNone;
     bool isInternal = false; // Leaf: what a library's block remembers

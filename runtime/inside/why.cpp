@@ -1,4 +1,5 @@
 #include "runtime/inside/reasoner_state.h"
+#include "runtime/inside/texts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -163,8 +164,7 @@ Result<Explanation> Reasoner::why(const Question& question, Position at, uint32_
     Result<Asked> asked = ask(question, at);
     if (!asked) return asked.error();
     if (asked->value.empty())
-        return Error{"it has no value in this scan: " + asked->expression.evaluate(asked->image).reason.english(),
-                     question.text};
+        return Error{texts::NoValueInScan(asked->expression.evaluate(asked->image).reason), question.text};
     Explanation answer;
     answer.question = question;
     answer.value = asked->value;
@@ -182,8 +182,7 @@ Result<Explanation> Reasoner::why(const Question& question, Position at, uint32_
     auto look = m_insight.look(since);
     if (look) {
         if (!(*look)->isExact())
-            answer.doubt =
-                (*look)->doubt().empty() ? "the scan came out otherwise when it was run again" : (*look)->doubt();
+            answer.doubt = (*look)->doubt().isEmpty() ? texts::CameOutOtherwise() : (*look)->doubt();
         const Slice slice = Slicer(**look, mapOf(**look)).sliceOf(placesOf(*then));
         answer.steps = slice.steps;
         if (change) findTriggers(answer, *then, since, slice, depth);
@@ -322,7 +321,8 @@ void Reasoner::findTriggers(Explanation& answer, const Asked& asked, Position ch
             // What counts on from itself is no news.
             std::erase_if(part.because, [&](const Part& deeper) { return deeper.path == part.path; });
         } else {
-            part.path = toggle.kind == Toggle::Kind::First ? "first scan" : "forces";
+            part.isFirstScan = toggle.kind == Toggle::Kind::First;
+            part.isForces = !part.isFirstScan;
         }
         part.isVerified = true;
         answer.triggers.push_back(std::move(part));
@@ -377,8 +377,7 @@ bool isWithin(const Attempt& smaller, const Attempt& larger) {
 Result<WhyNot> Reasoner::whyNot(const Question& question, Position at) {
     Result<Asked> asked = ask(question, at);
     if (!asked) return asked.error();
-    if (asked->value != "TRUE" && asked->value != "FALSE")
-        return Error{"--not needs a condition (BOOL), for example \"Main.level > 80\"", question.text};
+    if (asked->value != "TRUE" && asked->value != "FALSE") return Error{texts::NotNeedsCondition(), question.text};
     WhyNot answer;
     answer.question = question;
     answer.value = asked->value;

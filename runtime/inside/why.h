@@ -53,8 +53,8 @@ struct Part {
     std::string path;
     std::string value, before; // before: of a trigger
     image::Place place;
-    bool isClock = false;
-    std::string condition; // the text that read it: "level > 80"
+    bool isClock = false, isFirstScan = false, isForces = false; // no variable
+    std::string condition;                                       // the text that read it: "level > 80"
     bool isVerified = false;
     std::optional<Writer> writer; // who gave it its value
     std::vector<Part> because;    // of a trigger: its own triggers, a few levels deep
@@ -73,7 +73,7 @@ struct Explanation {
     std::vector<Part> holding;    // what holds it in the scan asked about, where that is another one
     std::vector<Step> steps;      // the way from the writer to the leaves, to unfold
     std::shared_ptr<const image::CompiledProgram> program;
-    std::string doubt; // where the scan did not come out as recorded; else ""
+    Message doubt; // where the scan did not come out as recorded
 };
 
 struct Change {
@@ -88,7 +88,7 @@ struct WhyNot {
     std::vector<Step> steps;               // what kept it
     std::vector<Leaf> leaves;
     std::shared_ptr<const image::CompiledProgram> program;
-    std::string doubt;
+    Message doubt;
 };
 
 class Reasoner {
@@ -100,6 +100,8 @@ public:
     /// All its changes in [from, to), oldest first, `limit` at most.
     [[nodiscard]] Result<std::vector<Writer>> writers(const Question& question, Position from, Position to,
                                                       size_t limit);
+    /// The same at and before `at`, newest first; last who gave it the value it began with, where that is known.
+    [[nodiscard]] Result<std::vector<Writer>> writersBackFrom(const Question& question, Position at, size_t limit);
     [[nodiscard]] Result<Explanation> why(const Question& question, Position at, uint32_t depth = 3);
     [[nodiscard]] Result<WhyNot> whyNot(const Question& question, Position at);
 

@@ -1,5 +1,7 @@
 #include "runtime/inside/words.h"
 
+#include "runtime/inside/texts.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -20,9 +22,7 @@ std::string number(double value) {
     return shown;
 }
 
-std::string scanWords(const history::ScanStamp& at) {
-    return timeWords(at.time) + " (scan " + std::to_string(at.scan) + ")";
-}
+Message scanWords(const history::ScanStamp& at) { return texts::AtScan(timeWords(at.time), at.scan); }
 
 } // namespace
 
@@ -34,7 +34,7 @@ std::string timeWords(controller::Nanoseconds time) {
     return std::to_string(minutes) + " min " + number((ns - static_cast<double>(minutes) * 60e9) / 1e9) + " s";
 }
 
-std::string blockNote(const Look& look, uint32_t instance, const types::Type& block) {
+Message blockNote(const Look& look, uint32_t instance, const types::Type& block) {
     const types::TypeTable& types = *look.tree().types;
     const auto read = [&](const char* name) -> std::optional<int64_t> {
         const types::Field* field = block.findField(name);
@@ -49,13 +49,13 @@ std::string blockNote(const Look& look, uint32_t instance, const types::Type& bl
     if (elapsed && preset) {
         const auto in = read("IN");
         if (*elapsed >= *preset && *preset > 0)
-            return "its time of " + timeWords(controller::Nanoseconds(*preset)) + " is over";
-        if (*elapsed == 0 && in && *in == 0 && (!q || *q == 0)) return "it does not run";
-        return "it has run " + timeWords(controller::Nanoseconds(*elapsed)) + " of " +
-               timeWords(controller::Nanoseconds(*preset)) + ", " +
-               timeWords(controller::Nanoseconds(*preset - *elapsed)) + " to go";
+            return texts::ItsTimeIsOver(timeWords(controller::Nanoseconds(*preset)));
+        if (*elapsed == 0 && in && *in == 0 && (!q || *q == 0)) return texts::ItDoesNotRun();
+        return texts::ItHasRun(timeWords(controller::Nanoseconds(*elapsed)),
+                               timeWords(controller::Nanoseconds(*preset)),
+                               timeWords(controller::Nanoseconds(*preset - *elapsed)));
     }
-    if (counted && target) return "it has counted " + std::to_string(*counted) + " of " + std::to_string(*target);
+    if (counted && target) return texts::ItHasCounted(*counted, *target);
     return {};
 }
 
@@ -79,176 +79,258 @@ std::string statementWords(const image::CompiledProgram& program, SourceRange ra
     return shown;
 }
 
-std::string writerWords(const Writer& writer) {
-    const std::string from = writer.origin.empty() ? std::string() : " from " + writer.origin;
-    switch (writer.kind) {
-    case WriterKind::Statement: {
-        std::string text = "set by " + statementWords(*writer.program, writer.range);
-        if (const std::string place = placeWords(*writer.program, writer.range); !place.empty()) text += "  " + place;
-        const std::string who = writer.instance.empty() ? writer.function : writer.instance;
-        text += " (" + who + (writer.task.empty() ? "" : ", task " + writer.task) + ")";
-        return text;
-    }
-    case WriterKind::Written:
-        return "written" + (from.empty() ? " from outside" : from);
-    case WriterKind::Forced:
-        return "forced" + from;
-    case WriterKind::Reset:
-        return "put back by a reset";
-    case WriterKind::OnlineChange:
-        return "carried over by an online change";
-    case WriterKind::Retain:
-        return "restored from the retained values";
-    case WriterKind::Initial:
-        return "its initial value";
-    case WriterKind::SafeState:
-        return "put into the safe state when the controller stopped";
-    case WriterKind::Resumed:
-        return "as recorded in the scan that was resumed from";
-    case WriterKind::Test:
-        return "set by a statement of a test";
-    case WriterKind::Unknown:
-        break;
-    }
-    return "not known who set it";
-}
-
-std::string toText(const Writer& writer) {
-    std::string text = scanWords(writer.at) + "  " + writer.path;
-    if (!writer.before.empty()) text += " from " + writer.before;
-    if (!writer.value.empty()) text += " to " + writer.value;
-    text += ", " + writerWords(writer) + "\n";
-    for (size_t i = 1; i < writer.calls.size(); ++i) {
-        const CallStep& call = writer.calls[i];
-        text += "    called by " + statementWords(*writer.program, call.range);
-        if (const std::string place = placeWords(*writer.program, call.range); !place.empty()) text += "  " + place;
-        text += "\n";
-    }
-    return text;
-}
-
 namespace {
 
-void addPart(std::string& text, const Part& part, bool isTrigger, uint32_t depth) {
-    const std::string indent(2 + 2 * depth, ' ');
-    if (part.isClock) {
-        text += indent + "time passed.\n";
-        return;
-    }
-    text += indent + part.path;
-    if (part.value.empty())
-        text += " changed";
-    else
-        text += (isTrigger ? " became " : " was ") + part.value;
-    if (part.writer) {
-        text += isTrigger ? "" : " since " + timeWords(part.writer->at.time);
-        text += ", " + writerWords(*part.writer);
-    }
-    text += ".\n";
-    if (!part.because.empty()) {
-        text += indent + "  because\n";
-        for (const Part& deeper : part.because) addPart(text, deeper, true, depth + 2);
-    }
+/// Who wrote from outside: what the journal keeps, in words.
+messages::Thing originWords(const std::string& origin) {
+    if (origin == "the command line") return messages::Phrase(texts::TheCommandLine());
+    if (origin == "studio") return messages::Phrase(texts::TheStudio());
+    constexpr std::string_view kPanel = "panel ";
+    const size_t comma = origin.find(", ");
+    if (origin.starts_with(kPanel) && comma != std::string::npos)
+        return messages::Phrase(
+            texts::PanelElement(origin.substr(kPanel.size(), comma - kPanel.size()), origin.substr(comma + 2)));
+    return origin;
 }
 
-void addSteps(std::string& text, const image::CompiledProgram& program, const std::vector<Step>& steps,
-              uint32_t depth) {
-    if (depth > kDeepestStep) return;
-    const std::string indent(2 + 2 * depth, ' ');
-    const auto shown = [&](const types::Value& value) {
-        return value.hasValue() ? types::toText(*program.layout.types, value) : std::string();
-    };
-    for (const Step& step : steps) {
-        const std::string value = shown(step.value);
-        std::string line;
-        const bool isNamed = step.kind == Step::Kind::Leaf || step.kind == Step::Kind::Block ||
-                             !statementWords(program, step.range).empty();
-        if (!isNamed) { // made by the compiler
-            addSteps(text, program, step.steps, depth);
-            continue;
-        }
-        switch (step.kind) {
-        case Step::Kind::Statement:
-            line = statementWords(program, step.range) + "   → " + value;
-            break;
-        case Step::Kind::Guard:
-            line = "it ran because " + statementWords(program, step.range) + " was " + value;
-            break;
-        case Step::Kind::NotReset:
-            line = "nothing wrote it later because " + statementWords(program, step.range) + " was " + value;
-            break;
-        case Step::Kind::Blocked:
-            line = "a statement that would write it did not run because " + statementWords(program, step.range) +
-                   " was " + value;
-            break;
-        case Step::Kind::Block:
-            line = (step.path.empty() ? step.function : step.path + " (" + step.blockType + ")") +
-                   (step.note.empty() ? "" : ": " + step.note);
-            break;
-        case Step::Kind::Leaf:
-            if (step.path.empty() || step.isInternal) continue;
-            line = step.path + " was " + value + " when the scan began";
-            break;
-        }
-        if (const std::string place = placeWords(program, step.range); !place.empty()) line += "   " + place;
-        text += indent + line + "\n";
-        addSteps(text, program, step.steps, depth + 1);
-    }
+Message statementWriter(const Writer& writer) {
+    const std::string statement = statementWords(*writer.program, writer.range),
+                      place = placeWords(*writer.program, writer.range),
+                      who = writer.instance.empty() ? writer.function : writer.instance;
+    if (statement.empty()) return texts::SetByCompiler(who);
+    if (writer.task.empty()) return texts::SetBy(statement, place, who);
+    return texts::SetByInTask(statement, place, who, writer.task);
 }
 
 } // namespace
 
-std::string toText(const Explanation& answer) {
-    std::string text = answer.question.text + " is " + answer.value + " at " + scanWords(answer.asked);
-    text +=
-        answer.isSinceBegin ? ", as it was when the recording began.\n" : ", since " + scanWords(answer.since) + ".\n";
-    if (answer.writer) {
-        const bool isInitial = answer.writer->kind == WriterKind::Initial;
-        text += (isInitial ? "It has " : "It was ") + writerWords(*answer.writer) + ".\n";
-        for (size_t i = 1; i < answer.writer->calls.size(); ++i) {
-            const CallStep& call = answer.writer->calls[i];
-            text += "  called by " + statementWords(*answer.writer->program, call.range) + "   " +
-                    placeWords(*answer.writer->program, call.range) + "\n";
+Message writerWords(const Writer& writer) {
+    switch (writer.kind) {
+    case WriterKind::Statement:
+        return statementWriter(writer);
+    case WriterKind::Written:
+        return writer.origin.empty() ? texts::WrittenFromOutside() : texts::WrittenFrom(originWords(writer.origin));
+    case WriterKind::Forced:
+        return writer.origin.empty() ? texts::Forced() : texts::ForcedFrom(originWords(writer.origin));
+    case WriterKind::Reset:
+        return texts::PutBackByReset();
+    case WriterKind::OnlineChange:
+        return texts::CarriedOver();
+    case WriterKind::Retain:
+        return texts::Retained();
+    case WriterKind::Initial:
+        return texts::ItsInitialValue();
+    case WriterKind::SafeState:
+        return texts::SafeState();
+    case WriterKind::Resumed:
+        return texts::AsResumed();
+    case WriterKind::Test:
+        return texts::SetByTest();
+    case WriterKind::Unknown:
+        break;
+    }
+    return texts::WriterUnknown();
+}
+
+namespace {
+
+/// The calls that led to it, innermost first, without the outermost: nothing of the user's called that.
+void addCalls(std::vector<Sentence>& out, const Writer& writer) {
+    for (size_t i = 1; i < writer.calls.size(); ++i) {
+        const SourceRange range = writer.calls[i].range;
+        out.push_back({SentenceKind::Writer,
+                       texts::CalledBy(statementWords(*writer.program, range), placeWords(*writer.program, range)),
+                       range,
+                       writer.at,
+                       {},
+                       {}});
+    }
+}
+
+void addWriter(Sentence& sentence, const Writer& writer) {
+    sentence.at = writer.at;
+    if (writer.kind == WriterKind::Statement) sentence.range = writer.range;
+}
+
+Message triggerWords(const Part& part) {
+    if (part.isClock) return texts::TimePassed();
+    if (part.isFirstScan) return texts::FirstScan();
+    if (part.isForces) return texts::ForcesChanged();
+    if (part.value.empty())
+        return part.writer ? texts::ChangedBy(part.path, writerWords(*part.writer)) : texts::Changed(part.path);
+    return part.writer ? texts::BecameBy(part.path, part.value, writerWords(*part.writer))
+                       : texts::Became(part.path, part.value);
+}
+
+Message enablerWords(const Part& part) {
+    if (part.isClock) return texts::TimePassed();
+    if (!part.writer) return texts::Was(part.path, part.value);
+    return texts::WasSince(part.path, part.value, timeWords(part.writer->at.time), writerWords(*part.writer));
+}
+
+Sentence sentenceOf(const Part& part, SentenceKind kind) {
+    Sentence sentence;
+    sentence.kind = kind;
+    sentence.path = part.path;
+    sentence.text = kind == SentenceKind::Trigger ? triggerWords(part) : enablerWords(part);
+    if (part.writer) addWriter(sentence, *part.writer);
+    if (part.because.empty()) return sentence;
+    Sentence because{kind, texts::Because(), {}, {}, {}, {}};
+    for (const Part& deeper : part.because) because.parts.push_back(sentenceOf(deeper, SentenceKind::Trigger));
+    sentence.parts.push_back(std::move(because));
+    return sentence;
+}
+
+void addParts(std::vector<Sentence>& out, Message head, const std::vector<Part>& parts, SentenceKind kind) {
+    if (parts.empty()) return;
+    Sentence sentence{kind, std::move(head), {}, {}, {}, {}};
+    for (const Part& part : parts) sentence.parts.push_back(sentenceOf(part, kind));
+    out.push_back(std::move(sentence));
+}
+
+Message blockWords(const Step& step) {
+    Message words = step.path.empty() ? texts::OnlyName(step.function) : texts::BlockOfType(step.path, step.blockType);
+    return step.note.isEmpty() ? words : texts::WithNote(std::move(words), step.note);
+}
+
+/// Empty: nothing to say of it.
+Message stepWords(const Step& step, const image::CompiledProgram& program) {
+    const std::string text = statementWords(program, step.range),
+                      value = step.value.hasValue() ? types::toText(*program.layout.types, step.value) : std::string();
+    switch (step.kind) {
+    case Step::Kind::Statement:
+        return texts::StatementGave(text, value);
+    case Step::Kind::Guard:
+        return texts::ItRan(text, value);
+    case Step::Kind::NotReset:
+        return texts::NotWrittenLater(text, value);
+    case Step::Kind::Blocked:
+        return texts::DidNotRun(text, value);
+    case Step::Kind::Block:
+        return blockWords(step);
+    case Step::Kind::Leaf:
+        return step.path.empty() || step.isInternal ? Message() : texts::WasWhenScanBegan(step.path, value);
+    }
+    return {};
+}
+
+void addSteps(std::vector<Sentence>& out, const image::CompiledProgram& program, const history::ScanStamp& at,
+              const std::vector<Step>& steps, uint32_t depth) {
+    if (depth > kDeepestStep) return;
+    for (const Step& step : steps) {
+        const bool isNamed = step.kind == Step::Kind::Leaf || step.kind == Step::Kind::Block ||
+                             !statementWords(program, step.range).empty();
+        if (!isNamed) { // made by the compiler
+            addSteps(out, program, at, step.steps, depth);
+            continue;
         }
+        Message words = stepWords(step, program);
+        if (words.isEmpty()) continue;
+        if (std::string place = placeWords(program, step.range); !place.empty())
+            words = texts::AtPlace(std::move(words), std::move(place));
+        Sentence sentence{SentenceKind::Step, std::move(words), step.range, at, step.path, {}};
+        addSteps(sentence.parts, program, at, step.steps, depth + 1);
+        out.push_back(std::move(sentence));
     }
-    if (!answer.triggers.empty()) {
-        text += "It became " + answer.value + " because\n";
-        for (const Part& part : answer.triggers) addPart(text, part, true, 0);
+}
+
+void addSteps(std::vector<Sentence>& out, Message head, const std::shared_ptr<const image::CompiledProgram>& program,
+              const history::ScanStamp& at, const std::vector<Step>& steps) {
+    if (steps.empty() || !program) return;
+    Sentence sentence{SentenceKind::Step, std::move(head), {}, {}, {}, {}};
+    addSteps(sentence.parts, *program, at, steps, 0);
+    out.push_back(std::move(sentence));
+}
+
+void addDoubt(std::vector<Sentence>& out, const Message& doubt) {
+    if (!doubt.isEmpty()) out.push_back({SentenceKind::Note, texts::Note(doubt), {}, {}, {}, {}});
+}
+
+Message wayWords(const std::vector<Change>& way) {
+    Message words;
+    for (const Change& change : way) {
+        Message one = texts::Were(change.path, change.to, change.from);
+        words = words.isEmpty() ? std::move(one) : texts::And(std::move(words), std::move(one));
     }
-    if (!answer.enablers.empty()) {
-        text += answer.triggers.empty() ? "It needs\n" : "This needed\n";
-        for (const Part& part : answer.enablers) addPart(text, part, false, 0);
+    return words;
+}
+
+} // namespace
+
+Sentence sentenceOf(const Writer& writer) {
+    Message who = writerWords(writer), when = scanWords(writer.at);
+    Sentence sentence;
+    sentence.kind = SentenceKind::Writer;
+    sentence.path = writer.path;
+    sentence.text = writer.before.empty() ? texts::ChangedTo(std::move(when), writer.path, writer.value, std::move(who))
+                                          : texts::ChangedFromTo(std::move(when), writer.path, writer.before,
+                                                                 writer.value, std::move(who));
+    addWriter(sentence, writer);
+    addCalls(sentence.parts, writer);
+    return sentence;
+}
+
+std::vector<Sentence> sentencesOf(const Explanation& answer) {
+    std::vector<Sentence> out;
+    const std::string& what = answer.question.text;
+    Message head = answer.isSinceBegin
+                       ? texts::IsSinceBegin(what, answer.value, scanWords(answer.asked))
+                       : texts::IsSince(what, answer.value, scanWords(answer.asked), scanWords(answer.since));
+    out.push_back({SentenceKind::Head, std::move(head), {}, answer.since, what, {}});
+    if (answer.writer) {
+        Sentence writer{SentenceKind::Writer,
+                        answer.writer->kind == WriterKind::Initial ? texts::ItHasItsInitialValue()
+                                                                   : texts::ItWas(writerWords(*answer.writer)),
+                        {},
+                        {},
+                        answer.writer->path,
+                        {}};
+        addWriter(writer, *answer.writer);
+        addCalls(writer.parts, *answer.writer);
+        out.push_back(std::move(writer));
     }
-    if (!answer.holding.empty()) {
-        text += "It stays so because\n";
-        for (const Part& part : answer.holding) addPart(text, part, false, 0);
+    addParts(out, texts::ItBecame(answer.value), answer.triggers, SentenceKind::Trigger);
+    addParts(out, answer.triggers.empty() ? texts::ItNeeds() : texts::ThisNeeded(), answer.enablers,
+             SentenceKind::Enabler);
+    addParts(out, texts::ItStays(), answer.holding, SentenceKind::Holding);
+    addSteps(out, texts::StepByStep(), answer.program, answer.since, answer.steps);
+    addDoubt(out, answer.doubt);
+    return out;
+}
+
+std::vector<Sentence> sentencesOf(const WhyNot& answer) {
+    std::vector<Sentence> out;
+    out.push_back({SentenceKind::Head,
+                   texts::IsAt(answer.question.text, answer.value, scanWords(answer.asked)),
+                   {},
+                   answer.asked,
+                   answer.question.text,
+                   {}});
+    if (answer.ways.empty()) out.push_back({SentenceKind::Way, texts::NoChangeMakesIt(answer.wanted), {}, {}, {}, {}});
+    for (size_t i = 0; i < answer.ways.size(); ++i) {
+        Message words = wayWords(answer.ways[i]);
+        out.push_back({SentenceKind::Way,
+                       i == 0 ? texts::WouldBe(answer.wanted, std::move(words))
+                              : texts::WouldAlsoBe(answer.wanted, std::move(words)),
+                       {},
+                       {},
+                       answer.ways[i].empty() ? std::string() : answer.ways[i].front().path,
+                       {}});
     }
-    if (!answer.steps.empty()) {
-        text += "Step by step\n";
-        addSteps(text, *answer.program, answer.steps, 0);
-    }
-    if (!answer.doubt.empty()) text += "Note: " + answer.doubt + ".\n";
+    addSteps(out, texts::WhatKeepsIt(answer.value), answer.program, answer.asked, answer.steps);
+    addDoubt(out, answer.doubt);
+    return out;
+}
+
+std::string toText(const std::vector<Sentence>& sentences, uint32_t depth) {
+    std::string text;
+    for (const Sentence& sentence : sentences)
+        text += std::string(2 * depth, ' ') + sentence.text.english() + "\n" + toText(sentence.parts, depth + 1);
     return text;
 }
 
-std::string toText(const WhyNot& answer) {
-    std::string text = answer.question.text + " is " + answer.value + " at " + scanWords(answer.asked) + ".\n";
-    if (answer.ways.empty())
-        text += "No change of up to three variables makes it " + answer.wanted + " in this scan.\n";
-    for (size_t i = 0; i < answer.ways.size(); ++i) {
-        text += i == 0 ? "It would be " + answer.wanted + " if " : "or if ";
-        for (size_t k = 0; k < answer.ways[i].size(); ++k) {
-            const Change& change = answer.ways[i][k];
-            text += (k == 0 ? "" : " and ") + change.path + " were " + change.to + " (it is " + change.from + ")";
-        }
-        text += i + 1 < answer.ways.size() ? ",\n" : ".\n";
-    }
-    if (!answer.steps.empty()) {
-        text += "What keeps it " + answer.value + "\n";
-        addSteps(text, *answer.program, answer.steps, 0);
-    }
-    if (!answer.doubt.empty()) text += "Note: " + answer.doubt + ".\n";
-    return text;
-}
+std::string toText(const Writer& writer) { return toText({sentenceOf(writer)}); }
+std::string toText(const Explanation& answer) { return toText(sentencesOf(answer)); }
+std::string toText(const WhyNot& answer) { return toText(sentencesOf(answer)); }
 
 } // namespace plc::inside

@@ -1,5 +1,6 @@
 // "Who set this?"
 #include "runtime/inside/reasoner_state.h"
+#include "runtime/inside/texts.h"
 
 #include <algorithm>
 
@@ -26,7 +27,7 @@ Result<expression::Expression> Reasoner::compile(const Question& question,
             if (shared.get() == &program) found = driver::checkedOf(shared);
         checked = m_checked.emplace(&program, std::move(found)).first;
     }
-    if (!checked->second.analysis) return Error{"the program was not built from sources", {}};
+    if (!checked->second.analysis) return Error{texts::NotBuiltFromSources(), {}};
     auto expression = driver::compileExpression(checked->second, question.text, question.scope);
     return m_expressions.emplace(key, std::move(expression)).first->second;
 }
@@ -43,7 +44,7 @@ Result<Reasoner::Asked> Reasoner::ask(const Question& question, Position at) {
     asked.at = at;
     asked.image = m_insight.history().seek(at, &asked.program);
     const auto stamp = m_insight.history().stamp(at);
-    if (asked.image.empty() || !stamp || !asked.program) return Error{"this scan is not in the recording", {}};
+    if (asked.image.empty() || !stamp || !asked.program) return Error{texts::ScanNotThere(), {}};
     asked.stamp = *stamp;
     auto expression = compile(question, *asked.program);
     if (!expression) return expression.error();
@@ -163,7 +164,7 @@ Result<Writer> Reasoner::writerOf(const Question&, const image::Place& place, Po
     const EventIndex last = (*look)->lastWriteBefore(end, place.offset, size, place.bit);
     if (last == kNone) {
         if (auto writer = outsideWriter(place, at, shared)) return *writer;
-        return Error{"nothing wrote it in this scan", {}};
+        return Error{texts::NothingWroteIt(), {}};
     }
     const Event& event = (*look)->events()[last];
     Writer writer;
@@ -201,7 +202,7 @@ Result<Writer> Reasoner::lastWriter(const Question& question, Position at) {
     const Position when = change ? *change : m_insight.history().statistics().first;
     Result<Asked> then = ask(question, when);
     if (!then) return then.error();
-    Result<Writer> writer = Error{"nothing wrote it", {}};
+    Result<Writer> writer = Error{texts::NothingWroteIt(), {}};
     std::vector<std::byte> before = when > 0 ? m_insight.history().seek(when - 1) : std::vector<std::byte>();
     for (const image::Place& place : placesOf(*then)) {
         const size_t size = place.bit >= 0 ? 1 : (*then->program->layout.types)[place.type].size;
@@ -230,6 +231,21 @@ Result<std::vector<Writer>> Reasoner::writers(const Question& question, Position
         if (!change || *change >= to) break;
         at = *change;
         if (auto writer = lastWriter(question, at)) all.push_back(std::move(*writer));
+    }
+    return all;
+}
+
+Result<std::vector<Writer>> Reasoner::writersBackFrom(const Question& question, Position at, size_t limit) {
+    std::vector<Writer> all;
+    Result<Asked> asked = ask(question, at);
+    if (!asked) return asked.error();
+    for (Position before = at + 1; all.size() < limit;) {
+        const std::optional<Position> change = lastChange(asked->expression, question, before - 1);
+        const Position when = change ? *change : m_insight.history().statistics().first;
+        auto writer = lastWriter(question, when);
+        if (writer && (change || writer->kind != WriterKind::Unknown)) all.push_back(std::move(*writer));
+        if (!change) break;
+        before = *change;
     }
     return all;
 }

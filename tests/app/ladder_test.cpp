@@ -1,9 +1,15 @@
 // The ladder diagram beside its text, with real keys and clicks: what is drawn, edits as minimal text edits, one undo
 // history, power flow while it runs, and the way of a new user to a motor that holds itself.
+#include "app/new_project.h"
 #include "tests/app/studio_fixture.h"
 
 #include <QAction>
+#include <QDropEvent>
+#include <QFileInfo>
+#include <QMenu>
 #include <QMessageBox>
+#include <QMimeData>
+#include <QTimer>
 
 #include <algorithm>
 
@@ -58,6 +64,43 @@ protected:
         if (view->field().isVisible())
             QTest::keyClick(&view->field(), Qt::Key_Return); // the first one took a completion
         presses += static_cast<int>(text.size()) + 1;
+    }
+    /// The part with this label, or its place on the screen.
+    [[nodiscard]] editor::LadderPick pickOf(const char* label) const {
+        for (size_t rung = 0; rung < view->diagram().rungs.size(); ++rung)
+            for (const editor::LadderPick& pick : view->scene().picksOf(ladder::RungId(rung)))
+                if (view->diagram()[pick.node].label == label) return pick;
+        ADD_FAILURE() << label;
+        return {};
+    }
+    [[nodiscard]] QPoint on(QPointF scenePoint) const { return view->canvas().mapFromScene(scenePoint); }
+    /// On the wire right of a contact.
+    [[nodiscard]] QPoint behind(const char* label) const {
+        const QRectF rect = view->scene().rectOf(pickOf(label));
+        return on({rect.right() + view->scene().cellWidth() * 0.7, rect.bottom() - view->scene().cellHeight() / 2});
+    }
+    [[nodiscard]] QPoint middleOf(const char* label) const { return on(view->scene().rectOf(pickOf(label)).center()); }
+    void drag(QPoint from, QPoint to) {
+        QWidget* port = view->canvas().viewport();
+        QTest::mousePress(port, Qt::LeftButton, {}, from);
+        for (int i = 1; i <= 4; ++i) {
+            QMouseEvent move(QEvent::MouseMove, from + (to - from) * i / 4,
+                             port->mapToGlobal(from + (to - from) * i / 4), Qt::NoButton, Qt::LeftButton,
+                             Qt::NoModifier);
+            QApplication::sendEvent(port, &move);
+        }
+        QTest::mouseRelease(port, Qt::LeftButton, {}, to);
+    }
+    void drop(const char* text, QPoint at) {
+        QMimeData mime;
+        mime.setText(text);
+        QDropEvent event(QPointF(at), Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(view->canvas().viewport(), &event);
+    }
+    [[nodiscard]] ladder::Power powerBehind(const char* label) const {
+        const auto& power = view->scene().online().power;
+        const size_t at = pickOf(label).node.index();
+        return at < power.size() ? power[at] : ladder::Power::Unknown;
     }
     editor::LadderView* view = nullptr;
     int presses = 0;
@@ -131,7 +174,7 @@ TEST_F(LadderTest, ShowsPowerWhileItRuns) {
 
 TEST_F(LadderTest, SelectingInTheDrawingMovesTheCursorAndTheCursorTheSelection) {
     select("stop");
-    EXPECT_EQ(editor().cursorOffset(), editor().utf8().find("NOT stop"));
+    EXPECT_EQ(editor().cursorOffset(), editor().utf8().find("stop; // till")) << "on the name, for rename and uses";
     view->showCursor(static_cast<uint32_t>(editor().utf8().find("lamp := T1.Q")));
     ASSERT_TRUE(view->scene().picked().node.isValid());
     EXPECT_EQ(view->diagram()[view->scene().picked().node].label, "lamp");
@@ -152,8 +195,21 @@ TEST_F(LadderTest, F1ListsTheKeys) {
     box->close();
 }
 
+/// From the template of an empty project to a motor that runs, by keys alone; each character counts.
 TEST_F(LadderTest, ANewUserDrawsAMotorThatHoldsItselfInUnderFortyKeys) {
-    open("PROGRAM Main\nVAR\nEND_VAR\n\nEND_PROGRAM\n");
+    const QString empty = folder.path() + "/new";
+    ASSERT_TRUE(createProject(empty.toStdString(), "New", "empty"));
+    ASSERT_TRUE(window->openProject(empty));
+    ASSERT_TRUE(waitFor([&] { return window->workspace().model() && window->tabs().openFile("src/main.st"); }));
+    QWidget* text = editor().viewport();
+    editor().setFocus();
+    editor().goTo(static_cast<uint32_t>(editor().utf8().find("END_VAR")));
+    QTest::keyClick(text, Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
+    ++presses;
+    view = window->tabs().currentPage()->ladder();
+    ASSERT_NE(view, nullptr);
+    ASSERT_TRUE(view->isVisible());
+    view->canvas().setFocus();
     press(Qt::Key_T, Qt::ControlModifier);
     type("motor");
     press(Qt::Key_K, Qt::ControlModifier);
@@ -163,20 +219,285 @@ TEST_F(LadderTest, ANewUserDrawsAMotorThatHoldsItselfInUnderFortyKeys) {
     press(Qt::Key_Escape);
     press(Qt::Key_K, Qt::ControlModifier);
     type("/stop");
-    EXPECT_EQ(editor().utf8(), "PROGRAM Main\nVAR\n    motor : BOOL;\n    start : BOOL;\n    stop : BOOL;\nEND_VAR\n"
-                               "motor := (start OR motor) AND NOT stop;\n\nEND_PROGRAM\n");
-    EXPECT_EQ(words(), "(start + motor^) /stop -> ()motor\n");
+    EXPECT_NE(editor().utf8().find("motor := (start OR motor) AND NOT stop;"), std::string::npos) << editor().utf8();
+    EXPECT_TRUE(words().ends_with("(start + motor^) /stop -> ()motor\n")) << words();
     analysed();
-    window->action("run.start")->trigger();
-    ++presses;
+    press(Qt::Key_F5);
     EXPECT_LT(presses, 40);
-    ASSERT_TRUE(waitFor([&] { return view->scene().online().isOn; }));
+    ASSERT_TRUE(waitFor([&] { return view->scene().online().isExact; }));
     const auto coil = [&] { return view->scene().online().power[view->diagram().rungs[0].branches[0].output.index()]; };
     EXPECT_EQ(coil(), ladder::Power::Off);
-    ASSERT_TRUE(window->control().force("Main.start", "TRUE"));
+    select("start");
+    view->writeSelected("TRUE");
     EXPECT_TRUE(waitFor([&] { return coil() == ladder::Power::On; }));
-    window->control().unforce("Main.start");
-    EXPECT_EQ(coil(), ladder::Power::On);
+    view->writeSelected("FALSE");
+    ASSERT_TRUE(waitFor([&] { return powerBehind("start") == ladder::Power::Off; }));
+    EXPECT_EQ(coil(), ladder::Power::On) << "it holds itself";
+    select("stop");
+    view->writeSelected("TRUE");
+    EXPECT_TRUE(waitFor([&] { return coil() == ladder::Power::Off; }));
+}
+
+// ------------------------------------------------------------------ what the program computed there
+
+const char* const kRewritten = R"(PROGRAM Main
+VAR
+    early, late, y, z, never : BOOL;
+    n : INT;
+END_VAR
+n := n + 1;
+early := TRUE;
+y := early AND n > 0;
+
+early := FALSE;
+z := early OR late;
+
+IF n < 0 THEN
+    never := y;
+    CASE n OF 1: z := y; END_CASE
+END_IF
+END_PROGRAM
+)";
+
+/// `early` is FALSE at the end of each scan, and was TRUE where it was read first.
+TEST_F(LadderTest, LiveFlowIsWhatWasReadThereAndNotTheValueAtTheEnd) {
+    open(kRewritten);
+    window->action("run.start")->trigger();
+    ASSERT_TRUE(waitFor([&] { return view->scene().online().isOn && view->scene().online().isExact; }));
+    EXPECT_EQ(powerBehind("early"), ladder::Power::On);
+    EXPECT_EQ(powerBehind("y"), ladder::Power::On);
+    EXPECT_EQ(powerBehind("z"), ladder::Power::Off);
+    const auto& leftOut = view->scene().online().leftOut;
+    EXPECT_TRUE(std::find(leftOut.begin(), leftOut.end(), true) != leftOut.end()) << "the IF is not entered";
+}
+
+TEST_F(LadderTest, FlowInThePastIsOfTheScanAtTheTimeSlider) {
+    open("PROGRAM Main\nVAR\n    n : INT;\n    even, y : BOOL;\nEND_VAR\nn := n + 1;\neven := n MOD 2 = 0;\ny := "
+         "even;\neven := "
+         "TRUE;\nEND_PROGRAM\n");
+    window->action("run.start")->trigger();
+    ASSERT_TRUE(waitFor([&] { return window->control().status().scans > 20; }));
+    window->control().pause();
+    for (const history::Position at : {history::Position(7), history::Position(8), history::Position(7)}) {
+        window->control().view(at);
+        const ladder::Power expected = (at + 1) % 2 == 0 ? ladder::Power::On : ladder::Power::Off;
+        EXPECT_TRUE(waitFor([&] { return view->scene().online().isExact && powerBehind("y") == expected; })) << at;
+    }
+}
+
+TEST_F(LadderTest, HaltedItShowsHowFarTheScanCameAndTheRungWhereItStands) {
+    open(kRewritten);
+    window->control().toggleBreakpoint("src/main.st", 11);
+    window->action("run.start")->trigger();
+    ASSERT_TRUE(waitFor([&] { return window->control().status().state == controller::State::Halted; }));
+    ASSERT_TRUE(waitFor([&] { return view->scene().online().isExact; }));
+    EXPECT_EQ(powerBehind("y"), ladder::Power::On);
+    EXPECT_EQ(powerBehind("z"), ladder::Power::Unknown) << "not executed yet";
+    ASSERT_TRUE(waitFor([&] { return view->scene().standing().isValid(); }));
+    const auto& rung = view->diagram()[view->scene().standing()];
+    EXPECT_EQ(rung.range.begin, editor().utf8().find("z := early"));
+    window->control().step(session::Step::Over);
+    EXPECT_TRUE(waitFor([&] {
+        const ladder::RungId at = view->scene().standing();
+        return at.isValid() && view->diagram()[at].range.begin == editor().utf8().find("IF n < 0");
+    }));
+    EXPECT_TRUE(waitFor([&] { return powerBehind("z") == ladder::Power::Off; }));
+}
+
+TEST_F(LadderTest, AnEditedLineShowsTheLastValuesAndTheOthersStayExact) {
+    open(kRewritten);
+    window->action("run.start")->trigger();
+    ASSERT_TRUE(waitFor([&] { return view->scene().online().isExact; }));
+    const auto at = static_cast<uint32_t>(editor().utf8().find("early OR late"));
+    editor().applyEdits({{{FileId(), at, at}, "late OR "}});
+    EXPECT_TRUE(waitFor([&] { return view->scene().online().isExact && powerBehind("y") == ladder::Power::On; }));
+    EXPECT_EQ(powerBehind("z"), ladder::Power::Off);
+}
+
+TEST_F(LadderTest, ATimerShowsItsProgress) {
+    window->action("run.start")->trigger();
+    EXPECT_TRUE(waitFor([&] {
+        const auto& progress = view->scene().online().progress;
+        return std::any_of(progress.begin(), progress.end(), [](double each) { return each > 0; });
+    }));
+}
+
+// ------------------------------------------------------------------ mouse
+
+TEST_F(LadderTest, AClickOnAWireInsertsAContactThere) {
+    QTest::mouseClick(view->canvas().viewport(), Qt::LeftButton, {}, behind("stop"));
+    type("lamp");
+    EXPECT_NE(editor().utf8().find("(start OR motor) AND NOT stop AND lamp;"), std::string::npos) << editor().utf8();
+    // in front of the branch, before both
+    const QRectF first = view->scene().rectOf(pickOf("start"));
+    QTest::mouseClick(view->canvas().viewport(), Qt::LeftButton, {},
+                      on({first.left() - view->scene().cellWidth(), first.bottom() - view->scene().cellHeight() / 2}));
+    type("/lamp");
+    EXPECT_NE(editor().utf8().find("NOT lamp AND (start OR motor)"), std::string::npos) << editor().utf8();
+}
+
+TEST_F(LadderTest, EscapeLeavesTheWireAsItWas) {
+    QTest::mouseClick(view->canvas().viewport(), Qt::LeftButton, {}, behind("stop"));
+    ASSERT_TRUE(view->field().isVisible());
+    QTest::keyClick(&view->field(), Qt::Key_Escape);
+    EXPECT_FALSE(view->field().isVisible());
+    EXPECT_EQ(editor().utf8(), kLadder);
+}
+
+TEST_F(LadderTest, AContactIsDraggedWithinItsRungAndToAnother) {
+    drag(middleOf("stop"), middleOf("start") - QPoint(12, 0));
+    EXPECT_NE(editor().utf8().find("motor := (NOT stop AND start OR motor); // till stop"), std::string::npos)
+        << editor().utf8();
+    editor().undo();
+    EXPECT_EQ(editor().utf8(), kLadder);
+    drag(middleOf("stop"), middleOf("motor") + QPoint(12, 0));
+    EXPECT_NE(editor().utf8().find("motor := (start OR motor AND NOT stop); // till stop"), std::string::npos)
+        << editor().utf8();
+    editor().undo();
+    open(
+        "PROGRAM Main\nVAR\n    a, b, c, y, z : BOOL;\nEND_VAR\ny := a AND b; // one\n\nz := c; // two\nEND_PROGRAM\n");
+    drag(middleOf("b"), middleOf("c") + QPoint(12, 0));
+    EXPECT_NE(editor().utf8().find("y := a; // one\n\nz := c AND b; // two\n"), std::string::npos) << editor().utf8();
+}
+
+TEST_F(LadderTest, AVariableIsDroppedOnAWireAndABlockOfTheLibraryIntoTheRung) {
+    drop("lamp", behind("stop"));
+    EXPECT_NE(editor().utf8().find("AND NOT stop AND lamp;"), std::string::npos) << editor().utf8();
+    editor().undo();
+    drop("TON", behind("stop"));
+    EXPECT_NE(editor().utf8().find("ton1 : TON;"), std::string::npos) << editor().utf8();
+    EXPECT_NE(editor().utf8().find("ton1(IN := (start OR motor) AND NOT stop"), std::string::npos) << editor().utf8();
+    editor().undo();
+    EXPECT_EQ(editor().utf8(), kLadder);
+}
+
+// ------------------------------------------------------------------ names, fixes, marks
+
+TEST_F(LadderTest, ANewNameIsDeclaredInPlaceWithItsType) {
+    select("stop");
+    press(Qt::Key_D, Qt::ControlModifier);
+    type("ready : BOOL");
+    EXPECT_NE(editor().utf8().find("    ready : BOOL;\n"), std::string::npos) << editor().utf8();
+    select("T#100ms");
+    press(Qt::Key_F2);
+    QTest::keyClicks(&view->field(), "delay");
+    QTest::keyClick(&view->field(), Qt::Key_Return);
+    EXPECT_NE(editor().utf8().find("    delay : TIME;\n"), std::string::npos) << editor().utf8();
+    EXPECT_NE(editor().utf8().find("PT := delay"), std::string::npos) << editor().utf8();
+}
+
+TEST_F(LadderTest, AFieldCompletesNamesAndBlocksOfTheLibraries) {
+    select("stop");
+    press(Qt::Key_K, Qt::ControlModifier);
+    QTest::keyClicks(&view->field(), "lam");
+    EXPECT_TRUE(waitFor([&] { return view->field().isCompletionShown(); }));
+    QTest::keyClick(&view->field(), Qt::Key_Escape);
+    QTest::keyClick(&view->field(), Qt::Key_Escape);
+    press(Qt::Key_B, Qt::ControlModifier);
+    QTest::keyClicks(&view->field(), "C1 : CTU_");
+    EXPECT_TRUE(waitFor([&] { return view->field().isCompletionShown(); })) << "CTU_UDINT of the standard library";
+    QTest::keyClick(&view->field(), Qt::Key_Escape);
+    QTest::keyClick(&view->field(), Qt::Key_Escape);
+}
+
+TEST_F(LadderTest, AProblemIsOnItsElementAndAltEnterAppliesAFix) {
+    open("PROGRAM Main\nVAR\n    start, motor : BOOL;\nEND_VAR\nmotor := start AND stopp;\nEND_PROGRAM\n");
+    ASSERT_TRUE(waitFor([&] { return view->scene().problemCount() > 0; }));
+    EXPECT_FALSE(view->scene().problemAt(pickOf("stopp")).isEmpty());
+    select("stopp");
+    QTimer chooser; // several fixes are a menu: the first one
+    QObject::connect(&chooser, &QTimer::timeout, [] {
+        if (QWidget* menu = QApplication::activePopupWidget()) QTest::keyClick(menu, Qt::Key_Return);
+    });
+    chooser.start(20);
+    press(Qt::Key_Return, Qt::AltModifier);
+    EXPECT_TRUE(waitFor([&] { return editor().utf8().find("stopp : BOOL") != std::string::npos; })) << editor().utf8();
+}
+
+TEST_F(LadderTest, FindInTheTextSelectsInTheDrawing) {
+    view->scene().select({});
+    window->action("edit.find")->trigger();
+    QWidget* line = QApplication::focusWidget();
+    ASSERT_NE(line, nullptr);
+    QTest::keyClicks(line, "lamp := ");
+    QTest::keyClick(line, Qt::Key_Return);
+    EXPECT_TRUE(waitFor([&] {
+        const editor::LadderPick pick = view->scene().picked();
+        return pick.node.isValid() && view->diagram()[pick.node].label == "lamp";
+    }));
+}
+
+TEST_F(LadderTest, UsesAndDefinitionComeFromTheElement) {
+    select("stop");
+    press(Qt::Key_F12);
+    EXPECT_TRUE(waitFor([&] { return editor().cursorOffset() == editor().utf8().find("stop, motor"); }));
+    view->canvas().setFocus();
+    select("stop");
+    uint32_t asked = 0;
+    QObject::connect(view, &editor::GraphView::usesRequested, view, [&](uint32_t offset) { asked = offset; });
+    press(Qt::Key_F12, Qt::ShiftModifier);
+    EXPECT_EQ(asked, editor().utf8().find("stop; // till"));
+    QObject::connect(view, &editor::GraphView::renameRequested, view, [&](uint32_t offset) { asked = offset + 1000; });
+    QTimer closer; // of the dialog that asks for the new name
+    QObject::connect(&closer, &QTimer::timeout, [] {
+        if (QWidget* dialog = QApplication::activeModalWidget()) dialog->close();
+    });
+    closer.start(20);
+    select("start");
+    press(Qt::Key_F2, Qt::ShiftModifier);
+    EXPECT_EQ(asked, editor().utf8().find("start OR") + 1000);
+}
+
+TEST_F(LadderTest, ABookmarkIsOnTheRungAndMovesWithIt) {
+    select("lamp");
+    press(Qt::Key_F2, Qt::ControlModifier);
+    ASSERT_EQ(view->scene().bookmarks().size(), 2u);
+    EXPECT_TRUE(view->scene().bookmarks()[1]);
+    EXPECT_FALSE(view->scene().bookmarks()[0]);
+    editor().applyEdits({{{FileId(), 0, 0}, "// above\n"}});
+    EXPECT_TRUE(waitFor([&] { return view->scene().bookmarks() == std::vector<bool>({false, true}); }));
+    view->scene().select(pickOf("stop"));
+    window->action("edit.nextBookmark")->trigger();
+    EXPECT_EQ(view->scene().picked().rung, ladder::RungId(1));
+    view->canvas().setFocus();
+    press(Qt::Key_F2, Qt::ControlModifier);
+    EXPECT_EQ(view->scene().bookmarks(), std::vector<bool>({false, false}));
+}
+
+TEST_F(LadderTest, TheDrawingIsExported) {
+    for (const char* ending : {"svg", "png", "pdf"}) {
+        const QString path = folder.path() + "/drawing." + ending;
+        const bool good = path.endsWith("svg")   ? view->canvas().exportSvg(path)
+                          : path.endsWith("png") ? view->canvas().exportPng(path)
+                                                 : view->canvas().exportPdf(path);
+        EXPECT_TRUE(good) << ending;
+        EXPECT_GT(QFileInfo(path).size(), 1000) << ending;
+    }
+}
+
+TEST_F(LadderTest, WhatIsShownIsChosenAndKept) {
+    open("PROGRAM Main\nVAR\n    start AT %IX0.0 : BOOL; // the green button\n    y : BOOL;\nEND_VAR\ny := "
+         "start;\nEND_PROGRAM\n");
+    auto* menu = view->findChild<QMenu*>("ladderLook");
+    ASSERT_NE(menu, nullptr);
+    const QRectF before = view->scene().rectOf(pickOf("start"));
+    const auto choose = [&](const QString& part) {
+        emit menu->aboutToShow();
+        for (QAction* action : menu->actions())
+            if (action->text().contains(part)) return action->trigger();
+        ADD_FAILURE() << qPrintable(part);
+    };
+    choose("Names and Addresses");
+    choose("Comments of the Variables");
+    choose("Circuit");
+    choose("High Contrast");
+    EXPECT_GT(view->scene().rectOf(pickOf("start")).height(), before.height() * 1.8);
+    EXPECT_EQ(view->scene().colors().muted, view->scene().colors().text);
+    const editor::LadderLook look = editor::LadderLook::fromBits(Settings().ladderLook());
+    EXPECT_EQ(look, view->look());
+    EXPECT_EQ(look.symbols, ladder::Symbols::Circuit);
+    EXPECT_EQ(look.layout.naming, ladder::Naming::Both);
+    Settings().setLadderLook(0);
 }
 
 TEST_F(LadderTest, TheActionShowsAndHidesTheDiagramThatTheUnitPrefers) {

@@ -1,5 +1,7 @@
 // Every action, menu and dock of the real window speaks the languages of the studio.
 #include "app/main_window.h"
+#include "app/translation.h"
+#include "editor/kit/translation_tag.h"
 #include "tests/app/studio_fixture.h"
 
 #include <QDockWidget>
@@ -20,7 +22,21 @@ TEST_P(StudioLanguage, HasEveryActionAndMenu) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Languages, StudioLanguage, ::testing::Values("de", "da"));
+TEST(TranslationTag, IsTheFileThatSpeaksALanguage) {
+    EXPECT_EQ(kit::translationTag("de-AT"), "de");
+    EXPECT_EQ(kit::translationTag("fr_CA"), "fr");
+    for (const char* simplified : {"zh", "zh-CN", "zh_CN", "zh-Hans", "zh_SG"})
+        EXPECT_EQ(kit::translationTag(simplified), "zh_CN") << simplified;
+    for (const char* traditional : {"zh-TW", "zh_HK", "zh-Hant"})
+        EXPECT_EQ(kit::translationTag(traditional), "en") << traditional;
+    for (const QString& language : translatedLanguages()) {
+        EXPECT_EQ(kit::translationTag(language), language);
+        QTranslator texts;
+        EXPECT_TRUE(texts.load(":/translations/stepwise_" + language + ".qm")) << language.toStdString();
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Languages, StudioLanguage, ::testing::Values("de", "da", "fr", "es", "zh_CN"));
 
 } // namespace
 } // namespace plc::app

@@ -9,6 +9,7 @@
 #include "hmi/player/player_status.h"
 #include "runtime/controller/fault_report.h"
 #include "runtime/diagnostics/diagnostic.h"
+#include "runtime/inside/texts.h"
 #include "tests/app/studio_fixture.h"
 
 #include <QToolButton>
@@ -37,6 +38,8 @@ const Form* const kForms[] = {
 #include "editor/kit/errors.def"
 #define PLC_MESSAGE(Row, ...) &errors::Row,
 #include "hmi/model/errors.def"
+#define PLC_MESSAGE(Row, ...) &inside::texts::Row,
+#include "runtime/inside/texts.def"
 };
 
 /// An argument that is found again in the text: "<0>", or 70 for the number of parameter 0.
@@ -71,7 +74,7 @@ TEST(MessageText, EveryMessageShowsItsArgumentsInEveryLanguage) {
         std::vector<messages::Argument> arguments;
         for (size_t i = 0; i < form->count; ++i) arguments.push_back(sample(form->parameters[i], i));
         const Message message(*form, arguments);
-        for (const char* language : {"en", "de", "da"}) {
+        for (const char* language : {"en", "de", "da", "fr", "es", "zh-CN"}) {
             const QString shown = kit::messageText(message, language);
             EXPECT_FALSE(shown.isEmpty()) << form->name << ' ' << language;
             EXPECT_FALSE(shown.contains(u'{') || shown.contains(u'|')) << language << ": " << shown.toStdString();
@@ -112,7 +115,7 @@ TEST(MessageText, EveryFaultIsTranslated) {
         for (const int last : {0, 5}) {
             context.faultDetail[2] = last;
             const Message fault = controller::faultMessage(context);
-            for (const char* language : {"de", "da"}) {
+            for (const char* language : {"de", "da", "fr", "es", "zh-CN"}) {
                 const QString shown = kit::messageText(fault, language);
                 EXPECT_NE(shown.toStdString(), fault.english()) << language;
                 EXPECT_EQ(shown.contains(u'7'), fault.english().find('7') != std::string::npos) << shown.toStdString();

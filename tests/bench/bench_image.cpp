@@ -63,7 +63,7 @@ driver::Built buildOrDie(const std::string& name, const std::string& text) {
     for (const auto& diagnostic : built.checked.analysis->diagnostics)
         if (diagnostic.severity == diagnostics::Severity::Error)
             std::fprintf(stderr, "%s: %s\n", name.c_str(), diagnostic.message.english().c_str());
-    std::fprintf(stderr, "%s does not compile %s\n", name.c_str(), built.failure.c_str());
+    std::fprintf(stderr, "%s does not compile %s\n", name.c_str(), built.failure.english().c_str());
     std::exit(1);
 }
 

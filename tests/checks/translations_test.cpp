@@ -120,7 +120,8 @@ TEST_P(Translations, AreFinishedAndKeepThePlaceholders) {
     for (const Message& message : messagesOf(GetParam())) {
         if (message.isVanished) continue;
         EXPECT_FALSE(message.isUnfinished) << GetParam() << ", " << message.context << ": " << message.source;
-        EXPECT_EQ(message.translations.size(), message.isPlural ? 2u : 1u) << message.source;
+        const size_t plurals = GetParam() == std::string("zh_CN") ? 1 : 2;
+        EXPECT_EQ(message.translations.size(), message.isPlural ? plurals : 1u) << message.source;
         for (const std::string& translation : message.translations) {
             EXPECT_FALSE(translation.empty()) << GetParam() << ", " << message.context << ": " << message.source;
             EXPECT_EQ(placeholders(translation), placeholders(message.source)) << GetParam() << ": " << translation;
@@ -133,7 +134,8 @@ const std::regex kShownLiteral(
     R"re((?:setText|setWindowTitle|setToolTip|setStatusTip|setWhatsThis|setPlaceholderText|setAccessibleName|setTitle|setSuffix|setHeaderLabels?|setHorizontalHeaderLabels|addAction|addMenu|addTab|addRow|addItems?|addToolBar|addButton|say|setDescription|setLabelText|new QLabel|new QPushButton|new QCheckBox|new QRadioButton|new QGroupBox|new QAction|new QToolBar|new QDockWidget|QMessageBox::\w+\(this|QInputDialog::\w+\(this)[(,{ ]+(?:(?:QStringLiteral|QString|QLatin1String)\()?"((?:[^"\\]|\\.)*)")re");
 
 TEST(ShownTexts, ComeFromTheTranslation) {
-    const std::set<std::string> names{"Stepwise", "English", "Deutsch", "Dansk"}; // the same in every language
+    const std::set<std::string> names{"Stepwise", "English",  "Deutsch",
+                                      "Dansk",    "Français", "Español"};       // the same in every language
     const std::regex marks(R"re(%L?\d|&\w+;|<[^>]*>|\\.|[MkµG]?B\b|\bms\b)re"); // places, markup and units are no words
     const std::regex word("[A-Za-z]{2,}");
     for (const char* folder : {"app", "editor", "hmi"})
@@ -160,7 +162,7 @@ TEST(ShownTexts, ComeFromTheTranslation) {
         }
 }
 
-INSTANTIATE_TEST_SUITE_P(Languages, Translations, testing::Values("de", "da"));
+INSTANTIATE_TEST_SUITE_P(Languages, Translations, testing::ValuesIn(plc::checks::kTranslated));
 
 TEST(EnglishPlurals, CoverThePluralsOfTheOtherLanguages) {
     std::set<std::pair<std::string, std::string>> english;

@@ -1,11 +1,15 @@
 // The messages of a translation file (translations/stepwise_*.ts) and what else the checks read from files. Values, any
 // thread.
 #pragma once
+#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 namespace plc::checks {
+
+/// The languages that have every text of the studio; English has the plurals only.
+inline constexpr std::array<const char*, 5> kTranslated{"de", "da", "fr", "es", "zh_CN"};
 
 struct Message {
     std::string context, source;

@@ -1,12 +1,12 @@
 // The designer with real events: a panel from nothing, run, pressed, seen, in another language; and what the designer
 // does on the way: texts get keys, variables become elements, everything is undone.
+#include "design_studio.h"
 #include "hmi/designer/alarm_editor.h"
 #include "hmi/designer/outline.h"
 #include "hmi/designer/palette.h"
 #include "hmi/designer/panel_designer.h"
 #include "hmi/designer/records_dialog.h"
 #include "hmi/designer/text_editor.h"
-#include "running.h"
 
 #include "editor/kit/variable_picker.h"
 
@@ -22,60 +22,6 @@
 
 namespace plc::hmi {
 namespace {
-
-struct Studio {
-    PanelProject project = machineProject();
-    driver::Built built = builtMachine();
-    session::Session session{builtMachine()};
-    std::unique_ptr<DesignContext> context;
-    std::unique_ptr<PanelDesigner> designer;
-
-    explicit Studio(const std::string& elements = {}) {
-        project.panels.push_back({QStringLiteral("main"), panelOf(elements)});
-        project.startPanel = QStringLiteral("main");
-        context = std::make_unique<DesignContext>(project);
-        context->setChecked(built.checked);
-        context->setSession(&session);
-        designer = std::make_unique<PanelDesigner>(*context, QStringLiteral("main"));
-        designer->resize(1400, 900);
-        designer->show();
-        QTest::qWait(1);
-        designer->canvas().setZoom(1);
-    }
-    const Panel& panel() const { return designer->document().panel(); }
-    QPoint at(double x, double y) const { return designer->canvas().toViewport(QPointF(x, y)).toPoint(); }
-    QWidget* ground() const { return designer->canvas().viewport(); }
-    void click(double x, double y, Qt::KeyboardModifiers modifiers = {}) {
-        QTest::mouseClick(ground(), Qt::LeftButton, modifiers, at(x, y));
-    }
-    void drag(QPoint from, QPoint to, Qt::KeyboardModifiers modifiers = {}) {
-        QTest::mousePress(ground(), Qt::LeftButton, modifiers, from);
-        for (int i = 1; i <= 5; ++i) {
-            const QPoint point = from + (to - from) * i / 5;
-            QMouseEvent move(QEvent::MouseMove, QPointF(point), ground()->mapToGlobal(QPointF(point)), Qt::NoButton,
-                             Qt::LeftButton, modifiers);
-            QApplication::sendEvent(ground(), &move);
-        }
-        QTest::mouseRelease(ground(), Qt::LeftButton, modifiers, to);
-    }
-    void drop(QMimeData* mime, double x, double y, Qt::KeyboardModifiers modifiers = {}) {
-        const QPoint point = at(x, y);
-        QDragEnterEvent enter(point, Qt::CopyAction, mime, Qt::LeftButton, modifiers);
-        QApplication::sendEvent(ground(), &enter);
-        QDropEvent event(QPointF(point), Qt::CopyAction, mime, Qt::LeftButton, modifiers);
-        QApplication::sendEvent(ground(), &event);
-        delete mime;
-    }
-    void dropElement(ElementKind kind, double x, double y) {
-        auto* mime = new QMimeData;
-        mime->setData(kElementMime, QByteArray::fromStdString(Json::array({newElementFields(kind)}).dump()));
-        drop(mime, x, y);
-    }
-    void dropVariable(const char* path, double x, double y, Qt::KeyboardModifiers modifiers = {}) {
-        drop(kit::makeVariableMime({QLatin1String(path)}), x, y, modifiers);
-    }
-    const Element& last() const { return panel().elements().back(); }
-};
 
 TEST(Designer, APanelFromNothingIsDrawnRunPressedSeenAndSwitchedToAnotherLanguage) {
     Studio studio;
@@ -153,8 +99,9 @@ TEST(Designer, VariablesBecomeTheElementsThatFit) {
         {"Main.numbers", false, ElementKind::BarChart, "value", ""},
     };
     Studio studio;
+    double y = 40;
     for (const auto& row : rows) {
-        studio.dropVariable(row.path, 300, 200, row.operates ? Qt::ShiftModifier : Qt::NoModifier);
+        studio.dropVariable(row.path, 300, y += 60, row.operates ? Qt::ShiftModifier : Qt::NoModifier);
         EXPECT_EQ(studio.last().kind(), row.kind) << row.path;
         EXPECT_EQ(studio.last().text(row.property).toStdString(), row.path);
         if (*row.extra) {
@@ -174,10 +121,11 @@ TEST(Designer, VariablesBecomeTheElementsThatFit) {
 
 TEST(Designer, WordsDraggedOutOfTheCodeBecomeTheVariableThatTheyName) {
     Studio studio;
+    double y = 40;
     const auto dropText = [&](const char* text) {
         auto* mime = new QMimeData;
         mime->setText(QString::fromLatin1(text));
-        studio.drop(mime, 300, 200);
+        studio.drop(mime, 300, y += 100);
         return studio.panel().elements().size();
     };
     EXPECT_EQ(dropText("running"), 1u);
@@ -351,7 +299,8 @@ TEST(Designer, EveryPropertyOfEveryKindIsOfferedAndComesBackUnchanged) {
         for (const PropertyDescriptor& property : kind.properties) {
             const auto rows = gridRows(property, *studio.context);
             const bool isHidden = property.type == PropertyType::Name || property.type == PropertyType::Element ||
-                                  property.type == PropertyType::Points;
+                                  property.type == PropertyType::Points ||
+                                  property.type == PropertyType::Arguments; // by what is placed: argumentRows
             EXPECT_EQ(rows.empty(), isHidden) << kind.key << '.' << property.key;
             for (const kit::PropertyDescriptor& row : rows) {
                 const Json present = element.at(property.key);

@@ -3,13 +3,10 @@
 
 #include "runtime/base/text.h"
 #include "runtime/compiler/codegen/codegen.h"
-#include "runtime/compiler/driver/definitions.h"
 #include "runtime/compiler/driver/expression_compiler.h"
 #include "runtime/compiler/driver/keeps_analysis.h"
 #include "runtime/compiler/facts/debug_map.h"
 #include "runtime/compiler/jit/jit.h"
-#include "runtime/compiler/lower/lower.h"
-#include "runtime/compiler/parse/parser.h"
 #include "runtime/library/sources.h"
 
 #include <algorithm>
@@ -22,12 +19,6 @@ namespace {
 
 double millisecondsSince(std::chrono::steady_clock::time_point begin) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-}
-
-bool isWanted(std::string_view library, const std::vector<std::string>& wanted) {
-    if (equalsIgnoringCase(library, "standard")) return true;
-    return std::any_of(wanted.begin(), wanted.end(),
-                       [&](const std::string& name) { return equalsIgnoringCase(name, library); });
 }
 
 bool isNameByte(char c) {
@@ -110,24 +101,6 @@ void setRecordedSettings(BuildInput& input, const std::vector<std::string>& sett
             input.libraries.push_back(each);
 }
 
-namespace {
-
-struct LibraryText {
-    std::string name; // "toolbox/valves.st"
-    std::string_view text;
-};
-std::vector<LibraryText> libraryTextsOf(const BuildInput& input) {
-    std::vector<LibraryText> all;
-    for (const auto& [name, text] : input.libraryTexts) all.push_back({name, text});
-    if (!all.empty()) return all;
-    for (const library::Source& source : library::sources())
-        if (isWanted(source.library, input.libraries))
-            all.push_back({std::string(source.library) + "/" + std::string(source.fileName), source.text});
-    return all;
-}
-
-} // namespace
-
 std::vector<std::pair<std::string, std::string>> libraryTexts(const BuildInput& input) {
     std::vector<std::pair<std::string, std::string>> texts;
     for (const LibraryText& each : libraryTextsOf(input)) texts.emplace_back(each.name, std::string(each.text));
@@ -146,74 +119,37 @@ std::vector<std::string> libraryNames() {
 
 namespace {
 
-/// Where a build stands after reading, after checking; the rest is code.
-constexpr double kRead = 0.1, kChecked = 0.3;
-
-/// Files whose conditional pragmas ask for names are read again once the names of all files are known.
-void readConditionsAgain(const SourceSet& sources, const parse::Definitions& defines,
-                         std::vector<std::unique_ptr<syntax::SyntaxFile>>& files,
-                         std::vector<diagnostics::Sink>& sinks) {
-    const auto asks = [](const auto& file) { return file->asksForNames; };
-    if (std::none_of(files.begin(), files.end(), asks)) return;
-    parse::Definitions names = defines;
-    for (size_t i = 0; i < files.size(); ++i) addNames(*files[i], sources[FileId(i)].text(), names);
-    for (size_t i = 0; i < files.size(); ++i) {
-        if (!files[i]->asksForNames) continue;
-        const std::string_view text = sources[FileId(i)].text();
-        parse::Definitions known = names;
-        addVariables(*files[i], text, known);
-        sinks[i] = {};
-        files[i] = parse::parseFile(FileId(i), text, sinks[i], &known);
-    }
-}
+/// Where a build stands after checking; the rest is code.
+constexpr double kChecked = 0.3;
 
 /// Nothing when it was cancelled.
-std::optional<Checked> checkWatched(const BuildInput& input, Progress* progress) {
-    auto sources = std::make_shared<SourceSet>();
-    std::vector<std::string> libraryOf;
-    const std::vector<LibraryText> libraries = libraryTextsOf(input);
-    sources->files.reserve(input.files.size() + libraries.size()); // texts must not move: the trees view them
-    for (const SourceFile& file : input.files) {
-        sources->add(file.path, file.text);
-        libraryOf.emplace_back();
-    }
-    for (const LibraryText& source : libraries) {
-        sources->add("library/" + source.name, std::string(source.text));
-        libraryOf.push_back(library::namespaceOf(source.name.substr(0, source.name.find('/'))));
-    }
-    std::vector<diagnostics::Sink> sinks(sources->files.size());
-    std::vector<std::unique_ptr<syntax::SyntaxFile>> files;
-    const parse::Definitions defines = definitionsOf(input.defines);
-    for (size_t i = 0; i < sources->files.size(); ++i) {
-        if (!goesOn(progress, kRead * static_cast<double>(i) / static_cast<double>(sources->files.size()))) return {};
-        const FileId id(i);
-        files.push_back(parse::parseFile(id, (*sources)[id].text(), sinks[i], &defines));
-    }
-    readConditionsAgain(*sources, defines, files, sinks);
-    std::vector<diagnostics::Diagnostic> diagnostics;
-    for (size_t i = 0; i < files.size(); ++i) {
-        files[i]->library = libraryOf[i];
-        lower::lowerFile(*files[i], sinks[i], input.keepsEveryResult ? lower::Keep::Every : lower::Keep::Needed);
-        for (diagnostics::Diagnostic& each : sinks[i].take()) diagnostics.push_back(std::move(each));
-    }
+std::optional<Checked> checkWatched(const BuildInput& input, KeptFiles& kept, Progress* progress) {
+    std::optional<ReadFiles> read = kept.read(input, progress);
+    if (!read) return {};
     Checked checked;
-    checked.sources = sources;
+    checked.sources = read->sources;
     sema::Options options;
     options.strict = input.strict;
     for (const std::string& text : input.companions) gatherNames(text, options.usedElsewhere);
-    checked.analysis = sema::analyze(*sources, std::move(files), std::move(diagnostics), options);
+    checked.analysis = sema::analyze(*read->sources, std::move(read->trees), std::move(read->diagnostics), options);
     if (!goesOn(progress, kChecked)) return {};
     return checked;
 }
 
 } // namespace
 
-Checked check(const BuildInput& input) { return *checkWatched(input, nullptr); }
+Checked check(const BuildInput& input) {
+    KeptFiles kept;
+    return check(input, kept);
+}
+
+Checked check(const BuildInput& input, KeptFiles& kept) { return *checkWatched(input, kept, nullptr); }
 
 Built build(const BuildInput& input, Progress* progress) {
     Built built;
     const auto begin = std::chrono::steady_clock::now();
-    std::optional<Checked> checked = checkWatched(input, progress);
+    KeptFiles kept;
+    std::optional<Checked> checked = checkWatched(input, kept, progress);
     built.isCancelled = !checked;
     if (!checked) return built;
     built.checked = std::move(*checked);

@@ -2,6 +2,7 @@
 // nobody: functions and immutable results. Any thread; one build at a time per call.
 #pragma once
 #include "runtime/base/progress.h"
+#include "runtime/compiler/driver/reading.h"
 #include "runtime/compiler/sema/sema.h"
 #include "runtime/expression/expression.h"
 #include "runtime/image/program.h"
@@ -42,6 +43,8 @@ struct Checked {
 /// The texts of the libraries that the build uses, for a recording.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> libraryTexts(const BuildInput& input);
 [[nodiscard]] Checked check(const BuildInput& input);
+/// For who checks again and again: only files that changed are read.
+[[nodiscard]] Checked check(const BuildInput& input, KeptFiles& kept);
 
 struct Built {
     Checked checked;

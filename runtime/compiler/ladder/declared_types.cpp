@@ -112,6 +112,45 @@ const DeclaredTypes::Members& DeclaredTypes::membersOf(const Pou& pou) const {
 
 const Pou* DeclaredTypes::pou(std::string_view name) const { return found(m_pous, foldCase(name)); }
 
+std::vector<std::string> DeclaredTypes::blocks() const {
+    std::vector<std::string> out;
+    for (const auto& [name, pou] : m_pous)
+        if (pou->kind == syntax::PouKind::FunctionBlock && !pou->name.text.empty()) out.emplace_back(pou->name.text);
+    std::sort(out.begin(), out.end());
+    return out;
+}
+
+const syntax::VarDecl* DeclaredTypes::memberVariable(const Pou& pou, const std::string& name) const {
+    const Pou* at = &pou;
+    for (int depth = 0; at && depth < kMostAliases; ++depth) {
+        if (const auto* variable = found(membersOf(*at).variables, name)) return variable;
+        at = at->extends.empty() ? nullptr : found(m_pous, lastName(at->extends.front()));
+    }
+    return nullptr;
+}
+
+const syntax::VarDecl* DeclaredTypes::declarationOf(const Expr& expr, const Scope& scope) const {
+    const std::string name = foldCase(expr.name.text);
+    if (expr.kind == ExprKind::NameRef) {
+        for (const Pou* pou : {scope.pou, scope.owner})
+            if (const syntax::VarDecl* variable = pou ? memberVariable(*pou, name) : nullptr) return variable;
+        return found(m_globals, name);
+    }
+    if (expr.kind != ExprKind::Member) return nullptr;
+    if (expr.base->kind == ExprKind::NameRef && !nameType(expr.base->name.text, scope)) {
+        const auto list = m_lists.find(foldCase(expr.base->name.text));
+        if (list != m_lists.end()) return found(list->second, name);
+        if (const Pou* program = pou(expr.base->name.text)) return memberVariable(*program, name);
+        return found(m_globals, name);
+    }
+    const TypeSpec* type = resolved(typeOf(*expr.base, scope));
+    if (const Pou* block = blockOf(type)) return memberVariable(*block, name);
+    for (const syntax::VarDecl* field : type ? type->fields : std::vector<syntax::VarDecl*>())
+        for (const syntax::Name& each : field->names)
+            if (foldCase(each.text) == name) return field;
+    return nullptr;
+}
+
 const TypeSpec* DeclaredTypes::memberType(const Pou& pou, const std::string& name) const {
     const Pou* at = &pou;
     for (int depth = 0; at && depth < kMostAliases; ++depth) {

@@ -22,9 +22,13 @@ public:
     };
     [[nodiscard]] const syntax::TypeSpec* typeOf(const syntax::Expr& expr, const Scope& scope) const;
     [[nodiscard]] Truth isBool(const syntax::Expr& expr, const Scope& scope) const;
+    /// Where a variable is declared: a name, a member of a list or a structure; null for anything else.
+    [[nodiscard]] const syntax::VarDecl* declarationOf(const syntax::Expr& expr, const Scope& scope) const;
     /// The block, function, method or program that a call's base means; null when it is not declared here.
     [[nodiscard]] const syntax::Pou* calleeOf(const syntax::Expr& base, const Scope& scope) const;
     [[nodiscard]] const syntax::Pou* pou(std::string_view name) const;
+    /// Every function block, by name.
+    [[nodiscard]] std::vector<std::string> blocks() const;
     /// Declared in VAR_TEMP of the scope's unit.
     [[nodiscard]] bool isTemporary(std::string_view name, const Scope& scope) const;
     [[nodiscard]] bool isDeclared(std::string_view name, const Scope& scope) const;
@@ -40,6 +44,7 @@ private:
     void collect(const std::vector<syntax::Decl*>& declarations);
     void addGlobals(const std::vector<syntax::VarSection*>& sections);
     [[nodiscard]] const Members& membersOf(const syntax::Pou& pou) const;
+    [[nodiscard]] const syntax::VarDecl* memberVariable(const syntax::Pou& pou, const std::string& name) const;
     [[nodiscard]] const syntax::TypeSpec* memberType(const syntax::Pou& pou, const std::string& name) const;
     [[nodiscard]] const syntax::TypeSpec* fieldType(const syntax::TypeSpec* type, const std::string& name) const;
     [[nodiscard]] const syntax::TypeSpec* nameType(std::string_view name, const Scope& scope) const;

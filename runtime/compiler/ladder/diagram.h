@@ -44,6 +44,7 @@ struct OutputPin {
     bool negated = false;
     bool isFlow = false; // the wire that goes on to the right
     SourceRange range;
+    SourceRange source{}; // of the expression whose value is written
 };
 
 struct Node {
@@ -61,6 +62,7 @@ struct Node {
     bool isTemporary = false;   // reads a VAR_TEMP: a result that was kept for use further down
     bool isConditional = false; // Coil: written as IF … THEN y := TRUE; END_IF
     CoilKind coil = CoilKind::Normal;
+    std::string address, comment; // of the variable, as it is declared; empty: none
     std::string label;            // operand, title of a box, target of a jump
     std::string op;               // Compare
     std::string below;            // Compare: the right operand

@@ -63,6 +63,27 @@ void rootsOf(const Stmt& stmt, std::vector<const Expr*>& out) {
     }
 }
 
+/// The expression with exactly this text; the outer one of a parenthesised pair.
+const Expr* findExact(const Expr* expr, SourceRange range) {
+    if (!expr || range.begin < expr->range.begin || expr->range.end < range.end) return nullptr;
+    if (expr->range.begin == range.begin && expr->range.end == range.end) return expr;
+    for (const Expr* inner : {expr->base, expr->right})
+        if (const Expr* found = findExact(inner, range)) return found;
+    for (const syntax::Argument& argument : expr->arguments)
+        if (const Expr* found = findExact(argument.value, range)) return found;
+    return nullptr;
+}
+
+void everyStatement(const syntax::Block& block, std::vector<const Stmt*>& out) {
+    for (const Stmt* stmt : block) {
+        out.push_back(stmt);
+        for (const syntax::IfBranch& branch : stmt->branches) everyStatement(branch.body, out);
+        for (const syntax::CaseArm& arm : stmt->arms) everyStatement(arm.body, out);
+        everyStatement(stmt->body, out);
+        everyStatement(stmt->elseBody, out);
+    }
+}
+
 /// The part of `there` that stands where `wanted` stands in `here`, an expression of the same words.
 const Expr* counterpart(const Expr* here, const Expr* there, const Expr& wanted) {
     if (!here || !there) return nullptr;
@@ -212,6 +233,30 @@ Result<Edits> LadderEditor::insertContact(NodeId beside, Place place, std::strin
     Edits edits;
     for (const Expr* expr : sameIn(m_diagram[rung], beside))
         edits.push_back(combined(*expr, m_diagram[rung], *operand, kAnd, place));
+    return finish(std::move(edits));
+}
+
+Result<Edits> LadderEditor::insertAt(const std::vector<SourceRange>& places, Place place,
+                                     const std::string& text) const {
+    const auto operand = parsed(text);
+    if (!operand) return operand.error();
+    std::vector<const Stmt*> statements;
+    everyStatement(m_unit.body->statements, statements);
+    Edits edits;
+    for (const SourceRange& wanted : places)
+        for (const Stmt* stmt : statements) {
+            std::vector<const Expr*> roots;
+            rootsOf(*stmt, roots);
+            const Expr* found = nullptr;
+            for (const Expr* root : roots)
+                if (!found) found = findExact(root, wanted);
+            if (!found) continue;
+            Rung around; // only its statements count
+            around.statements = {stmt};
+            edits.push_back(combined(*found, around, *operand, kAnd, place));
+            break;
+        }
+    if (edits.size() != places.size()) return Error{errors::EditInTextOnly(), {}};
     return finish(std::move(edits));
 }
 

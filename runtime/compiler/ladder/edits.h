@@ -6,6 +6,8 @@
 #include "runtime/compiler/ladder/diagram.h"
 #include "runtime/diagnostics/text_edits.h"
 
+#include <functional>
+
 namespace plc::ladder {
 
 using diagnostics::applyEdits;
@@ -27,6 +29,9 @@ public:
     [[nodiscard]] Result<Edits> insertParallel(NodeId with, std::string_view operand) const;
     /// The last contact before the outputs; the only one when the rung comes straight from the rail.
     [[nodiscard]] Result<Edits> appendContact(RungId rung, std::string_view operand) const;
+    /// To another place of the same or another rung: beside a contact, or behind a rung's last one.
+    [[nodiscard]] Result<Edits> moveContact(NodeId node, NodeId beside, Place place) const;
+    [[nodiscard]] Result<Edits> moveContact(NodeId node, RungId rung) const;
     /// Contact, coil or output; the last output takes its rung with it.
     [[nodiscard]] Result<Edits> remove(NodeId node) const;
     [[nodiscard]] Result<Edits> negate(NodeId node) const;
@@ -60,6 +65,13 @@ private:
         int level = 9; // of precedence: 1 OR … 8 **, 9 anything tighter
         bool isPlace = false;
     };
+    /// In series with the expressions that have exactly these texts.
+    [[nodiscard]] Result<Edits> insertAt(const std::vector<SourceRange>& places, Place place,
+                                         const std::string& operand) const;
+    using Insert =
+        std::function<Result<Edits>(const LadderEditor& left, const Edits& removed, const std::string& operand)>;
+    /// Takes it away, then inserts it into what is left.
+    [[nodiscard]] Result<Edits> moveWith(NodeId node, const Insert& insert) const;
     [[nodiscard]] Result<Operand> parsed(std::string_view operand) const;
     [[nodiscard]] static std::string fitted(const Operand& operand, int level);
     [[nodiscard]] std::string slice(SourceRange range) const {

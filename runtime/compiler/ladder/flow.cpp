@@ -24,8 +24,17 @@ Power inverted(Power power) {
 
 class FlowWalk {
 public:
-    FlowWalk(std::string_view text, const Diagram& diagram, const Answers& answers, std::vector<Power>& power)
-        : m_text(text), m_diagram(diagram), m_answers(answers), m_power(power) {}
+    FlowWalk(std::string_view text, const Diagram& diagram, const Answers& answers, const Executed& isExecuted,
+             std::vector<Power>& power)
+        : m_text(text), m_diagram(diagram), m_answers(answers), m_isExecuted(isExecuted), m_power(power) {}
+
+    [[nodiscard]] bool isExecuted(const syntax::Stmt* stmt) const {
+        return !m_isExecuted || !stmt || m_isExecuted(reportedRange(*stmt));
+    }
+
+    Power reach(NodeId id, Power before, bool isReached) {
+        return isReached ? walk(id, before) : skip(id, Power::Unknown);
+    }
 
     Power walk(NodeId id, Power before) {
         const Power after = behind(id, before);
@@ -47,16 +56,22 @@ private:
         case NodeKind::Edge:
             return both(before, node.negated ? inverted(own(id)) : own(id));
         case NodeKind::Series:
-            for (const NodeId child : node.children) before = walk(child, before);
+            for (const NodeId child : node.children)
+                before = node.isShort && before == Power::Off ? skip(child, Power::Off) : walk(child, before);
             return before;
         case NodeKind::Parallel: {
             Power any = Power::Off;
-            for (const NodeId child : node.children) any = either(any, walk(child, before));
+            for (const NodeId child : node.children)
+                if (node.isShort && any == Power::On)
+                    skip(child, Power::Unknown);
+                else
+                    any = either(any, walk(child, before));
             return any;
         }
         case NodeKind::Invert:
             return inverted(walk(node.children[0], before));
         case NodeKind::Box:
+            if (!isExecuted(node.stmt)) return skip(id, before == Power::Off ? Power::Off : Power::Unknown);
             for (const Pin& pin : node.inputs)
                 if (pin.node.isValid()) walk(pin.node, Power::On);
             return own(id);
@@ -72,9 +87,19 @@ private:
         return Power::Unknown;
     }
 
+    /// What was not evaluated, because what is before it decided alone.
+    Power skip(NodeId id, Power power) {
+        m_power[id.index()] = power;
+        for (const NodeId child : m_diagram[id].children) skip(child, power);
+        for (const Pin& pin : m_diagram[id].inputs)
+            if (pin.node.isValid()) skip(pin.node, Power::Unknown);
+        return power;
+    }
+
     std::string_view m_text;
     const Diagram& m_diagram;
     const Answers& m_answers;
+    const Executed& m_isExecuted;
     std::vector<Power>& m_power;
 };
 
@@ -93,23 +118,53 @@ Question questionOf(std::string_view text, const Diagram& diagram, NodeId id) {
     case NodeKind::Compare: // without the NOT of a negated one
         return asked(node.negated && node.expr->kind == syntax::ExprKind::Unary ? node.expr->base : node.expr);
     case NodeKind::Edge:
-        return {node.instance + ".Q", {}, nullptr};
+        return {node.instance + ".Q", node.negated ? node.expr->base->range : node.expr->range, nullptr};
     case NodeKind::Box:
         for (const OutputPin& pin : node.outputs)
             if (pin.isFlow && !pin.name.empty() && !node.instance.empty())
-                return {node.instance + "." + pin.name, {}, nullptr};
+                return {node.instance + "." + pin.name, pin.range, nullptr};
         return node.expr && !node.stmt ? asked(node.expr) : Question();
     default:
         return {};
     }
 }
 
+SourceRange reportedRange(const syntax::Stmt& stmt) {
+    const auto upTo = [&](const syntax::Expr* last) {
+        return last ? SourceRange{stmt.range.file, stmt.range.begin, std::max(stmt.range.begin, last->range.end)}
+                    : stmt.range;
+    };
+    switch (stmt.kind) {
+    case syntax::StmtKind::If:
+        return upTo(stmt.branches.front().condition);
+    case syntax::StmtKind::While:
+        return upTo(stmt.value);
+    case syntax::StmtKind::For:
+        return upTo(stmt.by ? stmt.by : stmt.to);
+    default:
+        return stmt.range;
+    }
+}
+
+bool isRungExecuted(const Diagram& diagram, const Rung& rung, const Executed& isExecuted) {
+    if (!isExecuted || rung.statements.empty()) return true;
+    const syntax::Stmt& first = *rung.statements.front();
+    const bool isLater = (rung.kind == RungKind::Head || rung.kind == RungKind::Tail) &&
+                         rung.range.begin != first.range.begin; // ELSIF, UNTIL: known by its condition
+    if (!isLater) return isExecuted(reportedRange(first));
+    return rung.power.isValid() ? isExecuted(diagram[rung.power].range) : isExecuted(reportedRange(first));
+}
+
 void computeFlow(std::string_view text, const Diagram& diagram, const Rung& rung, const Answers& answers,
-                 std::vector<Power>& power) {
-    FlowWalk walk(text, diagram, answers, power);
-    const Power shared = rung.power.isValid() ? walk.walk(rung.power, Power::On) : Power::On;
+                 std::vector<Power>& power, const Executed& isExecuted) {
+    FlowWalk walk(text, diagram, answers, isExecuted, power);
+    const bool isReached = isRungExecuted(diagram, rung, isExecuted);
+    const Power rail = isReached ? Power::On : Power::Unknown;
+    const Power shared = rung.power.isValid() ? walk.reach(rung.power, rail, isReached) : rail;
     for (const Branch& branch : rung.branches) {
-        const Power tail = branch.tail.isValid() ? walk.walk(branch.tail, shared) : shared;
+        const bool isLeftOut = shared == Power::On && !walk.isExecuted(diagram[branch.output].stmt); // behind a RETURN
+        const Power own = isLeftOut ? Power::Unknown : shared;
+        const Power tail = branch.tail.isValid() ? walk.reach(branch.tail, own, isReached && !isLeftOut) : own;
         walk.walk(branch.output, tail);
     }
 }

@@ -327,11 +327,21 @@ private:
 
     void contact(NodeId id, int x, int y, int w, NodeId source, const std::string& inner) {
         const Node& node = m_diagram[id];
-        text(id, x, y - 1, cut(node.label), TextRole::Operand, Align::Middle, w + 1);
+        const int above = captions(id, x, y, w);
         glyph(id, x, y, w, source, inner, ShapeKind::Contact);
-        if (node.kind == NodeKind::Compare)
-            text(id, x, y + 1, cut(node.below), TextRole::Operand, Align::Middle, w + 1);
-        hit(id, x + 1, y - 1, w - 1, node.kind == NodeKind::Compare ? 3 : 2);
+        const bool isCompare = node.kind == NodeKind::Compare;
+        if (isCompare) text(id, x, y + 1, cut(node.below), TextRole::Operand, Align::Middle, w + 1);
+        hit(id, x + 1, y - above, w - 1, above + (isCompare ? 2 : 1));
+    }
+
+    /// Returns how many lines they take.
+    int captions(NodeId id, int x, int y, int w) {
+        const std::vector<Caption> all = captionsOf(m_diagram[id], m_options);
+        const int count = static_cast<int>(all.size());
+        for (int i = 0; i < count; ++i)
+            text(id, x, y - count + i, all[static_cast<size_t>(i)].text, all[static_cast<size_t>(i)].role,
+                 Align::Middle, w + 1);
+        return count;
     }
 
     void coil(NodeId id, int x, int y, int w, NodeId source) {
@@ -348,9 +358,9 @@ private:
             text(id, at + 2, y, cut(node.label), TextRole::Operand);
             return hit(id, x + 1, y, w, 1);
         }
-        text(id, x, y - 1, cut(node.label), TextRole::Operand, Align::Middle, w + 1);
+        const int above = captions(id, x, y, w);
         glyph(id, x, y, w, source, letter, ShapeKind::Coil);
-        hit(id, x + 1, y - 1, w - 1, 2);
+        hit(id, x + 1, y - above, w - 1, above + 1);
     }
 
     void parallel(NodeId id, int x, int y, int w, NodeId source) {
@@ -389,8 +399,9 @@ private:
         if (!node.instance.empty())
             text(id, left, y - 2, cut(node.instance), TextRole::Instance, Align::Middle, plan.box + 1);
         for (size_t i = 0; i < node.inputs.size(); ++i) input(id, node.inputs[i], left, x, y + plan.inputs[i], source);
+        if (hasEnable(node)) text(id, right - 3, y, "ENO", TextRole::Pin);
         for (size_t i = 0; i < node.outputs.size(); ++i)
-            output(id, node.outputs[i], right, x + plan.left + plan.box + plan.right, y + plan.outputs[i]);
+            output(id, i, right, x + plan.left + plan.box + plan.right, y + plan.outputs[i]);
     }
 
     void input(NodeId id, const Pin& pin, int left, int x, int y, NodeId source) {
@@ -414,7 +425,8 @@ private:
         if (isLogic) add(ShapeKind::Rail, {}, from, y - size.above, 0, size.height());
     }
 
-    void output(NodeId id, const OutputPin& pin, int right, int end, int y) {
+    void output(NodeId id, size_t number, int right, int end, int y) {
+        const OutputPin& pin = m_diagram[id].outputs[number];
         const int name = columnsOf(pin.name);
         text(id, right - name, y, pin.name, TextRole::Pin);
         const bool negated = pin.negated || (pin.isFlow && m_diagram[id].negated);
@@ -423,6 +435,7 @@ private:
         if (!pin.target.empty()) {
             wire(id, from, y, from + 1);
             text(id, from + 2, y, cut(pin.target), TextRole::Operand);
+            m_picture.shapes.back().pin = static_cast<int>(number);
         } else if (pin.isFlow) {
             wire(id, from, y, end);
         }
@@ -452,7 +465,7 @@ int columnsOf(std::string_view utf8) {
 
 Layout computeLayout(const Diagram& diagram, const LayoutOptions& options) {
     Layout layout;
-    Measurer sizes(diagram);
+    Measurer sizes(diagram, options);
     std::vector<RungDrawer> drawers;
     drawers.reserve(diagram.rungs.size());
     int rail = kMargin + options.leastWidth, number = 0;

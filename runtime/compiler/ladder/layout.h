@@ -26,6 +26,8 @@ enum class TextRole : uint8_t {
     Note,     // comment
     Code,     // ST box
     Number,   // of a rung
+    Address,  // of a variable
+    Comment,  // of a variable
 };
 enum class Align : uint8_t { Left, Middle, Right };
 
@@ -38,6 +40,7 @@ struct Shape {
     TextRole role = TextRole::Operand;
     Align align = Align::Left;
     bool isDouble = false; // AND_THEN, OR_ELSE
+    int pin = -1;          // Text: number of the box's output that is written
     bool isMarked = false; // Text: reads the value of the scan before; Wire: a feedback
 };
 /// What a click or the keyboard selects.
@@ -56,10 +59,20 @@ struct Layout {
     std::vector<RungPicture> rungs; // by RungId
 };
 
+/// What stands above a contact or coil.
+enum class Naming : uint8_t {
+    Symbols,
+    Addresses, // in the place of the name, where the variable has one
+    Both,
+};
+
 struct LayoutOptions {
-    int wrapAt = 116;       // columns; a longer rung goes on in the next line
-    int leastWidth = 64;    // columns to the right rail
-    bool showsNotes = true; // comments above the rungs
+    int wrapAt = 116;           // columns; a longer rung goes on in the next line
+    int leastWidth = 64;        // columns to the right rail
+    bool showsNotes = true;     // comments above the rungs
+    bool showsComments = false; // of the variables, above their contacts and coils
+    Naming naming = Naming::Symbols;
+    bool operator==(const LayoutOptions&) const = default;
 };
 
 [[nodiscard]] Layout computeLayout(const Diagram& diagram, const LayoutOptions& options = {});

@@ -151,6 +151,9 @@ std::string_view classOf(TextRole role) {
     case TextRole::Number:
     case TextRole::Note:
         return "t m";
+    case TextRole::Comment:
+        return "t m";
+    case TextRole::Address:
     case TextRole::Instance:
         return "t i";
     }
@@ -159,6 +162,7 @@ std::string_view classOf(TextRole role) {
 
 class Svg {
 public:
+    explicit Svg(Symbols symbols) : m_symbols(symbols) {}
     void draw(const RungPicture& rung) {
         for (const Shape& shape : rung.shapes) draw(shape, rung.top);
     }
@@ -175,6 +179,25 @@ private:
         body += "<text class=\"" + std::string(kind) + "\" x=\"" + number(x) + "\" y=\"" + number(y) + "\"";
         if (anchor != "start") body += " text-anchor=\"" + std::string(anchor) + "\"";
         body += " xml:space=\"preserve\">" + escaped(what) + "</text>\n";
+    }
+
+    /// A lever over a gap: away from the contact, or against it.
+    void lever(const Shape& s, double y) {
+        const double left = middleX(s.x), right = middleX(s.x + s.w);
+        if (s.text == "/")
+            return path("M" + point(left, y) + "L" + point(right + 2, y - 8) + "M" + point(right, y) + "V" +
+                            number(y - 8),
+                        "w k");
+        path("M" + point(left, y) + "L" + point(right - 2, y - 9), "w k");
+    }
+
+    void rectangle(const Shape& s, double y) {
+        const double left = middleX(s.x), right = middleX(s.x + s.w);
+        path("M" + point(left - 1, y - 7) + "H" + number(right + 1) + "V" + number(y + 7) + "H" + number(left - 1) +
+                 "Z",
+             "w k");
+        if (s.text == "/") return path("M" + point(left - 1, y + 7) + "L" + point(right + 1, y - 7), "w");
+        text((left + right) / 2, y + 4, s.text == " " ? "" : s.text, "t", "middle");
     }
 
     void bars(const Shape& s, double y) {
@@ -198,8 +221,9 @@ private:
             return path("M" + point(x, (top + s.y) * kCellHeight) + "V" + number((top + s.y + s.h + 1) * kCellHeight),
                         "n");
         case ShapeKind::Contact:
-            return bars(s, y);
+            return m_symbols == Symbols::Circuit && (s.text == " " || s.text == "/") ? lever(s, y) : bars(s, y);
         case ShapeKind::Coil: {
+            if (m_symbols == Symbols::Circuit) return rectangle(s, y);
             const double right = middleX(s.x + s.w);
             path("M" + point(x + 1, y - 7) + "Q" + point(x - 5, y) + " " + point(x + 1, y + 7) + "M" +
                      point(right - 1, y - 7) + "Q" + point(right + 5, y) + " " + point(right - 1, y + 7),
@@ -230,6 +254,8 @@ private:
         }
         }
     }
+
+    Symbols m_symbols;
 };
 
 constexpr std::string_view kStyle =
@@ -252,8 +278,8 @@ std::string asText(const Layout& layout) {
     return characters.text();
 }
 
-std::string asSvg(const Layout& layout, std::string_view title) {
-    Svg svg;
+std::string asSvg(const Layout& layout, std::string_view title, Symbols symbols) {
+    Svg svg(symbols);
     for (const RungPicture& rung : layout.rungs) svg.draw(rung);
     const std::string width = number((layout.width + 2) * kCellWidth + 16),
                       height = number((layout.height + 1) * kCellHeight + 16);

@@ -22,6 +22,12 @@ bool isNameByte(char c) {
            static_cast<unsigned char>(c) >= 0x80;
 }
 
+std::string firstLine(std::string_view text) {
+    const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
+    const size_t begin = line.find_first_not_of(" \t/");
+    return begin == std::string_view::npos ? std::string() : std::string(line.substr(begin));
+}
+
 bool containsCall(const Expr* expr) {
     if (!expr) return false;
     if (expr->kind == ExprKind::Call || containsCall(expr->base) || containsCall(expr->right)) return true;
@@ -97,7 +103,20 @@ Diagram Projector::run() {
     }
     markReads();
     numberBoxes();
+    describeVariables();
     return std::move(m_diagram);
+}
+
+/// What the declaration says of each operand.
+void Projector::describeVariables() {
+    for (Node& node : m_diagram.nodes) {
+        if (!node.operand || node.operand->kind == ExprKind::Literal) continue;
+        const syntax::VarDecl* variable = m_types.declarationOf(*node.operand, m_scope);
+        if (!variable) continue;
+        node.comment = firstLine(variable->comment);
+        if (variable->names.empty() || equalsIgnoringCase(variable->names.front().text, node.operand->name.text))
+            node.address = std::string(variable->address);
+    }
 }
 
 Rung& Projector::addRung(RungKind kind, int depth) {
@@ -297,8 +316,8 @@ size_t Projector::logicRung(const syntax::Block& block, size_t at, int depth) {
                 next->value->kind != ExprKind::Member || isBoolAssignment(*next) ||
                 folded(next->value->base->range) != m_waiting->instance)
                 break;
-            m_diagram.nodes[box.index()].outputs.push_back(
-                {std::string(next->value->name.text), plain(*next->target), false, false, next->range});
+            m_diagram.nodes[box.index()].outputs.push_back({std::string(next->value->name.text), plain(*next->target),
+                                                            false, false, next->range, next->value->range});
             rung.statements.push_back(next);
             ++at;
         }

@@ -82,6 +82,7 @@ private:
 
     void numberBoxes();
     void markReads();
+    void describeVariables();
 
     [[nodiscard]] NodeId add(Node node);
     [[nodiscard]] std::string slice(SourceRange range) const;

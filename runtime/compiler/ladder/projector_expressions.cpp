@@ -285,7 +285,7 @@ NodeId Projector::takeWaiting(const Expr& leaf) {
     const auto same = std::find_if(box.outputs.begin(), box.outputs.end(), [&](const OutputPin& pin) {
         return equalsIgnoringCase(pin.name, leaf.name.text) && !pin.negated;
     });
-    OutputPin pin{std::string(leaf.name.text), {}, false, true, leaf.range};
+    OutputPin pin{std::string(leaf.name.text), {}, false, true, leaf.range, leaf.range};
     if (same != box.outputs.end()) {
         pin.target = same->target;
         box.outputs.erase(same);

@@ -117,7 +117,7 @@ NodeId Projector::assignBox(const Stmt& stmt, bool hasPower) {
     size_t at = 0;
     for (const Expr* target : targetsOf(stmt))
         box.outputs.insert(box.outputs.begin() + static_cast<std::ptrdiff_t>(at++),
-                           {"", plain(*target), box.negated, false, target->range});
+                           {"", plain(*target), box.negated, false, target->range, value.range});
     return root;
 }
 

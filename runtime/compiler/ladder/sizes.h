@@ -9,6 +9,7 @@ namespace plc::ladder {
 
 inline constexpr int kLeastContact = 6; // columns of a contact with its wires
 inline constexpr int kLongest = 44;     // characters of a label; what is longer is cut, the tip shows all
+inline constexpr int kLongestComment = 22;
 
 inline std::string cut(const std::string& text, int longest = kLongest) {
     if (columnsOf(text) <= longest) return text;
@@ -23,6 +24,9 @@ struct Size {
     [[nodiscard]] int height() const { return above + 1 + below; }
 };
 
+/// A box with EN has ENO beside it; what it writes stands below.
+inline bool hasEnable(const Node& box) { return !box.inputs.empty() && box.inputs.front().name == "EN"; }
+
 /// Where the pins of a box stand, from the line of its first one.
 struct BoxPlan {
     std::vector<int> inputs, outputs; // lines
@@ -30,10 +34,26 @@ struct BoxPlan {
     int bottom = 0;                   // line of the lower edge
 };
 
+/// What is written above a contact or coil, from top to bottom.
+struct Caption {
+    std::string text;
+    TextRole role;
+};
+inline std::vector<Caption> captionsOf(const Node& node, const LayoutOptions& options) {
+    std::vector<Caption> out;
+    if (options.showsComments && !node.comment.empty())
+        out.push_back({cut(node.comment, kLongestComment), TextRole::Comment});
+    const bool isAddressed = !node.address.empty() && options.naming != Naming::Symbols;
+    if (!isAddressed || options.naming == Naming::Both) out.push_back({cut(node.label), TextRole::Operand});
+    if (isAddressed && options.naming == Naming::Both) out.push_back({cut(node.address), TextRole::Address});
+    if (isAddressed && options.naming == Naming::Addresses) out.push_back({cut(node.address), TextRole::Operand});
+    return out;
+}
+
 class Measurer {
 public:
-    explicit Measurer(const Diagram& diagram)
-        : m_diagram(diagram), m_sizes(diagram.nodes.size()), m_known(diagram.nodes.size()) {}
+    Measurer(const Diagram& diagram, const LayoutOptions& options)
+        : m_diagram(diagram), m_options(options), m_sizes(diagram.nodes.size()), m_known(diagram.nodes.size()) {}
 
     const Size& of(NodeId id) {
         if (!m_known[id.index()]) {
@@ -57,11 +77,12 @@ public:
         }
         for (size_t i = 0; i < box.outputs.size(); ++i) {
             const OutputPin& pin = box.outputs[i];
-            plan.outputs.push_back(static_cast<int>(i));
+            plan.outputs.push_back(static_cast<int>(i) + (hasEnable(box) ? 1 : 0));
             rightNames = std::max(rightNames, columnsOf(pin.name));
             const int target = pin.target.empty() ? 1 : columnsOf(cut(pin.target)) + 3;
             plan.right = std::max(plan.right, target + (pin.negated || box.negated ? 1 : 0));
         }
+        if (hasEnable(box)) rightNames = std::max(rightNames, 3);
         const int names = leftNames + rightNames + (leftNames && rightNames ? 2 : 1);
         const int order = m_diagram.form == Form::Blocks ? columnsOf(std::to_string(box.order)) + 1 : 0;
         plan.box = std::max({4, columnsOf(cut(box.label)) + 1 + order, names, columnsOf(cut(box.instance)) - 1}) + 1;
@@ -69,23 +90,37 @@ public:
         if (plan.left == 0) plan.left = 1;
         if (plan.right == 0) plan.right = 1;
         const int pins =
-            std::max(plan.inputs.empty() ? 0 : plan.inputs.back(), static_cast<int>(plan.outputs.size()) - 1);
+            std::max(plan.inputs.empty() ? 0 : plan.inputs.back(), plan.outputs.empty() ? 0 : plan.outputs.back());
         plan.bottom = pins + 1;
         return plan;
     }
 
 private:
+    /// With `more` columns for the wires beside what is written above.
+    Size captioned(const Node& node, int least, int more) {
+        Size size{least, 0, 0};
+        for (const Caption& caption : captionsOf(node, m_options)) {
+            size.w = std::max(size.w, columnsOf(caption.text) + more);
+            ++size.above;
+        }
+        return size;
+    }
+
     Size measure(const Node& node) {
         const int label = columnsOf(cut(node.label));
         switch (node.kind) {
         case NodeKind::Contact:
         case NodeKind::Edge:
-            return {std::max(kLeastContact, label + 3), 1, 0};
+            return captioned(node, kLeastContact, 3);
         case NodeKind::Coil:
             return m_diagram.form == Form::Blocks ? Size{label + (node.coil == CoilKind::Normal ? 4 : 8), 0, 0}
-                                                  : Size{std::max(kLeastContact, label + 2), 1, 0};
-        case NodeKind::Compare:
-            return {std::max({kLeastContact + columnsOf(node.op), label + 3, columnsOf(cut(node.below)) + 3}), 1, 1};
+                                                  : captioned(node, kLeastContact, 2);
+        case NodeKind::Compare: {
+            Size size = captioned(node, kLeastContact + columnsOf(node.op), 3);
+            size.w = std::max(size.w, columnsOf(cut(node.below)) + 3);
+            size.below = 1;
+            return size;
+        }
         case NodeKind::Operand:
             return {label + 2, 0, 0};
         case NodeKind::Invert: {
@@ -146,6 +181,7 @@ private:
     }
 
     const Diagram& m_diagram;
+    const LayoutOptions& m_options;
     std::vector<Size> m_sizes;
     std::vector<bool> m_known;
 };

@@ -56,8 +56,8 @@ struct Reference {
 
 /// The result of checking one whole program.
 struct Analysis {
-    std::vector<std::unique_ptr<syntax::SyntaxFile>> files; // keeps names and ranges alive
-    std::shared_ptr<tree::Program> program;                 // complete only without errors
+    std::vector<std::shared_ptr<const syntax::SyntaxFile>> files; // keeps names and ranges alive
+    std::shared_ptr<tree::Program> program;                       // complete only without errors
     std::vector<Symbol> symbols;
     std::vector<Reference> references; // in order of place, project files only
     std::vector<diagnostics::Diagnostic> diagnostics;
@@ -73,7 +73,7 @@ struct Options {
 
 /// Checks everything together. Library files carry their namespace in SyntaxFile::library.
 [[nodiscard]] std::shared_ptr<const Analysis> analyze(const SourceSet& sources,
-                                                      std::vector<std::unique_ptr<syntax::SyntaxFile>> files,
+                                                      std::vector<std::shared_ptr<const syntax::SyntaxFile>> files,
                                                       std::vector<diagnostics::Diagnostic> syntaxDiagnostics,
                                                       const Options& options);
 

@@ -82,6 +82,25 @@ TEST_F(LadderCommand, WritesAPictureAndNothingElse) {
     EXPECT_FALSE(run({"units.st", "--pou", "Main", "--picture", "again.svg", "--text"}).out.empty());
 }
 
+TEST_F(LadderCommand, ShowsAddressesAndCommentsAndCircuitSymbolsAsAsked) {
+    std::ofstream("units.st", std::ios::binary) << "PROGRAM Main\nVAR\n    start AT %IX0.3 : BOOL; // the green "
+                                                   "button\n    y : BOOL;\nEND_VAR\ny := NOT start;\n"
+                                                   "END_PROGRAM\n";
+    EXPECT_EQ(run({"units.st", "--pou", "Main"}).out.find("%IX0.3"), std::string::npos);
+    const Outcome both = run({"units.st", "--pou", "Main", "--show", "both", "--comments"});
+    EXPECT_NE(both.out.find("start"), std::string::npos);
+    EXPECT_NE(both.out.find("%IX0.3"), std::string::npos) << both.out;
+    EXPECT_NE(both.out.find("the green button"), std::string::npos) << both.out;
+    const Outcome addresses = run({"units.st", "--pou", "Main", "--show", "addresses"});
+    EXPECT_EQ(addresses.out.find("start"), std::string::npos) << addresses.out;
+    EXPECT_NE(addresses.out.find("y"), std::string::npos) << "without an address its name stays";
+    EXPECT_EQ(run({"units.st", "--pou", "Main", "--picture", "bars.svg"}).exitCode, 0);
+    EXPECT_EQ(run({"units.st", "--pou", "Main", "--picture", "circuit.svg", "--symbols", "circuit"}).exitCode, 0);
+    EXPECT_NE(contentOf("bars.svg"), contentOf("circuit.svg"));
+    EXPECT_EQ(run({"units.st", "--pou", "Main", "--symbols", "round"}).exitCode, 2);
+    EXPECT_EQ(run({"units.st", "--pou", "Main", "--show", "nothing"}).exitCode, 2);
+}
+
 TEST_F(LadderCommand, MeasuresHowMuchHasAPicture) {
     const Outcome outcome = run({"units.st", "--share"});
     EXPECT_EQ(outcome.out, "units.st: 3 statements, 100.0 % drawn, 0.0 % frames, 0.0 % text\n"

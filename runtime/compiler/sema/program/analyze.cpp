@@ -22,7 +22,7 @@ namespace plc::sema {
 
 using diagnostics::Kind;
 
-static void build(World& world, std::vector<std::unique_ptr<syntax::SyntaxFile>>& files);
+static void build(World& world, const std::vector<std::shared_ptr<const syntax::SyntaxFile>>& files);
 static void useNamesIn(World& world, SourceRange range);
 
 World::World(const SourceSet& theSources, const Options& theOptions)
@@ -75,7 +75,7 @@ tree::FunctionId newFunction(World& world, std::string name, const Unit* unit) {
     return tree::FunctionId(world.functions.size() - 1);
 }
 
-void build(World& world, std::vector<std::unique_ptr<syntax::SyntaxFile>>& files) {
+void build(World& world, const std::vector<std::shared_ptr<const syntax::SyntaxFile>>& files) {
     for (const auto& file : files) declareFile(world, *file);
     resolveUsings(world);
     for (size_t i = 0; i < world.units.size(); ++i) resolveBases(world, world.units[i]);
@@ -124,7 +124,7 @@ void useNamesIn(World& world, SourceRange range) {
 }
 
 std::shared_ptr<const Analysis> analyze(const SourceSet& sources,
-                                        std::vector<std::unique_ptr<syntax::SyntaxFile>> files,
+                                        std::vector<std::shared_ptr<const syntax::SyntaxFile>> files,
                                         std::vector<diagnostics::Diagnostic> syntaxDiagnostics,
                                         const Options& options) {
     auto world = std::make_shared<World>(sources, options);

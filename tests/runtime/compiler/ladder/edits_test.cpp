@@ -148,5 +148,32 @@ TEST(LadderEdits, RefuseWhatIsNoOperand) {
               "A coil writes a variable.");
 }
 
+Change move(const char* label, const char* beside, Place place) {
+    return [=](const LadderEditor& editor, const Opened& opened) {
+        return editor.moveContact(find(opened, label, NodeKind::Contact), find(opened, beside, NodeKind::Contact),
+                                  place);
+    };
+}
+
+TEST(LadderEdits, MoveAContactWithinItsRungAndToAnother) {
+    EXPECT_EQ(after("y := a AND b AND c; // why\n", move("a", "c", Place::After)), "y := b AND c AND a; // why\n");
+    EXPECT_EQ(after("y := a AND b AND c;\n", move("c", "a", Place::Before)), "y := c AND a AND b;\n");
+    EXPECT_EQ(after("y := a AND (b OR c);\n", move("a", "c", Place::Before)), "y := (b OR a AND c);\n");
+    EXPECT_EQ(after("y := a AND b; // one\n\n(* two *)\nx := c;\n", move("b", "c", Place::After)),
+              "y := a; // one\n\n(* two *)\nx := c AND b;\n");
+    EXPECT_EQ(after("x := c;\n\ny := a AND NOT b;\n", move("b", "c", Place::Before)), "x := NOT b AND c;\n\ny := a;\n");
+    EXPECT_EQ(after("y := a;\n\nx := c;\n", move("a", "c", Place::After)), "y := TRUE;\n\nx := c AND a;\n");
+}
+
+TEST(LadderEdits, MovingAContactTouchesNothingBetweenTheRungs) {
+    const Opened opened(program("y := a AND b;\n\nz := d;\n\nx := c;\n"));
+    const LadderEditor editor(opened.text, *opened.file, opened.unit, opened.diagram, *opened.types);
+    const Result<Edits> edits =
+        editor.moveContact(find(opened, "b", NodeKind::Contact), find(opened, "c", NodeKind::Contact), Place::After);
+    ASSERT_TRUE(edits);
+    ASSERT_EQ(edits->size(), 2u);
+    for (const TextEdit& edit : *edits) EXPECT_LT(edit.range.length() + edit.text.size(), 8u);
+}
+
 } // namespace
 } // namespace plc::ladder

@@ -125,7 +125,7 @@ public:
         Edited out;
         for (const syntax::Stmt* stmt : m_opened.unit.body->statements)
             out.expected.push_back(m_reference.stepOf(*stmt));
-        switch (m_random.below(9)) {
+        switch (m_random.below(10)) {
         case 0:
         case 1:
             return onContact(rung, std::move(out));
@@ -141,6 +141,8 @@ public:
             return removeRung(rung, std::move(out));
         case 7:
             return moveRung(rung, std::move(out));
+        case 8:
+            return moveContact(rung, std::move(out));
         default:
             out.what = "comment";
             out.edits = editor().setComment(rung, m_random.chance(30) ? "" : "two\nlines");
@@ -218,6 +220,38 @@ private:
         }
         }
         for (const syntax::Expr* expr : same) m_reference.changes[expr] = change;
+        return out;
+    }
+
+    /// What is taken out of a series was TRUE there, out of a parallel FALSE; where it comes it decides with the other.
+    Edited moveContact(RungId from, Edited out) {
+        const auto contactsOf = [&](RungId rung) {
+            std::vector<NodeId> all;
+            for (const NodeId id : m_opened.diagram.nodesOf(at(rung))) {
+                const NodeKind kind = m_opened.diagram[id].kind;
+                if (kind == NodeKind::Contact || kind == NodeKind::Compare) all.push_back(id);
+            }
+            return all;
+        };
+        const RungId to(m_random.below(m_opened.diagram.rungs.size()));
+        const std::vector<NodeId> mine = contactsOf(from), others = contactsOf(to);
+        if (mine.empty() || others.empty()) return {};
+        const NodeId id = mine[m_random.below(mine.size())], beside = others[m_random.below(others.size())];
+        if (id == beside) return {};
+        const Node& node = m_opened.diagram[id];
+        out.what = "move " + node.label + " beside " + m_opened.diagram[beside].label;
+        out.edits = editor().moveContact(id, beside, m_random.chance(50) ? Place::Before : Place::After);
+        bool isParallel = false;
+        for (const Node& parent : m_opened.diagram.nodes)
+            isParallel |= parent.kind == NodeKind::Parallel &&
+                          std::find(parent.children.begin(), parent.children.end(), id) != parent.children.end();
+        for (const syntax::Expr* expr : shared(at(from), id))
+            m_reference.changes[expr] = [isParallel](int, const State&) { return isParallel ? 0 : 1; };
+        const auto plain = std::make_shared<Reference>(m_opened.text);
+        const auto moved = [plain, expr = node.expr](int v, const State& state) {
+            return v && plain->value(*expr, state) ? 1 : 0;
+        };
+        for (const syntax::Expr* expr : shared(at(to), beside)) m_reference.changes[expr] = moved;
         return out;
     }
 

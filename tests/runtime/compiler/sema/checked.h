@@ -55,7 +55,7 @@ inline CheckedText check(const std::vector<Source>& files, bool withStandard = t
         }
     }
     diagnostics::Sink sink;
-    std::vector<std::unique_ptr<syntax::SyntaxFile>> trees;
+    std::vector<std::shared_ptr<const syntax::SyntaxFile>> trees;
     for (size_t i = 0; i < out.sources->files.size(); ++i) {
         auto tree = parse::parseFile(FileId(i), (*out.sources)[FileId(i)].text(), sink);
         tree->library = libraries[i];

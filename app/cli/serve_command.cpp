@@ -1,0 +1,109 @@
+#include "app/cli/command.h"
+#include "app/cli/errors.h"
+#include "app/cli/panel_findings.h"
+#include "app/cli/run_output.h"
+#include "app/serve/errors.h"
+#include "app/serve/serve.h"
+
+#include <filesystem>
+#include <iostream>
+
+namespace plc::cli {
+
+namespace {
+
+Result<uint64_t> parseSize(const std::string& text) {
+    uint64_t factor = 1;
+    std::string digits = text;
+    if (!digits.empty())
+        for (const auto& [letter, shift] : {std::pair('k', 10), std::pair('M', 20), std::pair('G', 30)})
+            if (digits.back() == letter) factor = uint64_t(1) << shift;
+    if (factor > 1) digits.pop_back();
+    const auto count = parseCount(digits);
+    if (!count || *count > (uint64_t(1) << 44) / factor) return Error{errors::NotASize(text), {}};
+    return *count * factor;
+}
+
+Result<serve::ServeSettings> readSettings(const Arguments& arguments, const projects::Project& project) {
+    serve::ServeSettings out;
+    out.server.name = project.name;
+    if (const auto text = arguments.value("--port")) {
+        const auto port = parseCount(*text);
+        if (!port || *port > 65535) return Error{errors::PortRange(*text), {}};
+        out.server.port = static_cast<quint16>(*port);
+    }
+    if (const auto text = arguments.value("--address"))
+        if (!out.server.address.setAddress(QString::fromStdString(*text)))
+            return Error{serve::errors::AddressNotNumeric(*text), {}};
+    out.server.certificate = QString::fromStdString(arguments.value("--certificate").value_or(""));
+    out.server.key = QString::fromStdString(arguments.value("--key").value_or(""));
+    if (out.server.certificate.isEmpty() != out.server.key.isEmpty()) return Error{errors::CertificateNeedsKey(), {}};
+    out.tokenFile = arguments.value("--access-code").value_or("");
+    const std::filesystem::path home =
+        project.folder.empty() ? std::filesystem::current_path() : std::filesystem::path(project.folder);
+    out.stateFolder = arguments.value("--state").value_or((home / ".stepwise" / "serve").string());
+    if (const auto text = arguments.value("--recording-size")) {
+        const auto size = parseSize(*text);
+        if (!size) return size.error();
+        out.recordingLimit = *size;
+    }
+    return out;
+}
+
+int run(const Arguments& arguments) {
+    if (arguments.paths().empty()) return wrongUse({errors::NeedsProject(Verbatim("serve")), ""});
+    const auto project = openNamedProject(arguments);
+    if (!project) return wrongUse(project.error());
+    const auto settings = readSettings(arguments, *project);
+    if (!settings) return wrongUse(settings.error());
+    driver::Built built = driver::build(project->buildInput());
+    printDiagnostics(built.checked, false, false);
+    if (built.checked.analysis->hasErrors) return kProgramWrong;
+    if (!built.program)
+        return wrongUse({built.failure.isEmpty() ? errors::NothingToRun() : built.failure, project->name});
+    if (auto optimised = driver::optimise(built); !optimised) return wrongUse(optimised.error());
+    const auto state = serve::StateFolder::open(settings->stateFolder);
+    if (!state) return wrongUse(state.error());
+    session::Settings forSession;
+    forSession.retainFile = serve::retainFileOf(*settings);
+    forSession.retainInterval = std::chrono::seconds(1);
+    if (auto start = calendarStart(arguments.value("--start").value_or(project->calendarStart)); !start)
+        return wrongUse(start.error());
+    else if (*start)
+        forSession.controller.calendarStartNs = **start;
+    catchInterrupt();
+    needApplication();
+    const hmi::PanelProject panels = hmi::loadPanelProject(*project);
+    for (const Error& problem : panels.problems) std::cerr << problem.english() << "\n";
+    session::Session session(std::move(built), forSession);
+    if (const Message problem = session.status().retainProblem; !problem.isEmpty())
+        std::cerr << "stepwise: " << problem << "\n";
+    if (auto served = serve::serve(panels, session, *settings, isInterrupted); !served) return wrongUse(served.error());
+    if (const Message problem = session.status().retainProblem; !problem.isEmpty()) {
+        std::cerr << "stepwise: " << problem << "\n";
+        return kWrongUse;
+    }
+    return kGood;
+}
+
+} // namespace
+
+Command serveCommand() {
+    return {
+        {"serve",
+         "PROJECT [OPTIONS]",
+         "Runs the controller in real time, without a window, and shows its panels in browsers.",
+         {{"--port", "8080", "the port to listen at; 0 takes a free one"},
+          {"--address", "127.0.0.1", "the address to listen at (default: this computer only); 0.0.0.0 for all"},
+          {"--certificate", "FILE", "serve by TLS with this certificate (PEM), and --key"},
+          {"--key", "FILE", "the private key of the certificate (PEM)"},
+          {"--access-code", "FILE", "the code that lets operate, not only look (default: made in the state folder)"},
+          {"--state", "DIR", "retained variables, access code and recording (default: .stepwise/serve in the project)"},
+          {"--recording-size", "256M", "bytes of the recording on disk, oldest deleted first; 0 for none"},
+          {"--start", "DT#2026-01-01-06:00:00", "calendar at the first scan"},
+          {"--library", "NAME", "a library the files use, besides the standard (repeatable)"}},
+         "stepwise serve projects/examples/alarm_texts --port 8080"},
+        run};
+}
+
+} // namespace plc::cli

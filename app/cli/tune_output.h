@@ -1,0 +1,36 @@
+// What `stepwise tune` prints and draws: steps, models, settings. Values and functions, one thread.
+#pragma once
+#include "projects/loops/loops.h"
+#include "projects/tuning/proposal.h"
+
+namespace plc::cli {
+
+struct RuleAnswer {
+    tuning::Rule rule{};
+    tuning::Assessment assessment;
+};
+
+struct TuneReport {
+    std::string name; // of the loop, or of the file
+    loops::Signals channels;
+    tuning::LoopSeries series;
+    tuning::Study study;
+    double cycle = 0;
+    tuning::ControllerKind kind{};
+    tuning::Rule rule{}; // that was asked for
+    std::vector<RuleAnswer> answers;
+    std::optional<loops::Loop> loop;
+    std::optional<tuning::Assessment> now; // with the block's present parameters
+    std::vector<tuning::ParameterValue> parameters;
+    std::vector<loops::Target> targets;
+
+    [[nodiscard]] const tuning::Identified& best() const { return study.models.front(); }
+    [[nodiscard]] const RuleAnswer* answer() const; // of the rule that was asked for
+};
+
+[[nodiscard]] std::string textOf(const TuneReport& report);
+[[nodiscard]] std::string jsonOf(const TuneReport& report);
+/// Data and model, both responses, the Bode plot of the loop.
+[[nodiscard]] std::string pictureOf(const TuneReport& report, bool isDark);
+
+} // namespace plc::cli

@@ -1,0 +1,166 @@
+#include "app/serve/metrics.h"
+
+#include <nlohmann/json.hpp>
+
+namespace plc::serve {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* nameOf(controller::State state) {
+    switch (state) {
+    case controller::State::Stopped:
+        return "stopped";
+    case controller::State::Running:
+        return "running";
+    case controller::State::Paused:
+        return "paused";
+    case controller::State::Halted:
+        return "halted";
+    case controller::State::Fault:
+        return "fault";
+    }
+    return "";
+}
+
+Json faultJson(const std::optional<controller::Fault>& fault) {
+    return fault ? Json(fault->message.english()) : Json(nullptr);
+}
+
+Json tasksJson(const session::Session& session) {
+    Json tasks = Json::array();
+    for (const controller::TaskStatistics& task : session.taskStatistics())
+        tasks.push_back({{"name", task.name},
+                         {"count", task.count},
+                         {"overruns", task.overruns},
+                         {"last_ns", task.lastNs},
+                         {"min_ns", task.minNs},
+                         {"max_ns", task.maxNs},
+                         {"mean_ns", task.meanNs},
+                         {"jitter_ns", task.jitterNs}});
+    return tasks;
+}
+
+/// One metric after the other, as the text format of Prometheus wants it.
+class Metrics {
+public:
+    void add(const char* name, const char* type, const char* help, double value) {
+        begin(name, type, help);
+        line(name, {}, value);
+    }
+    void begin(const char* name, const char* type, const char* help) {
+        m_text += QByteArray("# HELP ") + name + ' ' + help + "\n# TYPE " + name + ' ' + type + '\n';
+    }
+    void line(const QByteArray& name, const QByteArray& labels, double value) {
+        m_text += name;
+        if (!labels.isEmpty()) m_text += '{' + labels + '}';
+        m_text += ' ' + QByteArray::number(value, 'g', 15) + '\n';
+    }
+    QByteArray text() const { return m_text; }
+
+private:
+    QByteArray m_text;
+};
+
+QByteArray quoted(const std::string& text) {
+    QByteArray out = QByteArray::fromStdString(text);
+    return '"' + out.replace('\\', "\\\\").replace('"', "\\\"").replace('\n', "\\n") + '"';
+}
+
+void addTasks(Metrics& out, const session::Session& session) {
+    const std::vector<controller::TaskStatistics> tasks = session.taskStatistics();
+    const auto each = [&](const char* name, const char* type, const char* help, auto value) {
+        out.begin(name, type, help);
+        for (const controller::TaskStatistics& task : tasks) out.line(name, "task=" + quoted(task.name), value(task));
+    };
+    using Task = controller::TaskStatistics;
+    each("stepwise_task_runs_total", "counter", "Runs of the task.", [](const Task& t) { return double(t.count); });
+    each("stepwise_task_overruns_total", "counter", "Runs that took longer than the task's interval.",
+         [](const Task& t) { return double(t.overruns); });
+    each("stepwise_task_jitter_seconds_max", "gauge", "Greatest deviation of a start from its due time.",
+         [](const Task& t) { return double(t.jitterNs) * 1e-9; });
+    out.begin("stepwise_task_duration_seconds", "histogram", "Execution time of the task.");
+    for (const Task& task : tasks) {
+        const QByteArray label = "task=" + quoted(task.name);
+        uint64_t sum = 0;
+        for (size_t i = 0; i < task.histogram.size(); ++i) {
+            sum += task.histogram[i];
+            const double limit = std::ldexp(1e-6, static_cast<int>(i));
+            const bool isLast = i + 1 == task.histogram.size();
+            out.line("stepwise_task_duration_seconds_bucket",
+                     label + ",le=\"" + (isLast ? QByteArray("+Inf") : QByteArray::number(limit, 'g', 9)) + '"',
+                     static_cast<double>(sum));
+        }
+        out.line("stepwise_task_duration_seconds_sum", label, task.meanNs * static_cast<double>(task.count) * 1e-9);
+        out.line("stepwise_task_duration_seconds_count", label, static_cast<double>(sum));
+    }
+}
+
+} // namespace
+
+QByteArray statusJson(const session::Session& session, const ServerFigures& figures) {
+    const session::Status status = session.status();
+    const history::Statistics recorded = session.history().statistics();
+    const Json json = {
+        {"project", figures.project},
+        {"state", nameOf(status.state)},
+        {"scans", status.scans},
+        {"time_s", static_cast<double>(status.time.count()) * 1e-9},
+        {"load", status.load},
+        {"last_scan_ns", status.lastScanNs},
+        {"skipped_scans", status.skippedScans},
+        {"fault", faultJson(status.fault)},
+        {"simulation_fault", faultJson(status.simulationFault)},
+        {"retain_problem", status.retainProblem.isEmpty() ? Json(nullptr) : Json(status.retainProblem.english())},
+        {"forced", session.forces().size()},
+        {"tasks", tasksJson(session)},
+        {"recording",
+         {{"scans_in_memory", recorded.scans},
+          {"bytes_in_memory", recorded.bytes},
+          {"files", figures.recordingFiles},
+          {"bytes_on_disk", figures.recordingBytes},
+          {"problem", figures.recordingProblem.empty() ? Json(nullptr) : Json(figures.recordingProblem)}}},
+        {"browsers", figures.browsers},
+        {"operators", figures.operators},
+        {"uptime_s", figures.uptimeSeconds}};
+    return QByteArray::fromStdString(json.dump(1, ' ', false, Json::error_handler_t::replace)) + '\n';
+}
+
+QByteArray prometheusText(const session::Session& session, const ServerFigures& figures) {
+    const session::Status status = session.status();
+    Metrics out;
+    out.begin("stepwise_state", "gauge", "1 for the state that the controller is in.");
+    for (const auto state : {controller::State::Stopped, controller::State::Running, controller::State::Paused,
+                             controller::State::Halted, controller::State::Fault})
+        out.line("stepwise_state", QByteArray("state=\"") + nameOf(state) + '"', status.state == state ? 1 : 0);
+    out.add("stepwise_scans_total", "counter", "Finished scans.", static_cast<double>(status.scans));
+    out.add("stepwise_skipped_scans_total", "counter", "Scans left out because the machine was late.",
+            static_cast<double>(status.skippedScans));
+    out.add("stepwise_plc_time_seconds", "counter", "Clock of the controller.",
+            static_cast<double>(status.time.count()) * 1e-9);
+    out.add("stepwise_load_ratio", "gauge", "Share of time spent in scans.", status.load);
+    out.add("stepwise_last_scan_seconds", "gauge", "Execution time of the last scan.",
+            static_cast<double>(status.lastScanNs) * 1e-9);
+    addTasks(out, session);
+    out.add("stepwise_recording_bytes", "gauge", "Size of the recording on disk.",
+            static_cast<double>(figures.recordingBytes));
+    out.add("stepwise_browsers", "gauge", "Connected browsers.", static_cast<double>(figures.browsers));
+    out.add("stepwise_operators", "gauge", "Browsers in which somebody logged in.",
+            static_cast<double>(figures.operators));
+    out.add("stepwise_panel_sent_bytes_total", "counter", "Bytes sent to browsers.",
+            static_cast<double>(figures.sentBytes));
+    out.add("stepwise_panel_frames_total", "counter", "Pictures sent to browsers.",
+            static_cast<double>(figures.sentFrames));
+    out.add("stepwise_refused_connections_total", "counter",
+            "Connections refused: too many, too slow or not understood.",
+            static_cast<double>(figures.refusedConnections));
+    out.add("stepwise_refused_logins_total", "counter", "Attempts to log in that were refused.",
+            static_cast<double>(figures.refusedLogIns));
+    out.add("stepwise_dropped_browsers_total", "counter", "Browsers dropped: hanging, too fast or not understood.",
+            static_cast<double>(figures.droppedBrowsers));
+    out.add("stepwise_uptime_seconds", "gauge", "Seconds since the start.", figures.uptimeSeconds);
+    return out.text();
+}
+
+} // namespace plc::serve

@@ -1,0 +1,109 @@
+#include "app/serve/panel_link.h"
+
+#include <QHostAddress>
+#include <nlohmann/json.hpp>
+
+namespace plc::serve {
+
+using hmi::web::ClientMessage;
+using hmi::web::ClientWord;
+
+PanelLink::PanelLink(QWebSocket* socket, const hmi::PanelProject& project, session::Session& session,
+                     hmi::web::PaintStore& store, hmi::PanelPlayer& station, Gate& gate, LinkLimits limits,
+                     QObject* parent)
+    : QObject(parent), m_socket(socket), m_panel(project, session, store, station), m_gate(gate), m_limits(limits),
+      m_address(socket->peerAddress().toString()), m_budget(limits.messagesPerSecond) {
+    socket->setParent(this);
+    socket->setMaxAllowedIncomingFrameSize(hmi::web::kLargestClientMessage);
+    socket->setMaxAllowedIncomingMessageSize(hmi::web::kLargestClientMessage);
+    connect(socket, &QWebSocket::textMessageReceived, this, [this](const QString& text) { take(text.toUtf8()); });
+    connect(socket, &QWebSocket::binaryMessageReceived, this,
+            [this] { drop(QWebSocketProtocol::CloseCodeDatatypeNotSupported, QStringLiteral("text only")); });
+    connect(socket, &QWebSocket::pong, this, [this] { m_pongAt = m_now; });
+    connect(socket, &QWebSocket::disconnected, this, [this] {
+        if (std::exchange(m_isGone, true)) return;
+        emit gone(m_isHostile);
+    });
+}
+
+PanelLink::~PanelLink() { m_socket->disconnect(this); }
+
+void PanelLink::drop(QWebSocketProtocol::CloseCode code, const QString& why) {
+    if (m_isGone) return;
+    m_isGone = true;
+    m_isHostile = true;
+    m_socket->close(code, why);
+    emit gone(true);
+}
+
+/// A bucket that fills with time: short bursts are ordinary, floods are not.
+bool PanelLink::isTooFast(qint64 now) {
+    const double full = 2.0 * m_limits.messagesPerSecond;
+    if (m_budgetAt >= 0)
+        m_budget = std::min(full, m_budget + static_cast<double>(now - m_budgetAt) * m_limits.messagesPerSecond / 1000);
+    m_budgetAt = now;
+    m_budget -= 1;
+    return m_budget < 0;
+}
+
+void PanelLink::take(const QByteArray& text) {
+    if (m_isGone) return;
+    if (isTooFast(m_now)) return drop(QWebSocketProtocol::CloseCodePolicyViolated, QStringLiteral("too many messages"));
+    const std::optional<ClientMessage> message = hmi::web::parseClientMessage(text);
+    if (!message || !m_panel.take(*message))
+        return drop(QWebSocketProtocol::CloseCodeProtocolError, QStringLiteral("not understood"));
+    switch (message->word) {
+    case ClientWord::Drawn:
+        if (message->number < m_drawn || message->number > m_panel.frameNumber())
+            return drop(QWebSocketProtocol::CloseCodeProtocolError, QStringLiteral("no such frame"));
+        m_drawn = static_cast<uint32_t>(message->number);
+        m_drawnAt = m_now;
+        break;
+    case ClientWord::LogIn:
+        logIn(*message);
+        break;
+    case ClientWord::LogOut:
+        m_panel.setOperator({});
+        break;
+    default:
+        break;
+    }
+}
+
+void PanelLink::logIn(const ClientMessage& message) {
+    const Gate::Outcome outcome = m_gate.ask(m_address, message.more, message.text, m_now);
+    const bool isOpen = outcome.answer == Gate::Answer::Open;
+    if (isOpen) m_panel.setOperator(outcome.name);
+    const nlohmann::json answer = {
+        {"t", "login"},
+        {"ok", isOpen},
+        {"text", isOpen ? std::string() : m_panel.words(hmi::SystemText::WrongAccessCode).toStdString()}};
+    m_answers += QByteArray::fromStdString(answer.dump());
+}
+
+void PanelLink::frame(qint64 now) {
+    m_now = now;
+    if (m_isGone) return;
+    constexpr qint64 kPingEvery = 20'000, kPongWithin = 60'000;
+    if (m_pingAt < 0) m_pingAt = m_pongAt = m_drawnAt = now;
+    if (now - m_pingAt >= kPingEvery) {
+        m_pingAt = now;
+        m_socket->ping();
+    }
+    if (now - m_pongAt > kPongWithin) return drop(QWebSocketProtocol::CloseCodeGoingAway, QStringLiteral("no answer"));
+    const bool isBehind = m_panel.frameNumber() - m_drawn >= static_cast<uint32_t>(m_limits.framesAhead);
+    if (isBehind || m_socket->bytesToWrite() > m_limits.unsent) {
+        if (now - m_drawnAt > m_limits.drawnWithin)
+            drop(QWebSocketProtocol::CloseCodeGoingAway, QStringLiteral("nothing is drawn"));
+        return; // what changes meanwhile goes into the next frame
+    }
+    if (m_panel.frameNumber() == m_drawn) m_drawnAt = now;
+    hmi::web::WebPanel::Output out = m_panel.next(now);
+    for (const QByteArray& text : std::exchange(m_answers, {}) + out.texts)
+        m_sentBytes += static_cast<uint64_t>(std::max<qint64>(0, m_socket->sendTextMessage(QString::fromUtf8(text))));
+    if (out.frame.isEmpty()) return;
+    m_sentBytes += static_cast<uint64_t>(std::max<qint64>(0, m_socket->sendBinaryMessage(out.frame)));
+    ++m_sentFrames;
+}
+
+} // namespace plc::serve

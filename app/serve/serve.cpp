@@ -1,0 +1,151 @@
+#include "app/serve/serve.h"
+
+#include "app/serve/errors.h"
+#include "app/serve/service_notes.h"
+
+#include <QCoreApplication>
+#include <QRandomGenerator>
+
+#include <cerrno>
+#include <fcntl.h>
+#include <fstream>
+#include <iostream>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace plc::serve {
+
+namespace {
+
+namespace fs = std::filesystem;
+constexpr size_t kShortestCode = 8;
+
+std::string tokenPath(const ServeSettings& settings) {
+    return settings.tokenFile.empty() ? (fs::path(settings.stateFolder) / "access-code").string() : settings.tokenFile;
+}
+
+/// Letters and digits that are not mistaken for each other: 16 of 32 are 80 bits.
+std::string newCode() {
+    constexpr std::string_view kLetters = "abcdefghjkmnpqrstuvwxyz123456789";
+    std::string out;
+    for (int i = 0; i < 16; ++i)
+        out += kLetters[QRandomGenerator::system()->bounded(static_cast<quint32>(kLetters.size()))];
+    return out;
+}
+
+/// For its owner only.
+Result<void> writeCode(const std::string& path, const std::string& code) {
+    const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+    const std::string line = code + "\n";
+    const bool isWritten = file >= 0 && ::write(file, line.data(), line.size()) == static_cast<ssize_t>(line.size());
+    const int problem = errno;
+    if (file >= 0) ::close(file);
+    if (!isWritten) return Error{errors::TokenNotRead(path, errors::ofSystem(problem)), {}};
+    return {};
+}
+
+Result<QByteArray> accessCode(const ServeSettings& settings) {
+    const std::string path = tokenPath(settings);
+    std::error_code ignored;
+    if (settings.tokenFile.empty() && !fs::exists(path, ignored))
+        if (auto written = writeCode(path, newCode()); !written) return written.error();
+    std::ifstream file(path);
+    std::string code;
+    if (!file || !std::getline(file, code)) return Error{errors::TokenNotRead(path, errors::ofSystem(errno)), {}};
+    while (!code.empty() && (code.back() == '\r' || code.back() == ' ')) code.pop_back();
+    if (code.size() < kShortestCode) return Error{errors::TokenTooShort(path), {}};
+    return QByteArray::fromStdString(code);
+}
+
+/// Whether scans go on: a watchdog restarts a controller that does not finish them.
+class Liveness {
+public:
+    explicit Liveness(const image::CompiledProgram& program) {
+        for (const image::Task& task : program.tasks)
+            if (task.kind == image::TaskKind::Cyclic) m_longest = std::max(m_longest, 3 * task.interval);
+    }
+    bool isAlive(const session::Status& status, std::chrono::steady_clock::time_point now) {
+        if (status.state != controller::State::Running || status.scans != m_scans) {
+            m_scans = status.scans;
+            m_since = now;
+        }
+        return now - m_since < m_longest;
+    }
+
+private:
+    std::chrono::nanoseconds m_longest = std::chrono::seconds(5);
+    uint64_t m_scans = ~uint64_t(0);
+    std::chrono::steady_clock::time_point m_since{};
+};
+
+/// The outputs become safe; a scan that does not end is not waited for.
+void stopOf(session::Session& session) {
+    session.stop();
+    for (int tries = 0; tries < 200 && session.status().state == controller::State::Running; ++tries)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+}
+
+} // namespace
+
+Result<std::unique_ptr<StateFolder>> StateFolder::open(const std::string& folder) {
+    std::error_code problem;
+    fs::create_directories(fs::path(folder) / "recording", problem);
+    const int lock = problem ? -1 : ::open((fs::path(folder) / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+    if (lock < 0) return Error{errors::StateNotWritable(folder), {}};
+    if (::flock(lock, LOCK_EX | LOCK_NB) != 0) {
+        ::close(lock);
+        return Error{errors::StateInUse(folder), {}};
+    }
+    return std::unique_ptr<StateFolder>(new StateFolder(lock));
+}
+
+StateFolder::~StateFolder() { ::close(m_lock); }
+
+std::string retainFileOf(const ServeSettings& settings) {
+    return (fs::path(settings.stateFolder) / "retained").string();
+}
+
+Result<void> serve(const hmi::PanelProject& project, session::Session& session, const ServeSettings& settings,
+                   const std::function<bool()>& isStopping) {
+    Result<QByteArray> code = accessCode(settings);
+    if (!code) return code.error();
+    Server server(project, session, byAccessCode(*code), settings.server);
+    if (auto started = server.start(); !started) return started;
+    std::unique_ptr<RecordingRing> ring;
+    if (settings.recordingLimit > 0)
+        ring = std::make_unique<RecordingRing>(
+            session, RingSettings{fs::path(settings.stateFolder) / "recording", settings.recordingLimit,
+                                  std::clamp<uint64_t>(settings.recordingLimit / 8, 1 << 16, uint64_t(8) << 20)});
+    server.describeRecording = [&ring](ServerFigures& figures) {
+        if (!ring) return;
+        const RecordingRing::Figures now = ring->figures();
+        figures.recordingBytes = now.bytes;
+        figures.recordingFiles = now.files;
+        figures.recordingProblem = now.problem;
+    };
+    session.startThread({session::Pace::Real});
+    std::cout << "serving " << settings.server.name << " at " << server.url().toStdString() << "\n"
+              << "the access code to operate is in " << tokenPath(settings) << std::endl;
+    const ServiceNotes notes;
+    notes.ready("serving " + settings.server.name);
+    Liveness liveness(*session.program());
+    QTimer watch, watchdog;
+    QObject::connect(&watch, &QTimer::timeout, &watch, [&isStopping] {
+        if (isStopping()) QCoreApplication::quit();
+    });
+    QObject::connect(&watchdog, &QTimer::timeout, &watchdog, [&] {
+        if (liveness.isAlive(session.status(), std::chrono::steady_clock::now())) notes.alive();
+    });
+    watch.start(100);
+    if (notes.watchdog()) watchdog.start(std::chrono::duration_cast<std::chrono::milliseconds>(*notes.watchdog() / 3));
+    QCoreApplication::exec();
+    notes.stopping();
+    stopOf(session);
+    session.end(); // the outputs are safe and what is retained is written before the recording ends
+    ring.reset();
+    std::cout << "stopped after " << session.status().scans << " scans" << std::endl;
+    return {};
+}
+
+} // namespace plc::serve

@@ -1,0 +1,33 @@
+// `stepwise serve` below its command line: the controller in real time on its scan thread, the recording on disk, the
+// server, until somebody asks it to stop. Main thread, an application object must exist.
+#pragma once
+#include "app/serve/recording_ring.h"
+#include "app/serve/server.h"
+
+namespace plc::serve {
+
+struct ServeSettings {
+    ServerSettings server;
+    std::string stateFolder;                       // retained variables, access code, recording
+    std::string tokenFile;                         // empty: "access-code" in the state folder, made when missing
+    uint64_t recordingLimit = uint64_t(256) << 20; // 0: nothing is recorded on disk
+};
+
+/// The state folder, created when missing, for this process alone as long as this lives.
+class StateFolder {
+public:
+    [[nodiscard]] static Result<std::unique_ptr<StateFolder>> open(const std::string& folder);
+    ~StateFolder();
+    StateFolder(const StateFolder&) = delete;
+    StateFolder& operator=(const StateFolder&) = delete;
+
+private:
+    explicit StateFolder(int lock) : m_lock(lock) {}
+    int m_lock;
+};
+[[nodiscard]] std::string retainFileOf(const ServeSettings& settings);
+/// Serves until `isStopping`; says on stdout where, once it can be reached.
+[[nodiscard]] Result<void> serve(const hmi::PanelProject& project, session::Session& session,
+                                 const ServeSettings& settings, const std::function<bool()>& isStopping);
+
+} // namespace plc::serve

@@ -1,0 +1,56 @@
+#include "editor/kit/curve_words.h"
+
+#include <QHash>
+#include <QRegularExpression>
+
+namespace plc::kit {
+
+namespace {
+
+// What programs and texts call them in English and German; white and black are no colours for curves.
+const QHash<QString, QString>& colorWords() {
+    static const QHash<QString, QString> words = {
+        {"red", "red"},       {"rot", "red"},      {"rote", "red"},      {"roter", "red"},     {"rotes", "red"},
+        {"yellow", "yellow"}, {"gelb", "yellow"},  {"gelbe", "yellow"},  {"gelber", "yellow"}, {"gelbes", "yellow"},
+        {"amber", "yellow"},  {"green", "green"},  {"gruen", "green"},   {"grün", "green"},    {"grüne", "green"},
+        {"grüner", "green"},  {"grünes", "green"}, {"blue", "blue"},     {"blau", "blue"},     {"blaue", "blue"},
+        {"blauer", "blue"},   {"blaues", "blue"},  {"orange", "orange"},
+    };
+    return words;
+}
+
+/// "bLampRed_2" is b, Lamp, Red.
+QStringList wordsOf(const QString& name) {
+    static const QRegularExpression word(QStringLiteral("\\p{Lu}+(?!\\p{Ll})|\\p{Lu}?\\p{Ll}+"));
+    QStringList out;
+    for (auto it = word.globalMatch(name); it.hasNext();) out += it.next().captured().toLower();
+    return out;
+}
+
+} // namespace
+
+bool namesUnit(const QString& name, const QString& unit) {
+    if (unit.isEmpty() || name.size() <= unit.size()) return false;
+    static const QRegularExpression closing(QStringLiteral("[\\])\\s]+$"));
+    const QString open = QString(name).remove(closing);
+    if (!open.endsWith(unit)) return false;
+    const QChar before = open[open.size() - unit.size() - 1];
+    return !before.isLetterOrNumber() && before != u'_' && before != u'.';
+}
+
+QString withUnit(const QString& name, const QString& unit) {
+    return unit.isEmpty() || namesUnit(name, unit) ? name : QStringLiteral("%1 [%2]").arg(name, unit);
+}
+
+QString colorNamed(const QString& name) {
+    QString found;
+    for (const QString& word : wordsOf(name.section(u'.', -1))) {
+        const QString color = colorWords().value(word);
+        if (color.isEmpty() || color == found) continue;
+        if (!found.isEmpty()) return {};
+        found = color;
+    }
+    return found;
+}
+
+} // namespace plc::kit

@@ -1,0 +1,57 @@
+// One browser's panel: a player of its own with panel, language and rights, what the browser does there, and what it
+// must be sent. Knows no network: the server hands messages in and takes frames out. Main thread; project, session and
+// store must outlive it.
+#pragma once
+#include "hmi/player/keypad.h"
+#include "hmi/web/client_message.h"
+#include "hmi/web/panel_stream.h"
+
+#include <QObject>
+#include <QPointer>
+
+namespace plc::hmi::web {
+
+class WebPanel final : public QObject {
+    Q_OBJECT
+public:
+    /// `station` keeps the alarms of all browsers.
+    WebPanel(const PanelProject& project, session::Session& session, PaintStore& store, PanelPlayer& station);
+    ~WebPanel() override;
+
+    /// False: the message makes no sense here, and who sends it is not a browser of ours.
+    [[nodiscard]] bool take(const ClientMessage& message);
+    /// Whether this browser may operate, since somebody logged in; `name` is shown and recorded.
+    void setOperator(const QString& name);
+    /// A note for whoever operates here: the controller refused a write.
+    void tell(const QString& reason);
+    bool isOperator() const { return !m_player.isLocked(); }
+    QString words(SystemText text) const { return systemText(m_project.texts, text, m_player.language()); }
+
+    struct Output {
+        QList<QByteArray> texts; // JSON
+        QByteArray frame;        // drawing commands; empty: nothing changed
+        bool isEmpty() const { return texts.isEmpty() && frame.isEmpty(); }
+    };
+    /// What is new since the last call, at a time in ms of any epoch.
+    Output next(qint64 milliseconds);
+    uint32_t frameNumber() const { return m_stream.number(); }
+    PanelPlayer& player() { return m_player; }
+
+private:
+    bool isInside(QPointF at) const;
+    bool point(const ClientMessage& message);
+    void pointOverlay(const ClientMessage& message, Overlay& overlay);
+    void key(const QString& name);
+    void activate(size_t index);
+    void letGo();
+    QByteArray describe();
+    const PanelProject& m_project;
+    PanelPlayer m_player;
+    PanelStream m_stream;
+    QString m_operator, m_refusal, m_state;
+    QPointer<QWidget> m_held; // of an overlay
+    bool m_isStarted = false, m_isNew = true;
+    qint64 m_wordsAt = -1;
+};
+
+} // namespace plc::hmi::web

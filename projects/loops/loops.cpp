@@ -1,0 +1,215 @@
+#include "projects/loops/loops.h"
+
+#include "projects/loops/errors.h"
+#include "runtime/base/text.h"
+
+#include <algorithm>
+#include <set>
+
+namespace plc::loops {
+
+namespace {
+
+using image::Place;
+
+bool isNamed(const types::TypeTable& types, types::TypeId type, std::string_view name) {
+    for (; type.isValid() && types[type].kind == types::TypeKind::Block; type = types[type].base)
+        if (equalsIgnoringCase(types[type].name, name)) return true;
+    return false;
+}
+
+bool hasPins(const image::CompiledProgram& program, const Loop& loop) {
+    const tuning::BlockForm& form = *loop.form;
+    for (const std::string_view pin : {form.input, form.output, form.setPoint})
+        if (!program.layout.find(loop.pin(pin))) return false;
+    return std::all_of(form.parameters.begin(), form.parameters.end(), [&](const tuning::ParameterForm& parameter) {
+        return static_cast<bool>(program.layout.find(loop.pin(parameter.member)));
+    });
+}
+
+double taskTimeOf(const image::CompiledProgram& program, const std::string& path) {
+    for (const image::Task& task : program.tasks)
+        for (const image::TaskProgram& one : task.programs) {
+            const std::string root = image::Layout::pathOf(program.layout.roots[one.root]);
+            if (path.size() > root.size() && path[root.size()] == '.' &&
+                equalsIgnoringCase(path.substr(0, root.size()), root))
+                return std::chrono::duration<double>(task.interval).count();
+        }
+    return 0;
+}
+
+/// Every instance whose type is one of the controllers'.
+void addInstance(const image::CompiledProgram& program, const std::string& instance, types::TypeId type,
+                 std::vector<Loop>& out) {
+    for (const tuning::BlockForm& form : tuning::blockForms()) {
+        if (!isNamed(*program.layout.types, type, form.type)) continue;
+        Loop loop;
+        loop.instance = instance;
+        loop.name = form.part.empty() ? instance : instance + "." + std::string(form.part);
+        loop.form = &form;
+        if (!hasPins(program, loop)) continue;
+        loop.taskTime = taskTimeOf(program, instance);
+        out.push_back(std::move(loop));
+    }
+}
+
+/// Instances inside instances, structures and (the first elements of) arrays.
+void visit(const image::CompiledProgram& program, const std::string& path, types::TypeId type, int depth,
+           std::vector<Loop>& out) {
+    constexpr int kDeepest = 12;
+    const types::TypeTable& types = *program.layout.types;
+    const types::Type& is = types[type];
+    if (depth > kDeepest) return;
+    if (is.kind == types::TypeKind::Array) {
+        constexpr int64_t kMost = 64;
+        if (is.dimensions.size() != 1 || !types.isAggregate(is.element)) return;
+        for (int64_t i = is.dimensions[0].low; i <= is.dimensions[0].high && i < is.dimensions[0].low + kMost; ++i)
+            visit(program, path + "[" + std::to_string(i) + "]", is.element, depth + 1, out);
+        return;
+    }
+    if (is.kind == types::TypeKind::Block) {
+        const size_t before = out.size();
+        addInstance(program, path, type, out);
+        if (out.size() > before) return;
+    }
+    if (is.kind != types::TypeKind::Block && is.kind != types::TypeKind::Struct) return;
+    for (const types::Field& field : is.fields)
+        if (types.isAggregate(field.type)) visit(program, path + "." + field.name, field.type, depth + 1, out);
+}
+
+/// An expression and what it is in the other versions of the program that the recording holds.
+class Meaning {
+public:
+    Meaning(const history::History& history, std::string text) : m_text(std::move(text)) {
+        for (const ProgramPointer& program : history.programs()) {
+            const driver::Checked checked = driver::checkedOf(program);
+            if (!checked.analysis) continue;
+            auto expression = driver::compileExpression(checked, m_text);
+            if (expression)
+                m_expressions[program.get()] = *expression;
+            else
+                m_problem = expression.error();
+            m_newest = program.get();
+        }
+    }
+    [[nodiscard]] Result<expression::Expression> newest() const {
+        const auto found = m_expressions.find(m_newest);
+        if (found != m_expressions.end()) return found->second;
+        return m_problem ? *m_problem : Error{errors::NoProgramInRecording(), m_text};
+    }
+    [[nodiscard]] history::Recompile recompile() const {
+        return [this](const image::CompiledProgram& program) {
+            const auto found = m_expressions.find(&program);
+            return found != m_expressions.end() ? found->second : expression::Expression();
+        };
+    }
+
+private:
+    std::string m_text;
+    std::map<const image::CompiledProgram*, expression::Expression> m_expressions;
+    const image::CompiledProgram* m_newest = nullptr;
+    std::optional<Error> m_problem;
+};
+
+} // namespace
+
+std::optional<double> numberAt(const image::CompiledProgram& program, std::span<const std::byte> image,
+                               const std::string& path) {
+    const auto place = program.layout.find(path);
+    if (!place) return std::nullopt;
+    const types::TypeTable& types = *program.layout.types;
+    const types::Value value = types::readValue(types, place->type, image.subspan(place->offset), place->bit);
+    if (const auto* number = std::get_if<double>(&value.data)) return *number;
+    if (const auto* number = std::get_if<int64_t>(&value.data)) {
+        const bool isTime = types.family(place->type) == types::Family::Duration;
+        return isTime ? static_cast<double>(*number) * 1e-9 : static_cast<double>(*number);
+    }
+    return std::nullopt;
+}
+
+std::string Loop::pin(std::string_view member) const { return instance + "." + std::string(member); }
+
+std::vector<Loop> loopsOf(const image::CompiledProgram& program) {
+    std::vector<Loop> out;
+    for (const image::Root& root : program.layout.roots)
+        if (!root.isHidden && !root.constant && program.layout.types->isAggregate(root.type))
+            visit(program, image::Layout::pathOf(root), root.type, 0, out);
+    return out;
+}
+
+Result<Loop> findLoop(const image::CompiledProgram& program, const std::string& name) {
+    const std::vector<Loop> all = loopsOf(program);
+    std::vector<std::string> names;
+    std::vector<const Loop*> byInstance, byName; // a part of the name will do
+    const auto endsWith = [&](const std::string& whole) {
+        return whole.size() > name.size() && whole[whole.size() - name.size() - 1] == '.' &&
+               equalsIgnoringCase(whole.substr(whole.size() - name.size()), name);
+    };
+    for (const Loop& loop : all) {
+        if (equalsIgnoringCase(loop.name, name)) return loop;
+        if (endsWith(loop.instance)) byInstance.push_back(&loop);
+        if (endsWith(loop.name)) byName.push_back(&loop);
+        names.push_back(loop.name);
+    }
+    if (byInstance.size() == 1) return *byInstance.front();
+    if (byInstance.empty() && byName.size() == 1) return *byName.front();
+    if (all.empty()) return Error{errors::NoLoops(), name};
+    return Error{errors::NoLoop(name, names), ""};
+}
+
+Signals signalsOf(const Loop& loop) {
+    return {loop.pin(loop.form->input), loop.pin(loop.form->output), loop.pin(loop.form->setPoint)};
+}
+
+Result<tuning::LoopSeries> seriesOf(const history::History& history, const Signals& channels) {
+    const history::Statistics all = history.statistics();
+    tuning::LoopSeries out;
+    const auto ranges = history::chainTo(history.branches(), all.end);
+    for (const auto& [text, target] :
+         {std::pair{channels.input, &tuning::LoopSeries::input}, std::pair{channels.output, &tuning::LoopSeries::output},
+          std::pair{channels.setPoint, &tuning::LoopSeries::setPoint}}) {
+        if (text.empty()) continue;
+        const Meaning meaning(history, text);
+        const auto expression = meaning.newest();
+        if (!expression) return expression.error();
+        const types::Family family = expression->types().family(expression->type());
+        if (family == types::Family::Other || family == types::Family::Character ||
+            expression->types().isAggregate(expression->type()))
+            return Error{errors::NotASignal(), text};
+        const bool wantsTime = out.time.empty();
+        std::vector<double>& values = out.*target;
+        for (const history::PositionRange& range : ranges)
+            for (const history::Sample& sample :
+                 history.samples(*expression, meaning.recompile(), std::max(range.begin, all.first), range.end)) {
+                if (wantsTime) out.time.push_back(std::chrono::duration<double>(sample.at.time).count());
+                values.push_back(sample.hasValue ? sample.value : values.empty() ? 0.0 : values.back());
+            }
+        if (values.size() != out.time.size()) { // scans came while we were reading
+            const size_t count = std::min(values.size(), out.time.size());
+            for (std::vector<double>* column : {&out.time, &out.input, &out.output, &out.setPoint})
+                if (!column->empty()) column->resize(count);
+        }
+    }
+    if (auto checked = tuning::checkSeries(out); !checked) return checked.error();
+    return out;
+}
+
+Settings settingsOf(const Loop& loop, const image::CompiledProgram& program, std::span<const std::byte> image) {
+    Settings out;
+    const auto at = [&](std::string_view member) { return numberAt(program, image, loop.pin(member)); };
+    for (const tuning::ParameterForm& parameter : loop.form->parameters)
+        out.values.push_back(at(parameter.member).value_or(0));
+    out.gains = tuning::gainsOf(*loop.form, out.values);
+    if (!loop.form->low.empty()) {
+        out.low = at(loop.form->low);
+        out.high = at(loop.form->high);
+        if (out.low && out.high && !(*out.high > *out.low)) out.low = out.high = std::nullopt;
+    }
+    out.cycle = loop.taskTime;
+    if (!loop.form->cycle.empty())
+        if (const auto cycle = at(loop.form->cycle); cycle && *cycle > 0)
+            out.cycle = loop.form->cycleUnit == tuning::Unit::Milliseconds ? *cycle * 1e-3 : *cycle;
+    return out;
+}
+
+} // namespace plc::loops

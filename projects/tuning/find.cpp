@@ -1,0 +1,328 @@
+#include "projects/tuning/find.h"
+
+#include "projects/tuning/errors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace plc::tuning {
+
+namespace {
+
+double median(std::vector<double>& values) {
+    if (values.empty()) return 0;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+/// A change of a signal that is quiet before and after: [start, settled), from one level to the other.
+struct Change {
+    size_t start = 0, settled = 0;
+    double from = 0, to = 0;
+};
+
+/// A level, the mean of what stays within a tolerance of it.
+class Level {
+public:
+    void begin(double value) { m_mean = value, m_count = 1; }
+    void add(double value) { m_mean += (value - m_mean) / static_cast<double>(++m_count); }
+    [[nodiscard]] double mean() const { return m_mean; }
+    [[nodiscard]] size_t count() const { return m_count; }
+
+private:
+    double m_mean = 0;
+    size_t m_count = 0;
+};
+
+constexpr size_t kQuiet = 8; // samples that make a level
+
+/// Where the next level begins: so many samples that stay near each other.
+size_t nextLevel(const std::vector<double>& values, size_t from, double tolerance, size_t quiet) {
+    size_t begin = from;
+    double low = values[from], high = values[from];
+    for (size_t i = from; i < values.size(); ++i) {
+        low = std::min(low, values[i]);
+        high = std::max(high, values[i]);
+        if (high - low > 2 * tolerance) {
+            // start again behind the last sample that is too far from this one
+            begin = i;
+            low = high = values[i];
+            while (begin > from && std::abs(values[begin - 1] - values[i]) <= tolerance) {
+                --begin;
+                low = std::min(low, values[begin]);
+                high = std::max(high, values[begin]);
+            }
+        }
+        if (i - begin + 1 >= quiet) return begin;
+    }
+    return values.size();
+}
+
+std::vector<Change> changesOf(const std::vector<double>& values) {
+    std::vector<Change> out;
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    const double noise = noiseOf(values);
+    if (!(*high - *low > 8 * noise) || *high == *low) return out;
+    const double tolerance = std::max(4.5 * noise, 1e-6 * (*high - *low));
+    // one stray sample is no step where there is noise
+    const size_t needed = noise > 0 ? 3 : 1;
+    Level level;
+    level.begin(values[0]);
+    size_t away = 0;
+    for (size_t i = 1; i < values.size(); ++i) {
+        if (std::abs(values[i] - level.mean()) <= tolerance) {
+            level.add(values[i]);
+            away = 0;
+            continue;
+        }
+        if (++away < needed && i + 1 < values.size()) continue;
+        const size_t start = i + 1 - away;
+        const size_t settled = nextLevel(values, start, tolerance, kQuiet);
+        const size_t last = std::min(settled + kQuiet, values.size());
+        const double to = settled < values.size()
+                              ? std::accumulate(values.begin() + static_cast<std::ptrdiff_t>(settled),
+                                                values.begin() + static_cast<std::ptrdiff_t>(last), 0.0) /
+                                    static_cast<double>(last - settled)
+                              : values.back();
+        out.push_back({start, settled, level.mean(), to});
+        if (settled >= values.size()) break;
+        level.begin(to);
+        i = last - 1;
+        away = 0;
+    }
+    return out;
+}
+
+bool staysPut(const std::vector<double>& values, size_t begin, size_t end, double tolerance) {
+    for (size_t i = begin; i < end; ++i)
+        if (std::abs(values[i] - values[begin]) > tolerance) return false;
+    return true;
+}
+
+double meanOf(const std::vector<double>& values, size_t begin, size_t end) {
+    if (begin >= end) return 0;
+    return std::accumulate(values.begin() + static_cast<std::ptrdiff_t>(begin),
+                           values.begin() + static_cast<std::ptrdiff_t>(end), 0.0) /
+           static_cast<double>(end - begin);
+}
+
+struct Context {
+    const LoopSeries& series;
+    double noise = 0; // of the output
+    double inputRange = 0, inputLow = 0, inputHigh = 0;
+};
+
+/// The output in so many blocks: their means.
+std::vector<double> blockMeans(const std::vector<double>& values, size_t begin, size_t end, size_t blocks) {
+    std::vector<double> out;
+    blocks = std::min(blocks, end - begin);
+    for (size_t i = 0; i < blocks; ++i)
+        out.push_back(meanOf(values, begin + (end - begin) * i / blocks, begin + (end - begin) * (i + 1) / blocks));
+    return out;
+}
+
+/// Cuts off what comes after everything has come to rest; twice, for the first look is coarse.
+void cutRest(const Context& context, FoundStep& step) {
+    for (int pass = 0; pass < 3; ++pass) {
+        const size_t length = step.end - step.step;
+        if (length < 200) return;
+        constexpr size_t kBlocks = 200;
+        const auto lastMove = [&](const std::vector<double>& values, double noise) {
+            const std::vector<double> means = blockMeans(values, step.step, step.end, kBlocks);
+            const double rest = meanOf(means, means.size() * 9 / 10, means.size());
+            double greatest = 0;
+            for (const double mean : means) greatest = std::max(greatest, std::abs(mean - rest));
+            const double perBlock = noise / std::sqrt(static_cast<double>(length) / kBlocks);
+            const double tolerance = std::max(0.01 * greatest, 4 * perBlock);
+            for (size_t i = means.size(); i > 0; --i)
+                if (std::abs(means[i - 1] - rest) > tolerance) return i;
+            return size_t{0};
+        };
+        const size_t last =
+            std::max(lastMove(context.series.output, context.noise),
+                     step.moved == Moved::SetPoint ? lastMove(context.series.input, noiseOf(context.series.input)) : 0);
+        const size_t wanted = std::max<size_t>(length * (last + 1) / kBlocks * 16 / 10, 60);
+        if (wanted * 10 > length * 9) return;
+        step.end = step.step + std::max(wanted, step.settled - step.step + 30);
+        if (step.end - step.step >= length) {
+            step.end = step.step + length;
+            return;
+        }
+    }
+}
+
+void judge(const Context& context, FoundStep& step) {
+    const LoopSeries& series = context.series;
+    const size_t after = step.end - step.step;
+    const double before = meanOf(series.output, step.begin, std::max(step.step, step.begin + 1));
+    const size_t blocks = std::min<size_t>(after, 60);
+    double change = 0;
+    for (const double mean : blockMeans(series.output, step.step, step.end, blocks))
+        change = std::max(change, std::abs(mean - before));
+    step.outputChange = change;
+    const double perBlock = context.noise / std::sqrt(static_cast<double>(after) / static_cast<double>(blocks));
+    step.signalToNoise = context.noise > 0 ? change / context.noise : 1e6;
+    const auto say = [&](Verdict verdict, Message reason) {
+        step.verdict = verdict;
+        step.reason = std::move(reason);
+    };
+    constexpr size_t kLeast = 15;
+    if (after < kLeast) return say(Verdict::TooShort, errors::StepTooShort(after));
+    if (step.moved == Moved::SetPoint && context.inputRange > 0) {
+        const double near = 1e-6 * context.inputRange;
+        size_t limited = 0;
+        for (size_t i = step.step; i < step.end; ++i)
+            limited += series.input[i] <= context.inputLow + near || series.input[i] >= context.inputHigh - near;
+        if (limited * 10 > after * 6) return say(Verdict::Saturated, errors::StepSaturated(limited * 100 / after));
+    }
+    if (change <= std::max(6 * perBlock, 0.5 * context.noise) || change <= 0)
+        return say(Verdict::Noisy, errors::StepNoisy(std::round(step.signalToNoise * 10) / 10));
+    // at rest: the two halves of what was before agree
+    const size_t half = step.begin + (step.step - step.begin) / 2;
+    const double drift = std::abs(meanOf(series.output, step.begin, half) - meanOf(series.output, half, step.step));
+    const double ofHalf = context.noise / std::sqrt(static_cast<double>(std::max<size_t>(half - step.begin, 1)));
+    step.startsAtRest = half > step.begin && drift <= std::max(0.001 * change, 4 * ofHalf);
+    if (step.startsAtRest)
+        say(Verdict::Usable, errors::StepUsable());
+    else
+        say(Verdict::Usable, errors::StepNotAtRest());
+}
+
+/// Steps of the input count where it is put by hand: it keeps one value before and another after. Where no set point is
+/// known, each counts.
+bool isByHand(const LoopSeries& series, const Change& change, double range) {
+    constexpr size_t kHeld = 12;
+    if (series.setPoint.empty()) return true;
+    if (change.settled > change.start + 3 || std::abs(change.to - change.from) < 0.02 * range) return false;
+    const size_t before = change.start > kHeld ? change.start - kHeld : 0;
+    const size_t after = std::min(change.settled + kHeld, series.size());
+    const double tolerance = 1e-9 * range;
+    return staysPut(series.input, before, change.start, tolerance) &&
+           staysPut(series.input, change.settled, after, tolerance);
+}
+
+} // namespace
+
+double noiseOf(const std::vector<double>& values) {
+    if (values.size() < 8) return 0;
+    constexpr size_t kMost = 20'000;
+    const size_t stride = std::max<size_t>((values.size() - 2) / kMost, 1);
+    std::vector<double> seconds;
+    for (size_t i = 1; i + 1 < values.size(); i += stride)
+        seconds.push_back(std::abs(values[i - 1] - 2 * values[i] + values[i + 1]));
+    return median(seconds) / (0.6745 * std::sqrt(6.0));
+}
+
+std::vector<FoundStep> findSteps(const LoopSeries& series) {
+    std::vector<FoundStep> out;
+    const auto add = [&](const Change& change, Moved moved) {
+        FoundStep step;
+        step.step = change.start;
+        step.settled = change.settled;
+        step.moved = moved;
+        step.from = change.from;
+        step.to = change.to;
+        out.push_back(std::move(step));
+    };
+    if (!series.setPoint.empty())
+        for (const Change& change : changesOf(series.setPoint)) add(change, Moved::SetPoint);
+    Context context{series};
+    context.noise = noiseOf(series.output);
+    const auto [low, high] = std::minmax_element(series.input.begin(), series.input.end());
+    context.inputLow = *low, context.inputHigh = *high, context.inputRange = *high - *low;
+    for (const Change& change : changesOf(series.input))
+        if (isByHand(series, change, context.inputRange)) add(change, Moved::Input);
+    std::stable_sort(out.begin(), out.end(), [](const FoundStep& a, const FoundStep& b) { return a.step < b.step; });
+    // what the set point does at once in the input is the same step
+    constexpr size_t kTogether = 4;
+    for (size_t i = 1; i < out.size();)
+        if (out[i].moved == Moved::Input && out[i - 1].moved == Moved::SetPoint &&
+            out[i].step <= out[i - 1].step + kTogether)
+            out.erase(out.begin() + static_cast<std::ptrdiff_t>(i));
+        else
+            ++i;
+    for (size_t i = 0; i < out.size(); ++i) {
+        FoundStep& step = out[i];
+        step.end = i + 1 < out.size() ? out[i + 1].step : series.size();
+        cutRest(context, step);
+        const size_t floor = i > 0 ? out[i - 1].settled : 0;
+        const size_t wanted = std::max<size_t>((step.end - step.step) / 8, 10);
+        step.begin = std::max(floor, step.step > wanted ? step.step - wanted : 0);
+        step.begin = std::min(step.begin, step.step);
+        judge(context, step);
+        // the change before may still be at work where it left little time
+        if (i > 0 && (step.step - floor) * 4 < step.end - step.step && step.isUsable()) {
+            step.startsAtRest = false;
+            step.reason = errors::StepNotAtRest();
+        }
+    }
+    return out;
+}
+
+namespace {
+
+/// Cuts of the excerpt on the recording's own time.
+struct Grid {
+    double begin = 0, interval = 1;
+    size_t count = 0;
+};
+
+Grid gridOf(const LoopSeries& series, const FoundStep& step, size_t points) {
+    const double usual = usualInterval(series);
+    const double from = series.time[step.begin], to = series.time[step.end - 1], at = series.time[step.step];
+    const double factor = std::max(std::floor((to - from) / static_cast<double>(points) / usual), 1.0);
+    Grid grid;
+    grid.interval = factor * usual;
+    const double before = std::floor((at - from) / grid.interval + 1e-6);
+    grid.begin = at - before * grid.interval;
+    grid.count = static_cast<size_t>((to - grid.begin) / grid.interval + 1e-6) + 1;
+    return grid;
+}
+
+} // namespace
+
+Excerpt excerptOf(const LoopSeries& series, const FoundStep& step, size_t points) {
+    const Grid grid = gridOf(series, step, points);
+    const double noise = noiseOf(series.output);
+    const bool isNoisy = noise > 1e-4 * step.outputChange;
+    Excerpt out{grid.interval, {}, {}, step.startsAtRest};
+    size_t at = step.begin;
+    const double little = 1e-6 * grid.interval;
+    for (size_t i = 0; i < grid.count; ++i) {
+        const double begin = grid.begin + static_cast<double>(i) * grid.interval, end = begin + grid.interval;
+        while (at + 1 < series.size() && series.time[at + 1] <= begin + little) ++at;
+        // the input acts from its sample to the next
+        double sum = 0, covered = 0;
+        for (size_t k = at; k < series.size() && series.time[k] < end - little; ++k) {
+            const double from = std::max(series.time[k], begin);
+            const double to = std::min(k + 1 < series.size() ? series.time[k + 1] : end, end);
+            sum += series.input[k] * std::max(to - from, 0.0);
+            covered += std::max(to - from, 0.0);
+        }
+        out.input.push_back(covered > 0 ? sum / covered : series.input[at]);
+        double value = series.output[at];
+        if (isNoisy) { // the mean around the instant
+            size_t first = at, last = at;
+            while (first > 0 && series.time[first - 1] > begin - grid.interval / 2) --first;
+            while (last + 1 < series.size() && series.time[last + 1] < begin + grid.interval / 2) ++last;
+            value = meanOf(series.output, first, last + 1);
+        }
+        out.output.push_back(value);
+    }
+    return out;
+}
+
+std::vector<double> timesOf(const LoopSeries& series, const FoundStep& step, const Excerpt& excerpt) {
+    const double usual = usualInterval(series);
+    const double from = series.time[step.begin], at = series.time[step.step];
+    const double before = std::floor((at - from) / excerpt.interval + 1e-6);
+    (void)usual;
+    std::vector<double> out;
+    for (size_t i = 0; i < excerpt.output.size(); ++i)
+        out.push_back(at + (static_cast<double>(i) - before) * excerpt.interval);
+    return out;
+}
+
+} // namespace plc::tuning

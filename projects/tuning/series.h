@@ -1,0 +1,37 @@
+// What was recorded of a loop: output and input of the process, its set point, over time; read from a CSV file or
+// filled from a recording. Values and functions, any thread.
+#pragma once
+#include "runtime/base/result.h"
+
+#include <string>
+#include <vector>
+
+namespace plc::tuning {
+
+/// Same instants for all; a column that is not there is empty.
+struct LoopSeries {
+    std::vector<double> time;     // [s], rising
+    std::vector<double> input;    // manipulated value: what the controller puts out
+    std::vector<double> output;   // measured value
+    std::vector<double> setPoint; // optional
+    [[nodiscard]] size_t size() const { return time.size(); }
+};
+
+struct CsvColumns {
+    std::string input, output, setPoint; // names in the head line; the set point's may be empty
+};
+
+/// A table with a head line and a column of times (time_s as `run --csv` writes it, or one named time, t, timestamp…,
+/// in s, ms, us or ns as its name says). Comma, semicolon or tab; with semicolons a comma may be the decimal point.
+[[nodiscard]] Result<LoopSeries> parseCsv(const std::string& text, const CsvColumns& columns);
+[[nodiscard]] Result<LoopSeries> readCsv(const std::string& path, const CsvColumns& columns);
+/// The names of the columns, the time's left out.
+[[nodiscard]] Result<std::vector<std::string>> csvColumns(const std::string& path);
+
+/// The instants at which something happens at all; what comes from a table may be uneven or run backwards, which is an
+/// error.
+[[nodiscard]] Result<void> checkSeries(const LoopSeries& series);
+/// The usual distance of two samples.
+[[nodiscard]] double usualInterval(const LoopSeries& series);
+
+} // namespace plc::tuning

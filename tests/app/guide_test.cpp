@@ -1,0 +1,54 @@
+// An example says what to press: its README is beside it, in sight with its panel; and the tour is about the project at
+// hand and above what it speaks of.
+#include "app/guide_view.h"
+#include "app/start_page.h"
+#include "app/tour.h"
+#include "tests/app/studio_fixture.h"
+
+#include <QDockWidget>
+#include <QLabel>
+#include <QPushButton>
+
+namespace plc::app {
+namespace {
+
+class GuideTest : public StudioTest {};
+
+TEST_F(GuideTest, AnExampleOpensWithItsReadmeAndAPanelThatCanBeRead) {
+    window->resize(1600, 1000);
+    ASSERT_TRUE(window->openExample(StartPage::examplesFolder() + "/pid_pt1", true));
+    QApplication::processEvents();
+    EXPECT_FALSE(window->guide().toPlainText().isEmpty());
+    EXPECT_TRUE(window->guide().isVisible());
+    auto* panel = window->findChild<QDockWidget*>("panel");
+    ASSERT_TRUE(panel);
+    EXPECT_GT(panel->width(), 560);
+    EXPECT_GT(panel->height(), 330);
+}
+
+TEST_F(GuideTest, FilesThatTheReadmeNamesOpenAndOtherPlacesAreLeftAlone) {
+    QString wanted;
+    GuideView view;
+    QObject::connect(&view, &GuideView::fileRequested, [&](const QString& file) { wanted = file; });
+    emit view.anchorClicked(QUrl("src/main.st"));
+    EXPECT_EQ(wanted, "src/main.st");
+}
+
+TEST_F(GuideTest, TheTourIsAboutTheProjectAtHandAndStaysAboveItsDocks) {
+    window->startTour();
+    auto* tour = window->findChild<Tour*>();
+    ASSERT_TRUE(tour && tour->isVisible());
+    QString first;
+    for (const QLabel* label : tour->findChildren<QLabel*>()) first += label->text() + '\n';
+    EXPECT_FALSE(first.contains("PID")) << first.toStdString();
+    for (int i = 0; i + 1 < tour->count(); ++i) {
+        tour->next();
+        QApplication::processEvents();
+        QWidget* top = window->childAt(tour->rect().center());
+        EXPECT_TRUE(top && (top == tour || tour->isAncestorOf(top))) << "stop " << i + 1;
+    }
+    tour->next();
+}
+
+} // namespace
+} // namespace plc::app

@@ -1,0 +1,144 @@
+// `stepwise serve` as a process: started, asked, stopped, killed.
+#include "chromium.h"
+#include "served.h"
+
+#include <QDir>
+#include <QFile>
+#include <QJsonDocument>
+#include <QProcess>
+#include <QTcpSocket>
+#include <csignal>
+
+namespace plc::serve {
+namespace {
+
+constexpr const char* kKeeper = R"(
+PROGRAM Main
+VAR RETAIN n : DINT; END_VAR
+n := n + 1;
+END_PROGRAM
+CONFIGURATION C RESOURCE R ON PLC
+    TASK T(INTERVAL := T#10ms, PRIORITY := 1);
+    PROGRAM Main WITH T : Main;
+END_RESOURCE END_CONFIGURATION
+)";
+
+/// A service in a process of its own, on any free port.
+struct Service {
+    QProcess process;
+    QString url;
+    explicit Service(const QStringList& words) {
+        process.start(QString::fromStdString(binaryDir() + "/bin/stepwise"),
+                      QStringList{"serve", "--port", "0"} + words);
+        EXPECT_TRUE(
+            waitUntil([&] { return process.canReadLine() || process.state() == QProcess::NotRunning; }, 60'000));
+        url = QString::fromUtf8(process.readLine()).section(u' ', -1).trimmed();
+        EXPECT_TRUE(url.startsWith("http")) << process.readAllStandardError().toStdString();
+    }
+    QJsonObject status() const {
+        QTcpSocket socket;
+        const QUrl place(url);
+        socket.connectToHost(place.host(), static_cast<quint16>(place.port()));
+        socket.write("GET /status HTTP/1.1\r\nHost: x\r\n\r\n");
+        QByteArray answer;
+        waitUntil([&] {
+            answer += socket.readAll();
+            return socket.state() == QAbstractSocket::UnconnectedState;
+        });
+        answer += socket.readAll();
+        return QJsonDocument::fromJson(answer.mid(answer.indexOf("\r\n\r\n") + 4)).object();
+    }
+};
+
+struct Files {
+    QTemporaryDir folder;
+    QString program = folder.filePath("main.st"), state = folder.filePath("state");
+    Files() {
+        QFile file(program);
+        EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(kKeeper);
+    }
+};
+
+TEST(ServeCommand, RunsUntilItIsAskedToStopAndKeepsEverything) {
+    const Files files;
+    double scans = 0;
+    for (int start = 0; start < 2; ++start) {
+        Service service({files.program, "--state", files.state});
+        ASSERT_TRUE(waitUntil([&] { return service.status()["scans"].toDouble() > 50; }));
+        scans = service.status()["scans"].toDouble();
+        ::kill(static_cast<pid_t>(service.process.processId()), SIGTERM);
+        ASSERT_TRUE(service.process.waitForFinished(20'000));
+        EXPECT_EQ(service.process.exitCode(), 0);
+        EXPECT_TRUE(service.process.readAllStandardOutput().contains("stopped after "));
+        EXPECT_EQ(QDir(files.state + "/recording").entryList({"*.rec"}).size(), start + 1);
+    }
+    QFile code(files.state + "/access-code");
+    ASSERT_TRUE(code.open(QIODevice::ReadOnly));
+    EXPECT_EQ(code.readAll().size(), 17);
+    EXPECT_EQ(code.permissions() & (QFile::ReadGroup | QFile::ReadOther), QFile::Permissions());
+}
+
+TEST(ServeCommand, KilledAtAnyMomentItHasLostNoMoreThanASecond) {
+    const Files files;
+    const int kills = qEnvironmentVariableIsSet("STEPWISE_LONG") ? 100 : 3;
+    double atLeast = 0;
+    for (int i = 0; i < kills; ++i) {
+        Service service({files.program, "--state", files.state});
+        EXPECT_TRUE(service.status()["retain_problem"].isNull());
+        const double want = 130 + 37 * (i % 5); // scans of 10 ms: past the first save
+        ASSERT_TRUE(waitUntil([&] { return service.status()["scans"].toDouble() >= want; }));
+        service.process.kill();
+        ASSERT_TRUE(service.process.waitForFinished());
+        atLeast += 20;
+    }
+    // What was retained goes on from start to start.
+    session::Settings settings;
+    settings.retainFile = (files.state + "/retained").toStdString();
+    driver::BuildInput input;
+    input.files.push_back({"main.st", kKeeper});
+    session::Session session(driver::build(input), settings);
+    EXPECT_TRUE(session.status().retainProblem.isEmpty()) << session.status().retainProblem.english();
+    const auto value = session.controller().read("Main.n");
+    ASSERT_TRUE(value);
+    EXPECT_GE(std::get<int64_t>(value->data), static_cast<int64_t>(atLeast));
+    // Every recording opens.
+    for (const QFileInfo& file : QDir(files.state + "/recording").entryInfoList({"*.rec"})) {
+        driver::Built built;
+        const auto loaded =
+            history::History::load(file.filePath().toStdString(), [&](const history::History::Sources& sources) {
+                driver::BuildInput again;
+                for (const auto& [name, text] : sources.files) again.files.push_back({name, text});
+                built = driver::build(again);
+                return built.program;
+            });
+        EXPECT_TRUE(loaded) << file.fileName().toStdString();
+    }
+}
+
+TEST(ServeCommand, SaysWhyItCannotStart) {
+    const Files files;
+    const auto answer = [&](const QStringList& words) {
+        QProcess process;
+        process.start(QString::fromStdString(binaryDir() + "/bin/stepwise"),
+                      QStringList{"serve", files.program} + words);
+        EXPECT_TRUE(process.waitForFinished(60'000));
+        EXPECT_EQ(process.exitCode(), 2);
+        return process.readAllStandardError().toStdString();
+    };
+    EXPECT_NE(answer({"--port", "70000"}).find("is not a port"), std::string::npos);
+    EXPECT_NE(answer({"--address", "here"}).find("is not an address"), std::string::npos);
+    EXPECT_NE(answer({"--certificate", "x"}).find("belong together"), std::string::npos);
+    EXPECT_NE(answer({"--state", "/proc/x"}).find("cannot be created"), std::string::npos);
+    EXPECT_NE(answer({"--state", files.state, "--certificate", "no.pem", "--key", "no.pem"})
+                  .find("The certificate cannot be read"),
+              std::string::npos);
+    const Service service({files.program, "--state", files.state});
+    const QString port = QString::number(QUrl(service.url).port());
+    EXPECT_NE(answer({"--state", files.state}).find("Another server already works"), std::string::npos);
+    EXPECT_NE(answer({"--state", files.folder.filePath("other"), "--port", port}).find("Nothing can listen at"),
+              std::string::npos);
+}
+
+} // namespace
+} // namespace plc::serve

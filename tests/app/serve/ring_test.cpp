@@ -1,0 +1,110 @@
+// The recording on disk: complete at every moment, bounded in size, oldest first.
+#include "app/serve/recording_ring.h"
+#include "chromium.h"
+#include "served.h"
+
+#include <QTemporaryDir>
+
+namespace plc::serve {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kCounter = R"(
+PROGRAM Main
+VAR n : DINT; values : ARRAY[0..63] OF DINT; i : INT; END_VAR
+n := n + 1;
+FOR i := 0 TO 63 DO values[i] := n * (i + 7919); END_FOR;
+END_PROGRAM
+CONFIGURATION C RESOURCE R ON PLC
+    TASK T(INTERVAL := T#1ms, PRIORITY := 1);
+    PROGRAM Main WITH T : Main;
+END_RESOURCE END_CONFIGURATION
+)";
+
+driver::Built builtCounter() {
+    driver::BuildInput input;
+    input.files.push_back({"main.st", kCounter});
+    return driver::build(input);
+}
+
+uint64_t sizeOf(const QString& folder) {
+    uint64_t bytes = 0;
+    for (const auto& entry : fs::directory_iterator(folder.toStdString())) bytes += entry.file_size();
+    return bytes;
+}
+
+std::vector<fs::path> recordings(const QString& folder) {
+    std::vector<fs::path> out;
+    for (const auto& entry : fs::directory_iterator(folder.toStdString()))
+        if (entry.path().extension() == ".rec") out.push_back(entry.path());
+    std::sort(out.begin(), out.end());
+    return out;
+}
+
+/// The recorded scans of a file, in order; the program is built from what the file holds.
+std::pair<history::Position, history::Position> scansOf(const fs::path& file) {
+    driver::Built built;
+    const auto loaded = history::History::load(file.string(), [&](const history::History::Sources& sources) {
+        driver::BuildInput input;
+        for (const auto& [name, text] : sources.files) input.files.push_back({name, text});
+        built = driver::build(input);
+        return built.program;
+    });
+    EXPECT_TRUE(loaded) << (loaded ? "" : loaded.error().english());
+    if (!loaded) return {};
+    const history::Statistics statistics = (*loaded)->statistics();
+    return {statistics.first, statistics.end};
+}
+
+TEST(RecordingRing, FilesFollowOneAnotherWithoutGapAndStayWithinTheirSize) {
+    const QTemporaryDir folder;
+    session::Settings settings;
+    settings.historyBudget = size_t(4) << 20;
+    session::Session session(builtCounter(), settings);
+    const uint64_t limit = uint64_t(3) << 20;
+    {
+        RecordingRing ring(session,
+                           {folder.path().toStdString(), limit, uint64_t(256) << 10, std::chrono::milliseconds(20)});
+        session.startThread({session::Pace::Factor, 20});
+        ASSERT_TRUE(waitUntil([&] { return recordings(folder.path()).size() > 3 && ring.figures().bytes > limit / 2; },
+                              60'000));
+        const history::Position before = session.history().statistics().end;
+        ASSERT_TRUE(waitUntil([&] { return session.history().statistics().end > before + 20'000; }, 60'000));
+        EXPECT_TRUE(ring.figures().problem.empty()) << ring.figures().problem;
+        session.end();
+    }
+    const auto files = recordings(folder.path());
+    ASSERT_GT(files.size(), 2u);
+    EXPECT_LE(sizeOf(folder.path()), limit + (uint64_t(1) << 20));
+    history::Position end = 0;
+    for (const fs::path& file : files) {
+        const auto [first, last] = scansOf(file);
+        EXPECT_LT(first, last) << file;
+        if (end > 0) EXPECT_LE(first, end) << file << ": a gap";
+        end = last;
+    }
+    EXPECT_EQ(end, session.history().statistics().end) << "the last scan is there";
+}
+
+TEST(RecordingRing, ANewStartGoesOnWithTheNextNumber) {
+    const QTemporaryDir folder;
+    for (int start = 0; start < 2; ++start) {
+        session::Session session(builtCounter());
+        RecordingRing ring(session, {folder.path().toStdString()});
+        session.runHere([](const controller::Controller& c) { return c.lastTime() >= std::chrono::milliseconds(50); });
+    }
+    EXPECT_EQ(recordings(folder.path()).size(), 2u);
+}
+
+TEST(RecordingRing, AFullDiskIsReportedAndCostsNoScan) {
+    session::Session session(builtCounter());
+    session.startThread({session::Pace::Real});
+    RecordingRing ring(session, {"/proc/no such folder", 1 << 20, 1 << 16, std::chrono::milliseconds(20)});
+    EXPECT_TRUE(waitUntil([&] { return !ring.figures().problem.empty(); }));
+    const uint64_t scans = session.status().scans;
+    EXPECT_TRUE(waitUntil([&] { return session.status().scans > scans + 100; }));
+}
+
+} // namespace
+} // namespace plc::serve

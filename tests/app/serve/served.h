@@ -1,0 +1,49 @@
+// A project that is built, runs and is served, for the server's tests. Main thread.
+#pragma once
+#include "app/serve/server.h"
+#include "hmi/player/panel_commands.h"
+#include "projects/storage/project_file.h"
+#include "tests/support/paths.h"
+
+#include <gtest/gtest.h>
+
+namespace plc::serve {
+
+inline constexpr const char* kCode = "correct horse";
+
+/// Takes any free port.
+struct Served {
+    hmi::PanelProject panels;
+    std::unique_ptr<session::Session> session;
+    std::unique_ptr<Server> server;
+
+    void open(const std::string& folder, ServerSettings settings = {}) {
+        const auto project = projects::openProject({folder});
+        ASSERT_TRUE(project) << project.error().english();
+        panels = hmi::loadPanelProject(*project);
+        build(project->buildInput(), std::move(settings));
+    }
+    void build(const driver::BuildInput& input, ServerSettings settings = {}) {
+        driver::Built built = driver::build(input);
+        ASSERT_TRUE(built.program) << built.failure.english();
+        session = std::make_unique<session::Session>(std::move(built));
+        settings.port = 0;
+        server = std::make_unique<Server>(panels, *session, byAccessCode(kCode), std::move(settings));
+        const auto started = server->start();
+        ASSERT_TRUE(started) << started.error().english();
+    }
+    QString url(const QString& path) const { return server->url().chopped(1) + path; }
+    double number(const std::string& path) const {
+        const auto expression = session->expression(path);
+        EXPECT_TRUE(expression) << path;
+        const std::vector<std::byte> image = session->snapshot();
+        if (!expression || image.empty()) return 0;
+        const types::Value value = expression->evaluate(image).value;
+        const int64_t* whole = std::get_if<int64_t>(&value.data);
+        return whole ? static_cast<double>(*whole) : value.real();
+    }
+};
+
+inline std::string exampleFolder(const std::string& name) { return sourceDir() + "/projects/examples/" + name; }
+
+} // namespace plc::serve

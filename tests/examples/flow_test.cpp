@@ -1,0 +1,322 @@
+// Power flow of the examples: at the recorded scans of their tests, what a ladder and a function block diagram show is
+// held against every sub-expression evaluated for itself, by the evaluator of watches, on the image as it was when its
+// statement began. STEPWISE_LONG=1 takes every scan.
+#include "tests/examples/example_names.h"
+
+#include "projects/session/session.h"
+#include "projects/storage/project_file.h"
+#include "projects/testing/test_run.h"
+#include "runtime/compiler/ladder/flow.h"
+#include "runtime/compiler/parse/parser.h"
+#include "runtime/inside/place_values.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <map>
+#include <optional>
+#include <set>
+
+namespace plc {
+namespace {
+
+using inside::Event;
+using inside::Look;
+using ladder::NodeId;
+using ladder::NodeKind;
+using ladder::Power;
+
+/// Three values: not executed, or not known to the evaluator.
+using Truth = std::optional<bool>;
+struct Known {
+    Truth truth;
+    std::string text;
+    bool isExecuted = false;
+};
+
+uint64_t keyOf(SourceRange range) { return uint64_t(range.begin) << 32 | range.end; }
+
+/// A unit of the project's sources in both forms.
+struct Drawn {
+    ladder::Unit unit;
+    std::vector<ladder::Diagram> forms;
+    std::vector<SourceRange> statements; // as they are reported
+    bool mayLeave = false;               // by RETURN or a jump: then a rung need not be executed
+    /// What is asked of each statement: its sub-expressions.
+    std::map<uint64_t, std::vector<SourceRange>> asked;
+};
+
+struct Text {
+    FileId id;
+    std::string_view text;
+    std::unique_ptr<syntax::SyntaxFile> file;
+    std::vector<Drawn> units;
+};
+
+void gatherStatements(const syntax::Block& block, std::vector<SourceRange>& out, bool& mayLeave) {
+    for (const syntax::Stmt* stmt : block) {
+        mayLeave |= stmt->kind == syntax::StmtKind::Return || stmt->kind == syntax::StmtKind::Jump;
+        if (stmt->kind == syntax::StmtKind::Empty || stmt->kind == syntax::StmtKind::Label) continue;
+        if (stmt->kind == syntax::StmtKind::Repeat)
+            out.push_back(stmt->value->range);
+        else if (stmt->kind != syntax::StmtKind::Case)
+            out.push_back(ladder::reportedRange(*stmt));
+        else
+            out.push_back({stmt->range.file, stmt->range.begin, stmt->value->range.end});
+        for (size_t i = 1; i < stmt->branches.size(); ++i)
+            if (stmt->branches[i].condition) out.push_back(stmt->branches[i].condition->range);
+        for (const syntax::IfBranch& branch : stmt->branches) gatherStatements(branch.body, out, mayLeave);
+        for (const syntax::CaseArm& arm : stmt->arms) gatherStatements(arm.body, out, mayLeave);
+        gatherStatements(stmt->body, out, mayLeave);
+        gatherStatements(stmt->elseBody, out, mayLeave);
+    }
+}
+
+/// The innermost statement whose text holds the place.
+std::optional<SourceRange> ownerOf(const Drawn& drawn, SourceRange place) {
+    std::optional<SourceRange> best;
+    for (const SourceRange& each : drawn.statements)
+        if (each.begin <= place.begin && place.end <= each.end && (!best || each.length() < best->length()))
+            best = each;
+    return best;
+}
+
+void ask(Drawn& drawn, SourceRange place) {
+    if (place.length() == 0) return;
+    if (const auto owner = ownerOf(drawn, place)) {
+        auto& all = drawn.asked[keyOf(*owner)];
+        if (std::find(all.begin(), all.end(), place) == all.end()) all.push_back(place);
+    }
+}
+
+class Flow {
+public:
+    explicit Flow(const session::Session& session) : m_session(session), m_program(session.program()) {
+        std::vector<const syntax::SyntaxFile*> files;
+        for (size_t i = 0; i < m_program->sources.files.size(); ++i) {
+            const SourceText& source = m_program->sources.files[i];
+            diagnostics::Sink sink;
+            m_texts.push_back({FileId(i), source.text(), parse::parseFile(FileId(i), source.text(), sink), {}});
+            files.push_back(m_texts.back().file.get());
+        }
+        m_types = std::make_unique<ladder::DeclaredTypes>(files);
+        std::set<size_t> own;
+        for (const image::FunctionInfo& function : m_program->functions)
+            if (function.library.empty() && function.declaration.file.isValid())
+                own.insert(function.declaration.file.index());
+        for (Text& text : m_texts)
+            if (own.count(text.id.index())) draw(text);
+    }
+
+    void compareScan(const Look& look, const std::shared_ptr<const Look>& owner) {
+        ASSERT_TRUE(look.isExact());
+        if (look.fault()) return; // a scan that was left in the middle
+        for (const Text& text : m_texts)
+            for (const Drawn& drawn : text.units) compareUnit(text, drawn, look, owner);
+    }
+
+    size_t compared = 0, unknown = 0, values = 0, notExecuted = 0;
+
+private:
+    using KnownAt = std::map<uint64_t, Known>;
+
+    void draw(Text& text) {
+        for (const ladder::Unit& unit : ladder::unitsOf(*text.file)) {
+            if (unit.body->language != syntax::BodyLanguage::St) continue;
+            Drawn drawn;
+            drawn.unit = unit;
+            gatherStatements(unit.body->statements, drawn.statements, drawn.mayLeave);
+            for (const ladder::Form form : {ladder::Form::Ladder, ladder::Form::Blocks}) {
+                drawn.forms.push_back(ladder::project(text.text, *text.file, unit, *m_types, form));
+                const ladder::Diagram& diagram = drawn.forms.back();
+                for (size_t i = 0; i < diagram.nodes.size(); ++i) {
+                    ask(drawn, ladder::questionOf(text.text, diagram, NodeId(i)).range);
+                    if (diagram.nodes[i].expr) ask(drawn, diagram.nodes[i].expr->range);
+                }
+            }
+            text.units.push_back(std::move(drawn));
+        }
+    }
+
+    Known evaluate(const Text& text, SourceRange range, const std::string& instance, std::span<const std::byte> image) {
+        Known known;
+        known.isExecuted = true;
+        const std::string words(text.text.substr(range.begin, range.length()));
+        const auto expression = m_session.expression(words, instance);
+        if (!expression) return known;
+        const expression::Outcome outcome = expression->evaluate(image);
+        if (!outcome.hasValue()) return known;
+        known.text = types::toText(expression->types(), outcome.value);
+        if (expression->types().storageKind(expression->type()) == types::TypeKind::Bool)
+            known.truth = outcome.value.isTrue();
+        return known;
+    }
+
+    /// Follows the scan's writes and evaluates what each statement of the activation asks, as it begins.
+    KnownAt follow(const Text& text, const Drawn& drawn, const Look& look, uint32_t activation,
+                   const std::string& instance) {
+        KnownAt known;
+        std::vector<std::byte> image = look.input().image;
+        for (const Event& event : look.events()) {
+            if (event.kind == image::WatchKind::Write && event.offset + event.size <= image.size()) {
+                if (event.size > 8)
+                    std::memcpy(image.data() + event.offset, look.image().data() + event.offset, event.size);
+                std::memcpy(image.data() + event.offset, &event.bits, std::min<uint32_t>(event.size, 8));
+            }
+            if (event.kind != image::WatchKind::Statement || event.activation != activation) continue;
+            if (!(event.stmt()->range.file == text.id)) continue;
+            known[keyOf(event.stmt()->range)].isExecuted = true;
+            const auto asked = drawn.asked.find(keyOf(event.stmt()->range));
+            if (asked == drawn.asked.end()) continue;
+            for (const SourceRange& range : asked->second) {
+                Known value = evaluate(text, range, instance, image);
+                Known& at = known[keyOf(range)];
+                value.isExecuted = true;
+                at = std::move(value);
+            }
+        }
+        return known;
+    }
+
+    void compareUnit(const Text& text, const Drawn& drawn, const Look& look, const std::shared_ptr<const Look>& owner) {
+        std::map<std::string, std::vector<uint32_t>> runs; // by instance
+        for (uint32_t i = 0; i < look.activations().size(); ++i) {
+            const auto& function = m_program->functions[look.activations()[i].function];
+            if (function.name == drawn.unit.name && function.declaration.file == text.id)
+                runs[function.instanceType.isValid() ? look.instanceOf(i) : std::string()].push_back(i);
+        }
+        for (const auto& [instance, activations] : runs) {
+            if (activations.size() != 1 || instance.empty()) continue; // functions keep their variables in frames
+            const KnownAt known = follow(text, drawn, look, activations[0], instance);
+            const inside::PlaceValues places(owner, text.id, instance);
+            for (const ladder::Diagram& diagram : drawn.forms)
+                compareDiagram(text, drawn, diagram, known, places, instance);
+        }
+    }
+
+    void compareDiagram(const Text& text, const Drawn& drawn, const ladder::Diagram& diagram, const KnownAt& known,
+                        const inside::PlaceValues& places, const std::string& instance) {
+        const ladder::Answers answers = [&](const ladder::Question& question) {
+            if (const auto* value = places.at(question.range)) return value->value.isTrue() ? Power::On : Power::Off;
+            const Known constant = evaluate(text, question.range, instance, places.look().image());
+            return !constant.truth ? Power::Unknown : *constant.truth ? Power::On : Power::Off;
+        };
+        const ladder::Executed isExecuted = [&](SourceRange range) { return places.isExecuted(range); };
+        std::vector<Power> power(diagram.nodes.size(), Power::Unknown);
+        for (const ladder::Rung& rung : diagram.rungs) {
+            ladder::computeFlow(text.text, diagram, rung, answers, power, isExecuted);
+            const std::string where = m_session.program()->sources.files[text.id.index()].path() + " " + instance +
+                                      " scan " + std::to_string(places.look().position()) + ": " +
+                                      std::string(text.text.substr(rung.range.begin, rung.range.length()));
+            const bool isReached = ladder::isRungExecuted(diagram, rung, isExecuted);
+            notExecuted += isReached ? 0 : 1;
+            const bool mustBe = rung.depth == 0 && rung.kind == ladder::RungKind::Logic && !drawn.mayLeave;
+            EXPECT_TRUE(isReached || !mustBe) << where;
+            const Truth rail = isReached ? Truth(true) : Truth();
+            const Truth shared =
+                rung.power.isValid() ? compareNode(diagram, rung.power, rail, known, power, where) : rail;
+            for (const ladder::Branch& branch : rung.branches)
+                if (branch.tail.isValid()) (void)compareNode(diagram, branch.tail, shared, known, power, where);
+        }
+        for (size_t i = 0; i < diagram.nodes.size(); ++i) compareValue(text, diagram, NodeId(i), known, places);
+    }
+
+    static Truth both(Truth a, Truth b) {
+        if ((a && !*a) || (b && !*b)) return false;
+        return a && b ? Truth(true) : Truth();
+    }
+
+    /// What the sub-expressions say is behind a node; held against the picture.
+    Truth compareNode(const ladder::Diagram& diagram, NodeId id, Truth before, const KnownAt& known,
+                      const std::vector<Power>& power, const std::string& where) {
+        const ladder::Node& node = diagram[id];
+        Truth behind;
+        if (node.kind == NodeKind::Series) {
+            Truth at = before;
+            for (const NodeId child : node.children) at = compareNode(diagram, child, at, known, power, where);
+            behind = at;
+            if (node.expr) behind = both(before, valueOf(known, node.expr->range));
+        } else if (node.kind == NodeKind::Parallel || node.kind == NodeKind::Invert) {
+            for (const NodeId child : node.children)
+                if (!node.isShort) (void)compareNode(diagram, child, before, known, power, where);
+            behind = both(before, valueOf(known, node.expr->range));
+        } else if (node.kind == NodeKind::Box && !node.instance.empty()) {
+            return flowOf(power[id.index()]); // its output is the next statement's
+        } else if (node.expr) {
+            behind = both(before, valueOf(known, node.expr->range));
+        }
+        if (!behind) {
+            ++unknown;
+            return behind;
+        }
+        ++compared;
+        EXPECT_EQ(static_cast<int>(power[id.index()]), static_cast<int>(*behind ? Power::On : Power::Off))
+            << where << "\n  behind " << node.label << " " << node.op;
+        return behind;
+    }
+
+    static Truth flowOf(Power power) { return power == Power::Unknown ? Truth() : Truth(power == Power::On); }
+
+    static Truth valueOf(const KnownAt& known, SourceRange range) {
+        const auto at = known.find(keyOf(range));
+        return at == known.end() ? Truth() : at->second.truth;
+    }
+
+    /// What stands at pins and contacts is the value that was read there.
+    void compareValue(const Text& text, const ladder::Diagram& diagram, NodeId id, const KnownAt& known,
+                      const inside::PlaceValues& places) {
+        const ladder::Question question = ladder::questionOf(text.text, diagram, id);
+        const auto at = known.find(keyOf(question.range));
+        const auto* shown = places.at(question.range);
+        if (!shown || at == known.end() || at->second.text.empty()) return;
+        ++values;
+        EXPECT_EQ(types::toText(*m_program->layout.types, shown->value), at->second.text)
+            << question.text << " scan " << places.look().position();
+    }
+
+    const session::Session& m_session;
+    std::shared_ptr<const image::CompiledProgram> m_program;
+    std::vector<Text> m_texts;
+    std::unique_ptr<ladder::DeclaredTypes> m_types;
+};
+
+class ExampleFlow : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(ExampleFlow, IsTheValueOfEverySubExpressionWhereItWasComputed) {
+    const auto project = projects::openProject({exampleFolder(GetParam())});
+    ASSERT_TRUE(project) << project.error().english();
+    const bool takesAll = std::getenv("STEPWISE_LONG") != nullptr;
+    size_t scans = 0, compared = 0, unknown = 0, values = 0, notExecuted = 0;
+    plc::testing::Options options;
+    options.finished = [&](session::Session& session) {
+        Flow flow(session);
+        inside::Insight insight(session.history());
+        const history::Statistics all = session.history().statistics();
+        const history::Position step = takesAll ? 1 : std::max<history::Position>(1, (all.end - all.first) / 12);
+        for (history::Position at = all.first; at < all.end; at += step) {
+            const auto look = insight.look(at);
+            if (!look) continue; // the first one of an evicted recording
+            if ((*look)->leftOut() > 0) continue;
+            flow.compareScan(**look, *look);
+            ++scans;
+        }
+        compared += flow.compared;
+        unknown += flow.unknown;
+        values += flow.values;
+        notExecuted += flow.notExecuted;
+    };
+    const auto report = plc::testing::runTests(*project, options);
+    ASSERT_TRUE(report) << report.error().english();
+    std::printf("%s: %zu scans, %zu places of power, %zu values, %zu rungs not executed, %zu not known\n",
+                GetParam().c_str(), scans, compared, values, notExecuted, unknown);
+    EXPECT_GT(scans, 0u);
+    EXPECT_GT(compared, 0u);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ExampleFlow, ::testing::ValuesIn(exampleNames()),
+                         [](const auto& info) { return info.param; });
+
+} // namespace
+} // namespace plc

@@ -1,0 +1,181 @@
+// Steps planted in long recordings are found, and nothing else is; what is not usable is said to be so, and why.
+#include "projects/tuning/find.h"
+#include "tests/projects/tuning/processes.h"
+
+#include <gtest/gtest.h>
+
+using namespace plc::tuning;
+
+namespace {
+
+/// A loop by hand: the input steps at these samples, the output follows with noise and a slow drift.
+struct Plan {
+    ProcessModel process = equalLags(2, 20, 10, 2);
+    double interval = 1;
+    size_t samples = 0;
+    std::vector<std::pair<size_t, double>> inputs; // from this sample on
+    double noise = 0, inputNoise = 0, drift = 0;
+    unsigned seed = 1;
+};
+
+LoopSeries play(const Plan& plan) {
+    LoopSeries out;
+    std::mt19937 random(plan.seed);
+    std::normal_distribution<double> normal(0, 1);
+    SampledProcess process(plan.process, plan.interval);
+    double input = 0;
+    size_t next = 0;
+    for (size_t i = 0; i < plan.samples; ++i) {
+        while (next < plan.inputs.size() && plan.inputs[next].first <= i) input = plan.inputs[next++].second;
+        const double time = static_cast<double>(i) * plan.interval;
+        out.time.push_back(time);
+        out.input.push_back(40 + input + plan.inputNoise * normal(random));
+        out.output.push_back(60 + process.output() + plan.noise * normal(random) + plan.drift * std::sin(time / 9000));
+        process.advance(input);
+    }
+    return out;
+}
+
+} // namespace
+
+TEST(FindSteps, OfADayNinetyFivePerCentAreFoundAndLessThanFiveAreFalse) {
+    for (const double inputNoise : {0.0, 0.05}) {
+        Plan plan;
+        plan.samples = 86'400;
+        plan.noise = 0.2;
+        plan.inputNoise = inputNoise;
+        plan.drift = 0.5;
+        std::mt19937 random(7);
+        std::uniform_real_distribution<double> wait(300, 1800), height(-5, 5);
+        double level = 0;
+        for (double at = 600; at < 85'000; at += wait(random)) {
+            double move = height(random);
+            if (std::abs(move) < 1) move = move < 0 ? -1.5 : 1.5;
+            level += move;
+            plan.inputs.emplace_back(static_cast<size_t>(at), level);
+        }
+        const std::vector<FoundStep> found = findSteps(play(plan));
+        size_t right = 0;
+        for (const auto& [at, value] : plan.inputs)
+            right += std::any_of(found.begin(), found.end(), [at = at](const FoundStep& step) {
+                return step.isUsable() && step.step + 2 >= at && step.step <= at + 2;
+            });
+        EXPECT_GE(right * 100, plan.inputs.size() * 95) << "noise of the input " << inputNoise;
+        EXPECT_LE((found.size() - std::min(found.size(), right)) * 100, plan.inputs.size() * 5) << inputNoise;
+    }
+}
+
+TEST(FindSteps, ADayOfNoiseAloneHasNone) {
+    Plan plan;
+    plan.samples = 86'400;
+    plan.noise = plan.inputNoise = 0.3;
+    EXPECT_TRUE(findSteps(play(plan)).empty());
+}
+
+TEST(FindSteps, SaysWhyOneIsNotUsable) {
+    Plan plan;
+    plan.samples = 4000;
+    plan.noise = 0.1;
+    plan.inputs = {{500, 4}, {1500, 4.001}, {2500, 8}, {2508, 2}};
+    const std::vector<FoundStep> found = findSteps(play(plan));
+    ASSERT_EQ(found.size(), 4U);
+    EXPECT_EQ(found[0].verdict, Verdict::Usable);
+    EXPECT_EQ(found[1].verdict, Verdict::Noisy);
+    EXPECT_NE(found[1].reason.english().find("noise"), std::string::npos);
+    EXPECT_EQ(found[2].verdict, Verdict::TooShort);
+    EXPECT_EQ(found[3].verdict, Verdict::Usable);
+    EXPECT_FALSE(found[3].startsAtRest);
+}
+
+namespace {
+
+/// A PI controller on the process, the set point stepped; the input is limited.
+LoopSeries closedLoop(const ProcessModel& process, double gain, double integralTime, double limit, double noise) {
+    LoopSeries out;
+    const double cycle = 0.1;
+    SampledProcess sampled(process, cycle);
+    std::mt19937 random(3);
+    std::normal_distribution<double> normal(0, 1);
+    double integral = 0;
+    for (int i = 0; i < 6000; ++i) {
+        const double setPoint = i < 600 ? 0 : i < 2400 ? 10 : i < 4200 ? 25 : 5;
+        const double measured = sampled.output() + noise * normal(random), error = setPoint - measured;
+        const double sum = gain * error + integral + gain * error * cycle / integralTime;
+        if (std::abs(sum) < limit) integral += gain * error * cycle / integralTime;
+        const double input = std::clamp(sum, -limit, limit);
+        out.time.push_back(i * cycle);
+        out.input.push_back(input);
+        out.output.push_back(measured);
+        out.setPoint.push_back(setPoint);
+        sampled.advance(input);
+    }
+    return out;
+}
+
+} // namespace
+
+TEST(Study, ModelsTheProcessInAClosedLoop) {
+    const ProcessModel process = equalLags(1, 8, 2, 1.5);
+    for (const double noise : {0.0, 0.1}) {
+        const auto result = study(closedLoop(process, 1.5, 8, 1e9, noise));
+        ASSERT_TRUE(result) << result.error().english();
+        EXPECT_EQ(result->steps.size(), 3U);
+        const ProcessModel& model = result->models.front().model;
+        const double tolerance = noise > 0 ? 0.1 : 0.01;
+        EXPECT_NEAR(model.gain, 1.5, 1.5 * tolerance) << formula(model);
+        EXPECT_NEAR(model.deadTime + model.lagSum(), 10, 10 * tolerance) << formula(model);
+    }
+}
+
+TEST(Study, AControllerAtItsLimitIsSaturated) {
+    const auto steps = findSteps(closedLoop(equalLags(1, 8, 2, 1.5), 1.5, 8, 5.5, 0));
+    ASSERT_EQ(steps.size(), 3U);
+    EXPECT_EQ(steps[1].verdict, Verdict::Saturated) << steps[1].reason.english();
+}
+
+TEST(Study, ADisturbedStepIsLeftOut) {
+    Plan plan;
+    plan.samples = 4000;
+    plan.noise = 0.05;
+    plan.inputs = {{500, 4}, {1500, 0}, {2500, 4}};
+    LoopSeries series = play(plan);
+    for (size_t i = 1550; i < 2500; ++i)
+        series.output[i] += 12 * std::sin(static_cast<double>(i - 1550) / 95 * 2 * M_PI);
+    const auto result = study(series);
+    ASSERT_TRUE(result) << result.error().english();
+    EXPECT_EQ(result->steps[1].verdict, Verdict::Disturbed);
+    EXPECT_EQ(result->used.size(), 2U);
+    EXPECT_NEAR(result->models.front().model.gain, 2, 0.1);
+}
+
+TEST(Study, WithoutAStepSaysWhatToDo) {
+    Plan plan;
+    plan.samples = 500;
+    const auto result = study(play(plan));
+    ASSERT_FALSE(result);
+    EXPECT_NE(result.error().english().find("set point"), std::string::npos);
+}
+
+TEST(Csv, ReadsWhatOtherToolsWrite) {
+    std::string text = "\xEF\xBB\xBFTime [ms];Valve;\"Level; tank\"\r\n";
+    for (int i = 0; i < 30; ++i) text += std::to_string(i * 100) + ";" + std::to_string(i / 10) + ",5;1,25\r\n";
+    const auto series = parseCsv(text, {"valve", "Level; tank", ""});
+    ASSERT_TRUE(series) << series.error().english();
+    EXPECT_EQ(series->size(), 30U);
+    EXPECT_DOUBLE_EQ(series->time[1], 0.1);
+    EXPECT_DOUBLE_EQ(series->input[15], 1.5);
+    EXPECT_DOUBLE_EQ(series->output[3], 1.25);
+}
+
+TEST(Csv, NamesWhatIsWrong) {
+    const auto problem = [](const std::string& text, const CsvColumns& columns) {
+        const auto series = parseCsv(text, columns);
+        return series ? std::string("none") : series.error().english();
+    };
+    EXPECT_NE(problem("a,b\n1,2\n", {"a", "b", ""}).find("no column of times"), std::string::npos);
+    EXPECT_NE(problem("t,valve,level\n1,2,3\n", {"valv", "level", ""}).find("valve"), std::string::npos);
+    EXPECT_NE(problem("t,a,b\n1,2,3\nx,2,3\n", {"a", "b", ""}).find("Line 3"), std::string::npos);
+    EXPECT_NE(problem("t,a,b\n2,2,3\n1,2,3\n", {"a", "b", ""}).find("line 3"), std::string::npos);
+    EXPECT_NE(problem("t,a,b\n1,2,3\n", {"a", "b", ""}).find("too few"), std::string::npos);
+    EXPECT_NE(problem("", {"a", "b", ""}), "none");
+}

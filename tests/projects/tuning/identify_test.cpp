@@ -1,0 +1,134 @@
+// Models found again in what they made: without noise within one per cent, with five per cent of noise within ten.
+#include "tests/projects/tuning/processes.h"
+
+#include <gtest/gtest.h>
+
+using namespace plc::tuning;
+
+namespace {
+
+struct Family {
+    std::string name;
+    ProcessModel process;
+    double duration;
+};
+
+std::vector<Family> families() {
+    std::vector<Family> out;
+    for (int n = 1; n <= 8; ++n) out.push_back({"(s+1)^-" + std::to_string(n), equalLags(n), 8.0 + 3 * n});
+    out.push_back({"four lags", lags({1, 0.2, 0.04, 0.008}), 8});
+    out.push_back({"four lags 0.5", lags({1, 0.5, 0.25, 0.125}), 12});
+    for (const double lag : {0.2, 1.0, 4.0})
+        out.push_back({"delay and lag " + std::to_string(lag), equalLags(1, lag, 1, 3), 3 + 7 * lag});
+    out.push_back({"delay and two lags", lags({3, 1}, 1), 25});
+    out.push_back({"delay and two equal lags", equalLags(2, 2, 1, -4), 25});
+    for (const double dead : {0.0, 0.7}) {
+        ProcessModel integrating = lags({}, dead, 0.3);
+        integrating.isIntegrating = true;
+        out.push_back({"integrator " + std::to_string(dead), integrating, 10});
+        integrating.lags = {1};
+        out.push_back({"integrator with lag " + std::to_string(dead), integrating, 12});
+    }
+    for (const double zero : {0.5, 2.0}) {
+        ProcessModel inverse = equalLags(3);
+        inverse.zero = -zero;
+        out.push_back({"right-half zero " + std::to_string(zero), inverse, 14});
+    }
+    for (const double damping : {0.1, 0.3, 0.7}) {
+        ProcessModel oscillating = lags({}, 0, 2);
+        oscillating.oscillation = Oscillation{2, damping};
+        out.push_back({"oscillating " + std::to_string(damping), oscillating, 15});
+        oscillating.deadTime = 0.4;
+        out.push_back({"oscillating late " + std::to_string(damping), oscillating, 15});
+    }
+    return out;
+}
+
+double deadAndLag(const ProcessModel& model) { return model.deadTime + model.lagSum(); }
+
+} // namespace
+
+TEST(Identify, WithoutNoiseWithinOnePerCentOverAllFamilies) {
+    for (const Family& family : families()) {
+        const auto found = identify({stepOf(family.process, family.duration)});
+        ASSERT_FALSE(found.empty()) << family.name;
+        const ProcessModel& model = found.front().model;
+        const ProcessModel& truth = family.process;
+        const std::string what = family.name + ": " + formula(model) + " for " + formula(truth) + " (" +
+                                 std::string(title(found.front().structure)) + ")";
+        EXPECT_NEAR(model.gain, truth.gain, 0.01 * std::abs(truth.gain)) << what;
+        EXPECT_NEAR(deadAndLag(model), deadAndLag(truth), 0.01 * deadAndLag(truth)) << what;
+        EXPECT_NEAR(model.deadTime, truth.deadTime, 0.01 * truth.timeScale()) << what;
+        EXPECT_EQ(model.isIntegrating, truth.isIntegrating) << what;
+        EXPECT_EQ(model.zero < -1e-3, truth.zero < 0) << what;
+        if (!truth.lags.empty() && !model.lags.empty()) {
+            EXPECT_NEAR(model.lags[0], truth.lags[0], 0.01 * truth.lags[0]) << what;
+        }
+        if (truth.oscillation) {
+            ASSERT_TRUE(model.oscillation) << what;
+            EXPECT_NEAR(model.oscillation->frequency, truth.oscillation->frequency, 0.01 * 2) << what;
+            EXPECT_NEAR(model.oscillation->damping, truth.oscillation->damping, 0.01) << what;
+        }
+        EXPECT_GT(found.front().fit, 99) << what;
+    }
+}
+
+TEST(Identify, WithFivePerCentOfNoiseWithinTenPerCent) {
+    for (const Family& family : families())
+        for (const unsigned seed : {1U, 2U, 3U}) {
+            const auto found = identify({stepOf(family.process, family.duration, 0.05, seed, 1, 2000)});
+            ASSERT_FALSE(found.empty()) << family.name;
+            const ProcessModel& model = found.front().model;
+            const ProcessModel& truth = family.process;
+            const std::string what = family.name + ": " + formula(model) + " for " + formula(truth) + " (" +
+                                     std::string(title(found.front().structure)) + ")";
+            EXPECT_EQ(model.isIntegrating, truth.isIntegrating) << what;
+            EXPECT_NEAR(model.gain, truth.gain, 0.1 * std::abs(truth.gain)) << what;
+            EXPECT_NEAR(deadAndLag(model), deadAndLag(truth), 0.1 * truth.timeScale()) << what;
+        }
+}
+
+TEST(Identify, TheBoundsHoldWhatIsTrue) {
+    int inside = 0, all = 0;
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+        const auto found = identify({stepOf(equalLags(1, 2, 1, 3), 16, 0.03, seed)}, Structure::OneLagDelay);
+        ASSERT_TRUE(found);
+        const auto best = identify({stepOf(equalLags(1, 2, 1, 3), 16, 0.03, seed)});
+        for (const Bound& bound : best.front().bounds) {
+            if (bound.name != "gain") continue;
+            ++all;
+            inside += std::abs(bound.value - 3) <= bound.halfWidth;
+            EXPECT_LT(bound.halfWidth, 0.15);
+        }
+    }
+    EXPECT_EQ(all, 20);
+    EXPECT_GE(inside, 16);
+}
+
+TEST(Identify, SeveralStepsAreFittedTogetherAndTheLastIsForetold) {
+    std::vector<Excerpt> steps;
+    for (unsigned i = 0; i < 4; ++i) steps.push_back(stepOf(lags({3, 1}, 1, 2), 25, 0.05, i + 1, i % 2 ? -1.0 : 1.0));
+    const auto found = identify(steps);
+    ASSERT_FALSE(found.empty());
+    EXPECT_NEAR(found.front().model.gain, 2, 0.04);
+    EXPECT_NEAR(deadAndLag(found.front().model), 5, 0.1);
+    ASSERT_TRUE(found.front().validation);
+    EXPECT_GT(*found.front().validation, 80);
+    EXPECT_FALSE(found.front().gainUp);
+}
+
+TEST(Identify, ADifferentGainUpAndDownIsSaid) {
+    std::vector<Excerpt> steps;
+    for (unsigned i = 0; i < 4; ++i)
+        steps.push_back(stepOf(lags({3}, 1, i % 2 ? 1.5 : 3.0), 25, 0.01, i + 1, i % 2 ? -1.0 : 1.0));
+    const auto found = identify(steps);
+    ASSERT_FALSE(found.empty());
+    ASSERT_TRUE(found.front().gainUp);
+    EXPECT_NEAR(*found.front().gainUp, 3, 0.15);
+    EXPECT_NEAR(*found.front().gainDown, 1.5, 0.15);
+}
+
+TEST(Identify, WhatDoesNotMoveHasNoModel) {
+    EXPECT_TRUE(identify({Excerpt{0.1, std::vector<double>(100, 1), std::vector<double>(100, 5), true}}).empty());
+    EXPECT_TRUE(identify(std::vector<Excerpt>{}).empty());
+}

@@ -1,0 +1,7688 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="es" sourcelanguage="en">
+<context>
+    <name>Diagnostics</name>
+    <message>
+        <source>The character {0} has no meaning here</source>
+        <translation>El carácter {0} no tiene significado aquí</translation>
+    </message>
+    <message>
+        <source>Unterminated comment; close it with *)</source>
+        <translation>Comentario sin terminar; ciérrelo con *)</translation>
+    </message>
+    <message>
+        <source>Unterminated string; add the closing quote</source>
+        <translation>Cadena sin terminar; añada la comilla de cierre</translation>
+    </message>
+    <message>
+        <source>This is not valid UTF-8; save the file as UTF-8</source>
+        <translation>No es UTF-8 válido; guarde el archivo como UTF-8</translation>
+    </message>
+    <message>
+        <source>{0} is not a valid {1} literal</source>
+        <translation>{0} no es un literal válido ({1})</translation>
+    </message>
+    <message>
+        <source>Expected {0} before {1}</source>
+        <translation>Se esperaba {0} antes de {1}</translation>
+    </message>
+    <message>
+        <source>A semicolon is missing here</source>
+        <translation>Falta un punto y coma aquí</translation>
+    </message>
+    <message>
+        <source>{0} is missing for this {1}</source>
+        <translation>Falta {0} para este {1}</translation>
+    </message>
+    <message>
+        <source>Unexpected {0}</source>
+        <translation>{0} inesperado</translation>
+    </message>
+    <message>
+        <source>This comparison has no effect; use := to assign</source>
+        <translation>Esta comparación no tiene efecto; use := para asignar</translation>
+    </message>
+    <message>
+        <source>An assignment is not a condition; use = to compare</source>
+        <translation>Una asignación no es una condición; use = para comparar</translation>
+    </message>
+    <message>
+        <source>A colon is missing between the name and its type</source>
+        <translation>Faltan dos puntos entre el nombre y su tipo</translation>
+    </message>
+    <message>
+        <source>Decimal numbers use a point: {0}</source>
+        <translation>Los números decimales usan punto: {0}</translation>
+    </message>
+    <message>
+        <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT</source>
+        <translation>Un límite abierto se escribe ARRAY[*] y solo se permite en VAR_IN_OUT</translation>
+    </message>
+    <message>
+        <source>This is nested too deeply to be compiled</source>
+        <translation>El anidamiento es demasiado profundo para compilarlo</translation>
+    </message>
+    <message>
+        <source>The pragma {0} is not known and has no effect</source>
+        <translation>El pragma {0} no se conoce y no tiene efecto</translation>
+    </message>
+    <message>
+        <source>{0} is missing; the program unit ends here</source>
+        <translation>Falta {0}; el POU termina aquí</translation>
+    </message>
+    <message>
+        <source>A semicolon is missing here; the statement ends here</source>
+        <translation>Falta un punto y coma aquí; la instrucción termina aquí</translation>
+    </message>
+    <message>
+        <source>{0} is not declared</source>
+        <translation>{0} no está declarado</translation>
+    </message>
+    <message>
+        <source>{0} has no member {1}</source>
+        <translation>{0} no tiene ningún miembro {1}</translation>
+    </message>
+    <message>
+        <source>{0} cannot be converted to {1}</source>
+        <translation>{0} no se puede convertir a {1}</translation>
+    </message>
+    <message>
+        <source>Implicit conversion from {0} to {1} may lose data; convert it explicitly</source>
+        <translation>La conversión implícita de {0} a {1} puede perder datos; convierta explícitamente</translation>
+    </message>
+    <message>
+        <source>{0} cannot be assigned to</source>
+        <translation>No se puede asignar un valor a {0}</translation>
+    </message>
+    <message>
+        <source>{0} cannot be used with {1}</source>
+        <translation>{0} no se puede usar con {1}</translation>
+    </message>
+    <message>
+        <source>{0} cannot combine {1} and {2}</source>
+        <translation>{0} no puede combinar {1} y {2}</translation>
+    </message>
+    <message>
+        <source>{0} cannot be called</source>
+        <translation>{0} no se puede llamar</translation>
+    </message>
+    <message>
+        <source>{0} has no parameter {1}</source>
+        <translation>{0} no tiene ningún parámetro {1}</translation>
+    </message>
+    <message>
+        <source>The argument for {1} of {0} is missing</source>
+        <translation>Falta el argumento de {1} en {0}</translation>
+    </message>
+    <message>
+        <source>{0} takes {1} {1:argument|arguments}</source>
+        <translation>{0} espera {1} {1:argumento|argumentos}</translation>
+    </message>
+    <message>
+        <source>{0} is specified twice</source>
+        <translation>{0} se indica dos veces</translation>
+    </message>
+    <message>
+        <source>{0} is an IN_OUT parameter and needs a variable of type {1}</source>
+        <translation>{0} es un parámetro IN_OUT y necesita una variable de tipo {1}</translation>
+    </message>
+    <message>
+        <source>{0} is not an array or string</source>
+        <translation>{0} no es un array ni una cadena</translation>
+    </message>
+    <message>
+        <source>This array has {0} {0:dimension|dimensions}, not {1}</source>
+        <translation>Este array tiene {0} {0:dimensión|dimensiones}, no {1}</translation>
+    </message>
+    <message>
+        <source>The index {0} is outside {1}..{2}</source>
+        <translation>El índice {0} está fuera de {1}..{2}</translation>
+    </message>
+    <message>
+        <source>Division by zero</source>
+        <translation>División por cero</translation>
+    </message>
+    <message>
+        <source>{0} does not fit into {1}</source>
+        <translation>{0} no cabe en {1}</translation>
+    </message>
+    <message>
+        <source>A constant is needed here</source>
+        <translation>Aquí se necesita una constante</translation>
+    </message>
+    <message>
+        <source>{0} is not a pointer or reference</source>
+        <translation>{0} no es un puntero ni una referencia</translation>
+    </message>
+    <message>
+        <source>{0} has only the bits 0 to {1}</source>
+        <translation>{0} solo tiene los bits 0 a {1}</translation>
+    </message>
+    <message>
+        <source>The condition must be BOOL, not {0}</source>
+        <translation>La condición debe ser BOOL, no {0}</translation>
+    </message>
+    <message>
+        <source>{0} does not return a value</source>
+        <translation>{0} no devuelve ningún valor</translation>
+    </message>
+    <message>
+        <source>{0} is ambiguous: {1}; write the namespace before it</source>
+        <translation>{0} es ambiguo: {1}; escriba delante el espacio de nombres</translation>
+    </message>
+    <message>
+        <source>{0} is abstract and cannot be instantiated</source>
+        <translation>{0} es abstracto y no se puede instanciar</translation>
+    </message>
+    <message>
+        <source>{0} is {1} and cannot be used here</source>
+        <translation>{0} es {1} y no se puede usar aquí</translation>
+    </message>
+    <message>
+        <source>The character {0} is not in STRING (Latin-1); use WSTRING</source>
+        <translation>El carácter {0} no existe en STRING (Latin-1); use WSTRING</translation>
+    </message>
+    <message>
+        <source>The text has {0} characters and will be truncated to {1}</source>
+        <translation>El texto tiene {0} caracteres y se truncará a {1}</translation>
+    </message>
+    <message>
+        <source>This integer division discards the fraction before the conversion to {0}</source>
+        <translation>Esta división entera descarta los decimales antes de la conversión a {0}</translation>
+    </message>
+    <message>
+        <source>{0} is computed as {1} and may overflow before the conversion to {2}</source>
+        <translation>{0} se calcula como {1} y puede desbordarse antes de la conversión a {2}</translation>
+    </message>
+    <message>
+        <source>{0} and {1} are compared as {2}; convert one of them</source>
+        <translation>{0} y {1} se comparan como {2}; convierta uno de los dos</translation>
+    </message>
+    <message>
+        <source>{0} is not checked against the enumeration {1}; use one of its names</source>
+        <translation>{0} no se comprueba con la enumeración {1}; use uno de sus nombres</translation>
+    </message>
+    <message>
+        <source>The result of {0} is not used</source>
+        <translation>El resultado de {0} no se usa</translation>
+    </message>
+    <message>
+        <source>The address {0} is outside {1}</source>
+        <translation>La dirección {0} está fuera de {1}</translation>
+    </message>
+    <message>
+        <source>{0} is not allowed in a watch or binding, which cannot have side effects</source>
+        <translation>{0} no se permite en una supervisión ni en un enlace de variable, que no pueden tener efectos secundarios</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; write {2}</source>
+        <translation>{0} es {1}; escriba {2}</translation>
+    </message>
+    <message>
+        <source>A reference needs a variable that has an address</source>
+        <translation>Una referencia necesita una variable con dirección</translation>
+    </message>
+    <message>
+        <source>{0} is declared twice</source>
+        <translation>{0} está declarado dos veces</translation>
+    </message>
+    <message>
+        <source>There is no type {0}</source>
+        <translation>No existe el tipo {0}</translation>
+    </message>
+    <message>
+        <source>{0} contains itself; use a REFERENCE TO</source>
+        <translation>{0} se contiene a sí mismo; use un REFERENCE TO</translation>
+    </message>
+    <message>
+        <source>{0} calls itself, which is not allowed: {1}</source>
+        <translation>{0} se llama a sí mismo, lo que no está permitido: {1}</translation>
+    </message>
+    <message>
+        <source>{0} is never used</source>
+        <translation>{0} no se usa nunca</translation>
+    </message>
+    <message>
+        <source>{0} is read but never written</source>
+        <translation>{0} se lee, pero no se escribe nunca</translation>
+    </message>
+    <message>
+        <source>This is never executed</source>
+        <translation>Esto no se ejecuta nunca</translation>
+    </message>
+    <message>
+        <source>The result of {0} is not set on every path</source>
+        <translation>El resultado de {0} no se asigna en todos los caminos</translation>
+    </message>
+    <message>
+        <source>CASE has no branch for {0} and no ELSE</source>
+        <translation>CASE no tiene ninguna rama para {0} ni ELSE</translation>
+    </message>
+    <message>
+        <source>{0} already has a branch</source>
+        <translation>{0} ya tiene una rama</translation>
+    </message>
+    <message>
+        <source>The task {0} is declared twice</source>
+        <translation>La tarea {0} está declarada dos veces</translation>
+    </message>
+    <message>
+        <source>There is no task {0}</source>
+        <translation>No existe la tarea {0}</translation>
+    </message>
+    <message>
+        <source>{0} does not implement {1} of {2}</source>
+        <translation>{0} no implementa {1} de {2}</translation>
+    </message>
+    <message>
+        <source>The parameters of {0} must match those of the overridden method</source>
+        <translation>Los parámetros de {0} deben coincidir con los del método sobrescrito</translation>
+    </message>
+    <message>
+        <source>{0} is FINAL and cannot be extended or overridden</source>
+        <translation>{0} es FINAL y no se puede extender ni sobrescribir</translation>
+    </message>
+    <message>
+        <source>{1} cannot extend {0}</source>
+        <translation>{1} no puede extender {0}</translation>
+    </message>
+    <message>
+        <source>{0} is not allowed {1}</source>
+        <translation>{0} no se permite {1}</translation>
+    </message>
+    <message>
+        <source>There is no label {0}</source>
+        <translation>No existe la etiqueta {0}</translation>
+    </message>
+    <message>
+        <source>{0} is only allowed inside a loop</source>
+        <translation>{0} solo se permite dentro de un bucle</translation>
+    </message>
+    <message>
+        <source>The loop variable {0} is changed inside its loop</source>
+        <translation>La variable de bucle {0} se modifica dentro de su bucle</translation>
+    </message>
+    <message>
+        <source>There is no global variable {0} of type {1}</source>
+        <translation>No existe la variable global {0} de tipo {1}</translation>
+    </message>
+    <message>
+        <source>The variables need {0} bytes; the maximum is {1}</source>
+        <translation>Las variables necesitan {0} bytes; el máximo es {1}</translation>
+    </message>
+    <message>
+        <source>There is no PROGRAM to run</source>
+        <translation>No hay ningún PROGRAM que ejecutar</translation>
+    </message>
+    <message>
+        <source>There are several programs and no CONFIGURATION; name one of them Main or write a CONFIGURATION</source>
+        <translation>Hay varios programas y ninguna CONFIGURATION; llame Main a uno de ellos o escriba una CONFIGURATION</translation>
+    </message>
+    <message>
+        <source>There is no namespace {0}</source>
+        <translation>No existe el espacio de nombres {0}</translation>
+    </message>
+    <message>
+        <source>The range {0}..{1} is not valid: the lower bound is above the upper bound or there are too many elements</source>
+        <translation>El rango {0}..{1} no es válido: el límite inferior supera al superior o hay demasiados elementos</translation>
+    </message>
+    <message>
+        <source>{0} is not a variable of this configuration</source>
+        <translation>{0} no es una variable de esta configuración</translation>
+    </message>
+    <message>
+        <source>{0} has an incomplete address; complete it in a VAR_CONFIG</source>
+        <translation>{0} tiene una dirección incompleta; complétela en un VAR_CONFIG</translation>
+    </message>
+    <message>
+        <source>{0} restarts on every call because functions keep no state</source>
+        <translation>{0} se reinicia en cada llamada, porque las funciones no conservan estado</translation>
+    </message>
+    <message>
+        <source>Too many initial values: {0} for {1} {1:element|elements}</source>
+        <translation>Demasiados valores iniciales: {0} para {1} {1:elemento|elementos}</translation>
+    </message>
+    <message>
+        <source>{0} may call itself; the depth of recursion is limited at run time</source>
+        <translation>{0} puede llamarse a sí mismo; la profundidad de recursión está limitada en ejecución</translation>
+    </message>
+    <message>
+        <source>The chart has no INITIAL_STEP</source>
+        <translation>La secuencia no tiene INITIAL_STEP</translation>
+    </message>
+    <message>
+        <source>The chart has two initial steps: {0} and {1}</source>
+        <translation>La secuencia tiene dos etapas iniciales: {0} y {1}</translation>
+    </message>
+    <message>
+        <source>There is no step {0}</source>
+        <translation>No existe la etapa {0}</translation>
+    </message>
+    <message>
+        <source>No transition leads to step {0}; it can never become active</source>
+        <translation>Ninguna transición lleva a la etapa {0}; nunca puede activarse</translation>
+    </message>
+    <message>
+        <source>Step {0} can become active twice at the same time: the branches from here do not join</source>
+        <translation>La etapa {0} puede activarse dos veces a la vez: las ramas que salen de aquí no convergen</translation>
+    </message>
+    <message>
+        <source>The steps before this transition cannot be active together; start them from one simultaneous branch</source>
+        <translation>Las etapas anteriores a esta transición no pueden estar activas a la vez; inícielas desde una misma rama simultánea</translation>
+    </message>
+    <message>
+        <source>This transition is always true; the step before it lasts one scan</source>
+        <translation>Esta transición es siempre verdadera; la etapa anterior dura un ciclo</translation>
+    </message>
+    <message>
+        <source>The qualifier {0} needs a time, for example T#2s</source>
+        <translation>El calificador {0} necesita un tiempo, por ejemplo T#2s</translation>
+    </message>
+    <message>
+        <source>{0} is not an action qualifier</source>
+        <translation>{0} no es un calificador de acción</translation>
+    </message>
+    <message>
+        <source>There is no action or BOOL variable {0}</source>
+        <translation>No existe ninguna acción ni variable BOOL {0}</translation>
+    </message>
+    <message>
+        <source>The step {0} is declared twice</source>
+        <translation>La etapa {0} está declarada dos veces</translation>
+    </message>
+    <message>
+        <source>{0} is not an IL operator</source>
+        <translation>{0} no es un operador de IL</translation>
+    </message>
+    <message>
+        <source>{0} needs a current result; load one with LD</source>
+        <translation>{0} necesita un resultado actual; cargue uno con LD</translation>
+    </message>
+    <message>
+        <source>The parenthesis of this instruction is not closed</source>
+        <translation>El paréntesis de esta instrucción no está cerrado</translation>
+    </message>
+    <message>
+        <source>The current result is {0} on one path to this label and {1} on another</source>
+        <translation>El resultado actual es {0} en un camino hacia esta etiqueta y {1} en otro</translation>
+    </message>
+    <message>
+        <source>{0} is only allowed in a TEST</source>
+        <translation>{0} solo se permite en un TEST</translation>
+    </message>
+    <message>
+        <source>{0} is not a value of the strict enumeration {1}; use one of its names</source>
+        <translation>{0} no es un valor de la enumeración estricta {1}; use uno de sus nombres</translation>
+    </message>
+    <message>
+        <source>{0} is a strict enumeration and cannot be used in arithmetic; convert the value with {1}</source>
+        <translation>{0} es una enumeración estricta y no se puede usar en cálculos; convierta el valor con {1}</translation>
+    </message>
+    <message>
+        <source>{0} cannot compare {1} as a whole; compare the members one by one</source>
+        <translation>{0} no puede comparar {1} entero; compare los miembros uno por uno</translation>
+    </message>
+    <message>
+        <source>A CASE selector must be an integer, enumeration or character, not {0}; use IF and ELSIF</source>
+        <translation>El selector de un CASE debe ser un entero, una enumeración o un carácter, no {0}; use IF y ELSIF</translation>
+    </message>
+    <message>
+        <source>{0} and {1} share storage at {2}; move one of them or write STRUCT OVERLAP</source>
+        <translation>{0} y {1} comparten memoria en {2}; mueva uno de los dos o escriba STRUCT OVERLAP</translation>
+    </message>
+    <message>
+        <source>A member&apos;s address is relative to the start of its structure (%B4, %X4.1), not {0}</source>
+        <translation>La dirección de un miembro es relativa al comienzo de su estructura (%B4, %X4.1), no {0}</translation>
+    </message>
+    <message>
+        <source>{0} and {1} share the address {2}; {3} is free</source>
+        <translation>{0} y {1} comparten la dirección {2}; {3} está libre</translation>
+    </message>
+    <message>
+        <source>{0} belongs to the chart and must be {1}</source>
+        <translation>{0} pertenece a la secuencia y debe ser {1}</translation>
+    </message>
+    <message>
+        <source>{0} has no effect without {1}; declare both</source>
+        <translation>{0} no tiene efecto sin {1}; declare los dos</translation>
+    </message>
+    <message>
+        <source>A step lists its actions here; write statements in an ACTION</source>
+        <translation>Aquí una etapa enumera sus acciones; escriba las instrucciones en una ACTION</translation>
+    </message>
+    <message>
+        <source>No transition leads away from step {0}; the chart ends here</source>
+        <translation>Ninguna transición sale de la etapa {0}; la secuencia termina aquí</translation>
+    </message>
+    <message>
+        <source>{0} appears twice in this step with qualifier {1}</source>
+        <translation>{0} aparece dos veces en esta etapa con el calificador {1}</translation>
+    </message>
+    <message>
+        <source>{0} is also a variable; steps and calls mean the ACTION</source>
+        <translation>{0} también es una variable; las etapas y las llamadas se refieren a la ACTION</translation>
+    </message>
+    <message>
+        <source>{0} is a keyword and cannot be used as a name</source>
+        <translation>{0} es una palabra clave y no se puede usar como nombre</translation>
+    </message>
+    <message>
+        <source>Use {1} instead of {0} in Structured Text</source>
+        <translation>En texto estructurado, use {1} en lugar de {0}</translation>
+    </message>
+    <message>
+        <source>This loop never ends and would stop the controller</source>
+        <translation>Este bucle no termina nunca y bloquearía el controlador</translation>
+    </message>
+    <message>
+        <source>{0} is marked OVERRIDE, but no base has a method with this name</source>
+        <translation>{0} está marcado como OVERRIDE, pero ninguna base tiene un método con ese nombre</translation>
+    </message>
+    <message>
+        <source>The task {0} has no INTERVAL above zero and no SINGLE; it runs in every scan</source>
+        <translation>La tarea {0} no tiene INTERVAL mayor que cero ni SINGLE; se ejecuta en cada ciclo</translation>
+    </message>
+    <message>
+        <source>{0} is read as {1}; write a time with its unit</source>
+        <translation>{0} se lee como {1}; escriba un tiempo con su unidad</translation>
+    </message>
+    <message>
+        <source>The address {0} has {1} {1:bit|bits}, {2} has {3}; write {4}</source>
+        <translation>La dirección {0} tiene {1} {1:bit|bits}, {2} tiene {3}; escriba {4}</translation>
+    </message>
+    <message>
+        <source>An index must be an integer, not {0}</source>
+        <translation>Un índice debe ser un entero, no {0}</translation>
+    </message>
+    <message>
+        <source>A block with a task of its own is not supported; call {0} in a program of the task {1}</source>
+        <translation>No se admite un bloque con tarea propia; llame a {0} en un programa de la tarea {1}</translation>
+    </message>
+    <message>
+        <source>{0}</source>
+        <translation>{0}</translation>
+    </message>
+    <message>
+        <source>The condition {0} is not one of defined, hasvalue, hasattribute, hastype with NOT, AND, OR</source>
+        <translation>La condición {0} no es una de defined, hasvalue, hasattribute, hastype con NOT, AND, OR</translation>
+    </message>
+    <message>
+        <source>The pragma {0} is missing for this {1}</source>
+        <translation>Falta el pragma {0} para este {1}</translation>
+    </message>
+    <message>
+        <source>Code in C is not executed</source>
+        <translation>El código en C no se ejecuta</translation>
+    </message>
+</context>
+<context>
+    <name>EditHistory</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Deshacer</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rehacer</translation>
+    </message>
+</context>
+<context>
+    <name>Errors</name>
+    <message>
+        <source>division by zero</source>
+        <translation>división por cero</translation>
+    </message>
+    <message>
+        <source>index {0} is used on an empty array</source>
+        <translation>acceso al índice {0} de un array vacío</translation>
+    </message>
+    <message>
+        <source>index {0} is outside {1}..{2}</source>
+        <translation>el índice {0} está fuera de {1}..{2}</translation>
+    </message>
+    <message>
+        <source>the reference is NULL</source>
+        <translation>la referencia es NULL</translation>
+    </message>
+    <message>
+        <source>the reference does not point to a variable of its type</source>
+        <translation>la referencia no apunta a una variable de su tipo</translation>
+    </message>
+    <message>
+        <source>a VAR_IN_OUT is not connected to a variable</source>
+        <translation>un VAR_IN_OUT no está conectado a ninguna variable</translation>
+    </message>
+    <message>
+        <source>character {0} is read from an empty string</source>
+        <translation>lectura del carácter {0} de una cadena vacía</translation>
+    </message>
+    <message>
+        <source>character {0} is outside {1}..{2} of the string</source>
+        <translation>el carácter {0} está fuera de {1}..{2} de la cadena</translation>
+    </message>
+    <message>
+        <source>the watchdog stopped a task that did not end</source>
+        <translation>el watchdog ha detenido una tarea que no terminaba</translation>
+    </message>
+    <message>
+        <source>the task ran longer than its watchdog time of {0}</source>
+        <translation>la tarea ha superado su tiempo de watchdog de {0}</translation>
+    </message>
+    <message>
+        <source>more than {0} loop passes and calls in one run of the task; check for an endless loop</source>
+        <translation>más de {0} pasadas de bucle y llamadas en una ejecución de la tarea; busque un bucle infinito</translation>
+    </message>
+    <message>
+        <source>calls are nested too deeply; check for endless recursion</source>
+        <translation>las llamadas están anidadas demasiado profundamente; busque una recursión infinita</translation>
+    </message>
+    <message>
+        <source>the called method has no body</source>
+        <translation>el método llamado no tiene cuerpo</translation>
+    </message>
+    <message>
+        <source>the scan was aborted</source>
+        <translation>el ciclo se ha interrumpido</translation>
+    </message>
+    <message>
+        <source>no expression</source>
+        <translation>ninguna expresión</translation>
+    </message>
+    <message>
+        <source>not in this image</source>
+        <translation>no está en esta imagen de memoria</translation>
+    </message>
+    <message>
+        <source>has no value here</source>
+        <translation>no tiene valor aquí</translation>
+    </message>
+    <message>
+        <source>{0}: {1}</source>
+        <translation>{0}: {1}</translation>
+    </message>
+    <message>
+        <source>simulation: {0}</source>
+        <translation>simulación: {0}</translation>
+    </message>
+    <message>
+        <source>warm</source>
+        <translation>en caliente</translation>
+    </message>
+    <message>
+        <source>cold</source>
+        <translation>en frío</translation>
+    </message>
+    <message>
+        <source>origin</source>
+        <translation>de origen</translation>
+    </message>
+    <message>
+        <source>in the middle of a scan</source>
+        <translation>en mitad de un ciclo</translation>
+    </message>
+    <message>
+        <source>{0}</source>
+        <translation>{0}</translation>
+    </message>
+    <message>
+        <source>{0} := {1}</source>
+        <translation>{0} := {1}</translation>
+    </message>
+    <message>
+        <source>no such file or folder</source>
+        <translation>no se encuentra el archivo o la carpeta</translation>
+    </message>
+    <message>
+        <source>permission denied</source>
+        <translation>permiso denegado</translation>
+    </message>
+    <message>
+        <source>no space left on the device</source>
+        <translation>no queda espacio en el dispositivo</translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation>es una carpeta</translation>
+    </message>
+    <message>
+        <source>it is not a folder</source>
+        <translation>no es una carpeta</translation>
+    </message>
+    <message>
+        <source>the file system is read-only</source>
+        <translation>el sistema de archivos es de solo lectura</translation>
+    </message>
+    <message>
+        <source>the device reports a read or write error</source>
+        <translation>el dispositivo notifica un error de lectura o escritura</translation>
+    </message>
+    <message>
+        <source>the file name is too long</source>
+        <translation>el nombre del archivo es demasiado largo</translation>
+    </message>
+    <message>
+        <source>it already exists</source>
+        <translation>ya existe</translation>
+    </message>
+    <message>
+        <source>the folder is not empty</source>
+        <translation>la carpeta no está vacía</translation>
+    </message>
+    <message>
+        <source>too many files are open</source>
+        <translation>hay demasiados archivos abiertos</translation>
+    </message>
+    <message>
+        <source>the file is too large</source>
+        <translation>el archivo es demasiado grande</translation>
+    </message>
+    <message>
+        <source>{0}; free some space and save again</source>
+        <translation>{0}; libere espacio y vuelva a guardar</translation>
+    </message>
+    <message>
+        <source>{0}; check the permissions of the folder</source>
+        <translation>{0}; compruebe los permisos de la carpeta</translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation>cancelado</translation>
+    </message>
+    <message>
+        <source>This is not a regular file and cannot be replaced; choose another name</source>
+        <translation>No es un archivo normal y no se puede reemplazar; elija otro nombre</translation>
+    </message>
+    <message>
+        <source>The recording cannot be written: {0}</source>
+        <translation>No se puede escribir la grabación: {0}</translation>
+    </message>
+    <message>
+        <source>The recording cannot be read: {0}</source>
+        <translation>No se puede leer la grabación: {0}</translation>
+    </message>
+    <message>
+        <source>The file is damaged or is not a recording</source>
+        <translation>El archivo está dañado o no es una grabación</translation>
+    </message>
+    <message>
+        <source>The recorded program can no longer be built</source>
+        <translation>El programa grabado ya no se puede compilar</translation>
+    </message>
+    <message>
+        <source>This version of Stepwise lays out the program&apos;s variables differently; open the recording with the version that made it</source>
+        <translation>Esta versión de Stepwise dispone las variables del programa de otro modo; abra la grabación con la versión que la creó</translation>
+    </message>
+    <message>
+        <source>The recording cannot be opened: {0}</source>
+        <translation>No se puede abrir la grabación: {0}</translation>
+    </message>
+    <message>
+        <source>its program has errors</source>
+        <translation>su programa tiene errores</translation>
+    </message>
+    <message>
+        <source>The recording contains no program</source>
+        <translation>La grabación no contiene ningún programa</translation>
+    </message>
+    <message>
+        <source>Nothing has been recorded yet</source>
+        <translation>Aún no se ha grabado nada</translation>
+    </message>
+    <message>
+        <source>This scan is no longer in the recording</source>
+        <translation>Este ciclo ya no está en la grabación</translation>
+    </message>
+    <message>
+        <source>The program that recorded this scan is no longer available</source>
+        <translation>El programa que grabó este ciclo ya no está disponible</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; is ambiguous; write one of {1}</source>
+        <translation>«{0}» es ambiguo; escriba uno de {1}</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; has no variable &apos;{1}&apos;; did you mean &apos;{2}&apos;?</source>
+        <translation>«{0}» no tiene ninguna variable «{1}»; ¿quería decir «{2}»?</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; has no variable &apos;{1}&apos;</source>
+        <translation>«{0}» no tiene ninguna variable «{1}»</translation>
+    </message>
+    <message>
+        <source>there is no variable &apos;{0}&apos;; did you mean &apos;{1}&apos;?</source>
+        <translation>no existe la variable «{0}»; ¿quería decir «{1}»?</translation>
+    </message>
+    <message>
+        <source>there is no variable &apos;{0}&apos;</source>
+        <translation>no existe la variable «{0}»</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; is reached through a reference, which a path cannot follow</source>
+        <translation>a «{0}» se llega por una referencia, que una ruta no puede seguir</translation>
+    </message>
+    <message>
+        <source>a variable of type {1} has no member &apos;{0}&apos;</source>
+        <translation>una variable de tipo {1} no tiene ningún miembro «{0}»</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; is a VAR_IN_OUT; write the variable that is connected to it</source>
+        <translation>«{0}» es un VAR_IN_OUT; escriba la variable conectada</translation>
+    </message>
+    <message>
+        <source>a string has one index</source>
+        <translation>una cadena tiene un solo índice</translation>
+    </message>
+    <message>
+        <source>a variable of type {0} has no elements</source>
+        <translation>una variable de tipo {0} no tiene elementos</translation>
+    </message>
+    <message>
+        <source>{0} needs {1} {1:index|indices}, not {2}</source>
+        <translation>{0} necesita {1} {1:índice|índices}, no {2}</translation>
+    </message>
+    <message>
+        <source>a variable of type {0} has no bits</source>
+        <translation>una variable de tipo {0} no tiene bits</translation>
+    </message>
+    <message>
+        <source>bit {0} is outside 0..{1}</source>
+        <translation>el bit {0} está fuera de 0..{1}</translation>
+    </message>
+    <message>
+        <source>part {0} is outside 0..{1}</source>
+        <translation>la parte {0} está fuera de 0..{1}</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; is not an address; write for example %IX0.0, %QB4 or %MW2</source>
+        <translation>«{0}» no es una dirección; escriba por ejemplo %IX0.0, %QB4 o %MW2</translation>
+    </message>
+    <message>
+        <source>the program does not use the address &apos;{0}&apos;</source>
+        <translation>el programa no usa la dirección «{0}»</translation>
+    </message>
+    <message>
+        <source>the path is empty</source>
+        <translation>la ruta está vacía</translation>
+    </message>
+    <message>
+        <source>the path is incomplete</source>
+        <translation>la ruta está incompleta</translation>
+    </message>
+    <message>
+        <source>the path cannot be read from &apos;{0}&apos; on</source>
+        <translation>la ruta no se puede leer a partir de «{0}»</translation>
+    </message>
+    <message>
+        <source>{0} is forced; release the force before writing</source>
+        <translation>{0} está forzada; anule el forzado antes de escribir</translation>
+    </message>
+    <message>
+        <source>a constant cannot be written</source>
+        <translation>una constante no se puede escribir</translation>
+    </message>
+    <message>
+        <source>a constant cannot be forced</source>
+        <translation>una constante no se puede forzar</translation>
+    </message>
+    <message>
+        <source>the variable is not forced</source>
+        <translation>la variable no está forzada</translation>
+    </message>
+    <message>
+        <source>the initial values of the new program cause a fault: {0}</source>
+        <translation>los valores iniciales del programa nuevo provocan un error: {0}</translation>
+    </message>
+    <message>
+        <source>The retain file cannot be written: {0}</source>
+        <translation>No se puede escribir el archivo de valores remanentes: {0}</translation>
+    </message>
+    <message>
+        <source>The retain file cannot be read: {0}</source>
+        <translation>No se puede leer el archivo de valores remanentes: {0}</translation>
+    </message>
+    <message>
+        <source>The retain file is not a regular file</source>
+        <translation>El archivo de valores remanentes no es un archivo normal</translation>
+    </message>
+    <message>
+        <source>The retain file is damaged; the program starts with its initial values</source>
+        <translation>El archivo de valores remanentes está dañado; el programa arranca con sus valores iniciales</translation>
+    </message>
+    <message>
+        <source>{0}; it is kept as {1}</source>
+        <translation>{0}; se conserva como {1}</translation>
+    </message>
+    <message>
+        <source>{0} retained {0:value does|values do} not fit the program: {1}</source>
+        <translation>{0} {0:valor remanente no corresponde|valores remanentes no corresponden} al programa: {1}</translation>
+    </message>
+    <message>
+        <source>{0} does not fit into a variable of type {1}</source>
+        <translation>{0} no cabe en una variable de tipo {1}</translation>
+    </message>
+    <message>
+        <source>the value does not fit into a variable of type {0}</source>
+        <translation>el valor no cabe en una variable de tipo {0}</translation>
+    </message>
+    <message>
+        <source>{0} is outside {1}..{2}</source>
+        <translation>{0} está fuera de {1}..{2}</translation>
+    </message>
+    <message>
+        <source>a character of the text does not fit into a STRING; use a WSTRING</source>
+        <translation>un carácter del texto no existe en STRING; use una WSTRING</translation>
+    </message>
+    <message>
+        <source>the text has {0} characters, the maximum is {1}</source>
+        <translation>el texto tiene {0} caracteres, el máximo es {1}</translation>
+    </message>
+    <message>
+        <source>{0} has {1} {1:part|parts}, the value has {2}</source>
+        <translation>{0} tiene {1} {1:parte|partes}, el valor tiene {2}</translation>
+    </message>
+    <message>
+        <source>there is no value to write</source>
+        <translation>no hay ningún valor que escribir</translation>
+    </message>
+    <message>
+        <source>a reference can only be set to NULL from outside</source>
+        <translation>desde fuera, una referencia solo se puede poner a NULL</translation>
+    </message>
+    <message>
+        <source>{0} is not a value for {1}, which is {2}</source>
+        <translation>{0} no es un valor para {1}, de tipo {2}</translation>
+    </message>
+    <message>
+        <source>{0} does not fit into {1}, which is {2}</source>
+        <translation>{0} no cabe en {1}, de tipo {2}</translation>
+    </message>
+    <message>
+        <source>{0}; {1}</source>
+        <translation>{0}; {1}</translation>
+    </message>
+    <message>
+        <source>did you mean {0}?</source>
+        <translation>¿quería decir {0}?</translation>
+    </message>
+    <message>
+        <source>its values are {0}</source>
+        <translation>sus valores son {0}</translation>
+    </message>
+    <message>
+        <source>write it in quotes, for example {0}, with Latin-1 characters only</source>
+        <translation>escríbalo entre comillas, por ejemplo {0}, solo con caracteres Latin-1</translation>
+    </message>
+    <message>
+        <source>write it in quotes, for example {0}</source>
+        <translation>escríbalo entre comillas, por ejemplo {0}</translation>
+    </message>
+    <message>
+        <source>write one character in quotes, for example {0}</source>
+        <translation>escriba un carácter entre comillas, por ejemplo {0}</translation>
+    </message>
+    <message>
+        <source>write all elements, for example {0}, or a single one by its index</source>
+        <translation>escriba todos los elementos, por ejemplo {0}, o uno solo con su índice</translation>
+    </message>
+    <message>
+        <source>write its members, for example {0}, or a single one by its path</source>
+        <translation>escriba sus miembros, por ejemplo {0}, o uno solo con su ruta</translation>
+    </message>
+    <message>
+        <source>write {0} or {1}</source>
+        <translation>escriba {0} o {1}</translation>
+    </message>
+    <message>
+        <source>write for example {0}</source>
+        <translation>escriba por ejemplo {0}</translation>
+    </message>
+    <message>
+        <source>write a number, for example {0}</source>
+        <translation>escriba un número, por ejemplo {0}</translation>
+    </message>
+    <message>
+        <source>write an integer, for example {0}</source>
+        <translation>escriba un entero, por ejemplo {0}</translation>
+    </message>
+    <message>
+        <source>There is no program to optimise</source>
+        <translation>No hay ningún programa que optimizar</translation>
+    </message>
+    <message>
+        <source>The expression is nested too deeply</source>
+        <translation>La expresión está anidada demasiado profundamente</translation>
+    </message>
+    <message>
+        <source>this is not an expression</source>
+        <translation>esto no es una expresión</translation>
+    </message>
+    <message>
+        <source>this is local to a running call and has no address of its own</source>
+        <translation>esto es local de una llamada en curso y no tiene dirección propia</translation>
+    </message>
+    <message>
+        <source>this part of a computed value cannot be shown</source>
+        <translation>esta parte de un valor calculado no se puede mostrar</translation>
+    </message>
+    <message>
+        <source>a character of a string has no address of its own</source>
+        <translation>un carácter de una cadena no tiene dirección propia</translation>
+    </message>
+    <message>
+        <source>this variable cannot be shown</source>
+        <translation>esta variable no se puede mostrar</translation>
+    </message>
+    <message>
+        <source>this array of variable length has no address here</source>
+        <translation>este array de longitud variable no tiene dirección aquí</translation>
+    </message>
+    <message>
+        <source>this is not an array</source>
+        <translation>esto no es un array</translation>
+    </message>
+    <message>
+        <source>the array has no such dimension</source>
+        <translation>el array no tiene esa dimensión</translation>
+    </message>
+    <message>
+        <source>this has no value</source>
+        <translation>esto no tiene valor</translation>
+    </message>
+    <message>
+        <source>an expression cannot have side effects</source>
+        <translation>una expresión no puede tener efectos secundarios</translation>
+    </message>
+    <message>
+        <source>only standard functions can be called here</source>
+        <translation>aquí solo se pueden llamar funciones estándar</translation>
+    </message>
+    <message>
+        <source>a cast to an interface cannot be watched</source>
+        <translation>una conversión a una interfaz no se puede supervisar</translation>
+    </message>
+    <message>
+        <source>this cannot be evaluated</source>
+        <translation>esto no se puede evaluar</translation>
+    </message>
+    <message>
+        <source>The code generator failed: {0}</source>
+        <translation>El generador de código ha fallado: {0}</translation>
+    </message>
+    <message>
+        <source>The code generator produced an invalid module: {0}</source>
+        <translation>El generador de código ha producido un módulo no válido: {0}</translation>
+    </message>
+    <message>
+        <source>not compiled</source>
+        <translation>sin compilar</translation>
+    </message>
+    <message>
+        <source>Code for the thread sanitizer needs a process that runs under it</source>
+        <translation>El código para el detector de accesos concurrentes necesita un proceso que se ejecute con él</translation>
+    </message>
+    <message>
+        <source>the program could not be optimised: {0}</source>
+        <translation>no se ha podido optimizar el programa: {0}</translation>
+    </message>
+    <message>
+        <source>the program has errors</source>
+        <translation>el programa tiene errores</translation>
+    </message>
+    <message>
+        <source>the online change waits until the scan that is halted at a breakpoint has ended</source>
+        <translation>el cambio online espera a que termine el ciclo detenido en un punto de interrupción</translation>
+    </message>
+    <message>
+        <source>This body is not an instruction list</source>
+        <translation>Este cuerpo no es una lista de instrucciones</translation>
+    </message>
+    <message>
+        <source>The type of {0} is not known here</source>
+        <translation>El tipo de {0} no se conoce aquí</translation>
+    </message>
+    <message>
+        <source>This body is not ST</source>
+        <translation>Este cuerpo no es ST</translation>
+    </message>
+    <message>
+        <source>{0} has no equivalent in an instruction list</source>
+        <translation>{0} no tiene equivalente en una lista de instrucciones</translation>
+    </message>
+    <message>
+        <source>There is no body in ST or IL here</source>
+        <translation>Aquí no hay ningún cuerpo en ST o IL</translation>
+    </message>
+    <message>
+        <source>{0} is already written in ST</source>
+        <translation>{0} ya está escrito en ST</translation>
+    </message>
+    <message>
+        <source>{0} is already written in IL</source>
+        <translation>{0} ya está escrito en IL</translation>
+    </message>
+    <message>
+        <source>Fix the text first: {0}</source>
+        <translation>Corrija primero el texto: {0}</translation>
+    </message>
+    <message>
+        <source>There is no equivalent in the other language: {0}</source>
+        <translation>No hay equivalente en el otro lenguaje: {0}</translation>
+    </message>
+    <message>
+        <source>This is a folder; a file is needed</source>
+        <translation>Es una carpeta; se necesita un archivo</translation>
+    </message>
+    <message>
+        <source>This is a device; a file is needed</source>
+        <translation>Es un dispositivo; se necesita un archivo</translation>
+    </message>
+    <message>
+        <source>The file cannot be read: {0}</source>
+        <translation>No se puede leer el archivo: {0}</translation>
+    </message>
+    <message>
+        <source>The file cannot be replaced: {0}</source>
+        <translation>No se puede reemplazar el archivo: {0}</translation>
+    </message>
+    <message>
+        <source>The file cannot be written: {0}</source>
+        <translation>No se puede escribir el archivo: {0}</translation>
+    </message>
+    <message>
+        <source>project.json is not valid JSON; look for a missing comma, quote or bracket</source>
+        <translation>project.json no es JSON válido; busque una coma, una comilla o un corchete que falte</translation>
+    </message>
+    <message>
+        <source>project.json must contain one JSON object</source>
+        <translation>project.json debe contener un objeto JSON</translation>
+    </message>
+    <message>
+        <source>This folder contains neither a project.json nor ST files</source>
+        <translation>Esta carpeta no contiene ni un project.json ni archivos ST</translation>
+    </message>
+    <message>
+        <source>There is no library &quot;{0}&quot;; available are {1}</source>
+        <translation>No existe la biblioteca «{0}»; están disponibles {1}</translation>
+    </message>
+    <message>
+        <source>There is no library {0}; did you mean {1}?</source>
+        <translation>No existe la biblioteca {0}; ¿quería decir {1}?</translation>
+    </message>
+    <message>
+        <source>There is no library {0}</source>
+        <translation>No existe la biblioteca {0}</translation>
+    </message>
+    <message>
+        <source>Specify a project folder or ST files</source>
+        <translation>Indique una carpeta de proyecto o archivos ST</translation>
+    </message>
+    <message>
+        <source>There is no such file or folder</source>
+        <translation>No se encuentra el archivo o la carpeta</translation>
+    </message>
+    <message>
+        <source>Specify one project folder or ST files, not both</source>
+        <translation>Indique una carpeta de proyecto o archivos ST, no ambos</translation>
+    </message>
+    <message>
+        <source>There is no name here that can be renamed</source>
+        <translation>Aquí no hay ningún nombre que se pueda renombrar</translation>
+    </message>
+    <message>
+        <source>{0} belongs to a library and cannot be renamed</source>
+        <translation>{0} pertenece a una biblioteca y no se puede renombrar</translation>
+    </message>
+    <message>
+        <source>{0} is not a valid name; use letters, digits and _, start with a letter and avoid keywords</source>
+        <translation>{0} no es un nombre válido; use letras, cifras y _, empiece por una letra y evite las palabras clave</translation>
+    </message>
+    <message>
+        <source>{0} already exists in the project</source>
+        <translation>{0} ya existe en el proyecto</translation>
+    </message>
+    <message>
+        <source>{0} already exists in {1}</source>
+        <translation>{0} ya existe en {1}</translation>
+    </message>
+    <message>
+        <source>The folder cannot be created: {0}</source>
+        <translation>No se puede crear la carpeta: {0}</translation>
+    </message>
+    <message>
+        <source>The folder cannot be read: {0}</source>
+        <translation>No se puede leer la carpeta: {0}</translation>
+    </message>
+    <message>
+        <source>The file cannot be copied: {0}</source>
+        <translation>No se puede copiar el archivo: {0}</translation>
+    </message>
+    <message>
+        <source>The folder already exists and is not empty; choose another name</source>
+        <translation>La carpeta ya existe y no está vacía; elija otro nombre</translation>
+    </message>
+    <message>
+        <source>The page cannot be written</source>
+        <translation>No se puede escribir la página</translation>
+    </message>
+    <message>
+        <source>There is no such file in the project</source>
+        <translation>El proyecto no contiene ese archivo</translation>
+    </message>
+    <message>
+        <source>A file with this name already exists</source>
+        <translation>Ya existe un archivo con ese nombre</translation>
+    </message>
+    <message>
+        <source>The file is read-only and was not overwritten</source>
+        <translation>El archivo es de solo lectura y no se ha sobrescrito</translation>
+    </message>
+    <message>
+        <source>The file&apos;s permissions cannot be changed</source>
+        <translation>No se pueden cambiar los permisos del archivo</translation>
+    </message>
+    <message>
+        <source>The file cannot be removed; check the permissions of the folder</source>
+        <translation>No se puede eliminar el archivo; compruebe los permisos de la carpeta</translation>
+    </message>
+    <message>
+        <source>The file cannot be renamed; check the permissions of the folder</source>
+        <translation>No se puede renombrar el archivo; compruebe los permisos de la carpeta</translation>
+    </message>
+    <message>
+        <source>Open a project first</source>
+        <translation>Abra primero un proyecto</translation>
+    </message>
+    <message>
+        <source>A panel with this name already exists</source>
+        <translation>Ya existe un panel con ese nombre</translation>
+    </message>
+    <message>
+        <source>The controller is not running</source>
+        <translation>El controlador no está en marcha</translation>
+    </message>
+    <message>
+        <source>There is no program to run</source>
+        <translation>No hay ningún programa que ejecutar</translation>
+    </message>
+    <message>
+        <source>There is no program to test</source>
+        <translation>No hay ningún programa que probar</translation>
+    </message>
+    <message>
+        <source>This statement is not possible in a TEST together with RUN or ASSERT around it</source>
+        <translation>Esta instrucción no es posible en un TEST cuando la rodea RUN o ASSERT</translation>
+    </message>
+    <message>
+        <source>The code of this statement is missing</source>
+        <translation>Falta el código de esta instrucción</translation>
+    </message>
+    <message>
+        <source>Fault in the test: {0}</source>
+        <translation>Error en la prueba: {0}</translation>
+    </message>
+    <message>
+        <source>{0} is not a value for {1}</source>
+        <translation>{0} no es un valor para {1}</translation>
+    </message>
+    <message>
+        <source>This loop of the test does not end</source>
+        <translation>Este bucle de la prueba no termina</translation>
+    </message>
+    <message>
+        <source>The step of this loop is 0</source>
+        <translation>El paso de este bucle es 0</translation>
+    </message>
+    <message>
+        <source>The simulation stopped: {0}</source>
+        <translation>La simulación se ha detenido: {0}</translation>
+    </message>
+    <message>
+        <source>The controller stopped: {0}</source>
+        <translation>El controlador se ha detenido: {0}</translation>
+    </message>
+    <message>
+        <source>at {0}:{1}</source>
+        <translation>en {0}:{1}</translation>
+    </message>
+    <message>
+        <source>{0} has no value: {1}</source>
+        <translation>{0} no tiene valor: {1}</translation>
+    </message>
+    <message>
+        <source>{0} did not become true within {1}</source>
+        <translation>{0} no se ha hecho verdadero en {1}</translation>
+    </message>
+    <message>
+        <source>ASSERT failed: {0}</source>
+        <translation>ASSERT ha fallado: {0}</translation>
+    </message>
+    <message>
+        <source>ASSERT failed: {0} ({1})</source>
+        <translation>ASSERT ha fallado: {0} ({1})</translation>
+    </message>
+    <message>
+        <source>A coil writes a variable.</source>
+        <translation>Una bobina escribe una variable.</translation>
+    </message>
+    <message>
+        <source>A pin has no contacts; type an expression.</source>
+        <translation>Una conexión no tiene contactos; escriba una expresión.</translation>
+    </message>
+    <message>
+        <source>A rung cannot move into itself.</source>
+        <translation>Un segmento no se puede mover dentro de sí mismo.</translation>
+    </message>
+    <message>
+        <source>A rung moves within its block of statements; use cut and paste in the text for more.</source>
+        <translation>Un segmento se mueve dentro de su bloque de instrucciones; para más, use cortar y pegar en el texto.</translation>
+    </message>
+    <message>
+        <source>Delete the call in the text: other statements may use its outputs.</source>
+        <translation>Elimine la llamada en el texto: otras instrucciones pueden usar sus salidas.</translation>
+    </message>
+    <message>
+        <source>Delete this output in the text.</source>
+        <translation>Elimine esta salida en el texto.</translation>
+    </message>
+    <message>
+        <source>Other outputs depend on the same IF; give this coil a rung of its own first.</source>
+        <translation>Otras salidas dependen del mismo IF; dé primero a esta bobina un segmento propio.</translation>
+    </message>
+    <message>
+        <source>Select a box with text.</source>
+        <translation>Seleccione un cuadro con texto.</translation>
+    </message>
+    <message>
+        <source>Select a coil.</source>
+        <translation>Seleccione una bobina.</translation>
+    </message>
+    <message>
+        <source>Select a contact or a wire.</source>
+        <translation>Seleccione un contacto o una conexión.</translation>
+    </message>
+    <message>
+        <source>Select a contact, a pin or a coil.</source>
+        <translation>Seleccione un contacto, una conexión o una bobina.</translation>
+    </message>
+    <message>
+        <source>Select a rung with contacts.</source>
+        <translation>Seleccione un segmento con contactos.</translation>
+    </message>
+    <message>
+        <source>Select a rung with one output.</source>
+        <translation>Seleccione un segmento con una sola salida.</translation>
+    </message>
+    <message>
+        <source>Select the rung beside which it is inserted.</source>
+        <translation>Seleccione el segmento junto al que se inserta.</translation>
+    </message>
+    <message>
+        <source>Select the rung that the comment belongs to.</source>
+        <translation>Seleccione el segmento al que pertenece el comentario.</translation>
+    </message>
+    <message>
+        <source>Select what is to be changed.</source>
+        <translation>Seleccione lo que se va a cambiar.</translation>
+    </message>
+    <message>
+        <source>Select what is to be deleted.</source>
+        <translation>Seleccione lo que se va a eliminar.</translation>
+    </message>
+    <message>
+        <source>Several variables are assigned in one statement; separate them in the text first.</source>
+        <translation>Se asignan varias variables en una instrucción; sepárelas primero en el texto.</translation>
+    </message>
+    <message>
+        <source>Statements on one line cannot be moved; separate them in the text first.</source>
+        <translation>No se pueden mover instrucciones que están en una misma línea; sepárelas primero en el texto.</translation>
+    </message>
+    <message>
+        <source>The first input and the first output of {0} must be BOOL for it to stand in a rung.</source>
+        <translation>La primera entrada y la primera salida de {0} deben ser BOOL para que pueda estar en un segmento.</translation>
+    </message>
+    <message>
+        <source>The rung reads what it writes; add this coil in a rung of its own.</source>
+        <translation>El segmento lee lo que escribe; añada esta bobina en un segmento propio.</translation>
+    </message>
+    <message>
+        <source>There is no function block {0}.</source>
+        <translation>No existe el bloque de función {0}.</translation>
+    </message>
+    <message>
+        <source>This edit cannot be made in the picture; edit the text.</source>
+        <translation>Este cambio no se puede hacer en el esquema; edite el texto.</translation>
+    </message>
+    <message>
+        <source>This has no operand.</source>
+        <translation>Esto no tiene operando.</translation>
+    </message>
+    <message>
+        <source>This is not a statement: {0}</source>
+        <translation>Esto no es una instrucción: {0}</translation>
+    </message>
+    <message>
+        <source>This is not an expression: {0}</source>
+        <translation>Esto no es una expresión: {0}</translation>
+    </message>
+    <message>
+        <source>This rung has no condition; put it under IF in the text.</source>
+        <translation>Este segmento no tiene condición; póngalo bajo un IF en el texto.</translation>
+    </message>
+    <message>
+        <source>{0} is {1}</source>
+        <translation>{0} es {1}</translation>
+    </message>
+    <message>
+        <source>{0} is {1}, expected {2} {3}</source>
+        <translation>{0} es {1}, se esperaba {2} {3}</translation>
+    </message>
+    <message>
+        <source>{0} is {1}, recorded {2} in scan {3}</source>
+        <translation>{0} es {1}, grabado {2} en el ciclo {3}</translation>
+    </message>
+    <message>
+        <source>The recording {0} has {1} {1:scan|scans}, this run {2}</source>
+        <translation>La grabación {0} tiene {1} {1:ciclo|ciclos}, esta ejecución {2}</translation>
+    </message>
+    <message>
+        <source>The run differs from the recording {0}</source>
+        <translation>La ejecución difiere de la grabación {0}</translation>
+    </message>
+    <message>
+        <source>the condition cannot be evaluated</source>
+        <translation>la condición no se puede evaluar</translation>
+    </message>
+    <message>
+        <source>There is no action {0}</source>
+        <translation>No existe la acción {0}</translation>
+    </message>
+    <message>
+        <source>{0} is not a valid name; use letters, digits and underscores</source>
+        <translation>{0} no es un nombre válido; use letras, cifras y guiones bajos</translation>
+    </message>
+    <message>
+        <source>A step {0} already exists</source>
+        <translation>Ya existe una etapa {0}</translation>
+    </message>
+    <message>
+        <source>This edit would change the same text twice</source>
+        <translation>Este cambio modificaría dos veces el mismo texto</translation>
+    </message>
+    <message>
+        <source>This transition does not lead to a step yet</source>
+        <translation>Esta transición aún no lleva a ninguna etapa</translation>
+    </message>
+    <message>
+        <source>Nothing would lead to the join after this step</source>
+        <translation>Nada llevaría a la convergencia después de esta etapa</translation>
+    </message>
+    <message>
+        <source>The initial step stays at the top</source>
+        <translation>La etapa inicial se queda arriba</translation>
+    </message>
+    <message>
+        <source>Only a step with a single transition of its own can be moved</source>
+        <translation>Solo se puede mover una etapa con una única transición propia</translation>
+    </message>
+    <message>
+        <source>The step is already there</source>
+        <translation>La etapa ya está ahí</translation>
+    </message>
+    <message>
+        <source>A step can be placed after a transition that leads to one step</source>
+        <translation>Una etapa se puede colocar tras una transición que lleve a una sola etapa</translation>
+    </message>
+    <message>
+        <source>This step only leads to itself</source>
+        <translation>Esta etapa solo lleva a sí misma</translation>
+    </message>
+    <message>
+        <source>There is no branch here</source>
+        <translation>Aquí no hay ninguna rama</translation>
+    </message>
+    <message>
+        <source>A transition needs a condition</source>
+        <translation>Una transición necesita una condición</translation>
+    </message>
+    <message>
+        <source>A priority must be a positive number</source>
+        <translation>Una prioridad debe ser un número positivo</translation>
+    </message>
+    <message>
+        <source>Nothing follows this step yet; insert a step after it first</source>
+        <translation>Aún no sigue nada a esta etapa; inserte primero una etapa detrás</translation>
+    </message>
+    <message>
+        <source>The last branch does not lead to a step</source>
+        <translation>La última rama no lleva a ninguna etapa</translation>
+    </message>
+    <message>
+        <source>There is no such action</source>
+        <translation>No existe esa acción</translation>
+    </message>
+    <message>
+        <source>There is no chart yet</source>
+        <translation>Aún no hay ninguna secuencia</translation>
+    </message>
+    <message>
+        <source>The initial step cannot be deleted; make another step the initial step first</source>
+        <translation>La etapa inicial no se puede eliminar; convierta primero otra etapa en etapa inicial</translation>
+    </message>
+    <message>
+        <source>Several transitions leave this step; delete its branches first</source>
+        <translation>Varias transiciones salen de esta etapa; elimine primero sus ramas</translation>
+    </message>
+    <message>
+        <source>The condition of this transition cannot be read; edit it in the text</source>
+        <translation>La condición de esta transición no se puede leer; edítela en el texto</translation>
+    </message>
+    <message>
+        <source>The branches after this transition do not join; connect them in the text first</source>
+        <translation>Las ramas tras esta transición no convergen; conéctelas primero en el texto</translation>
+    </message>
+    <message>
+        <source>The panel is not valid JSON</source>
+        <translation>El panel no es JSON válido</translation>
+    </message>
+    <message>
+        <source>A panel must be a JSON object</source>
+        <translation>Un panel debe ser un objeto JSON</translation>
+    </message>
+    <message>
+        <source>The panel was written by a newer version of Stepwise</source>
+        <translation>El panel lo escribió una versión más reciente de Stepwise</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be a list</source>
+        <translation>«{0}» debe ser una lista</translation>
+    </message>
+    <message>
+        <source>Element {0} is not an object</source>
+        <translation>El elemento {0} no es un objeto</translation>
+    </message>
+    <message>
+        <source>The kind of element {0} is not a text</source>
+        <translation>La clase del elemento {0} no es un texto</translation>
+    </message>
+    <message>
+        <source>Two elements have the id &quot;{0}&quot;; change one of them</source>
+        <translation>Dos elementos tienen el identificador «{0}»; cambie uno de ellos</translation>
+    </message>
+    <message>
+        <source>The alarms are not valid JSON</source>
+        <translation>Las alarmas no son JSON válido</translation>
+    </message>
+    <message>
+        <source>Every alarm and every alarm class must be a JSON object</source>
+        <translation>Cada alarma y cada clase de alarma debe ser un objeto JSON</translation>
+    </message>
+    <message>
+        <source>An alarm has no id</source>
+        <translation>Una alarma no tiene identificador</translation>
+    </message>
+    <message>
+        <source>Two alarms have the id &quot;{0}&quot;</source>
+        <translation>Dos alarmas tienen el identificador «{0}»</translation>
+    </message>
+    <message>
+        <source>This line is not valid UTF-8; save the file as UTF-8</source>
+        <translation>Esta línea no es UTF-8 válido; guarde el archivo como UTF-8</translation>
+    </message>
+    <message>
+        <source>There is text after a closing quote; double a quote that belongs to the text</source>
+        <translation>Hay texto tras una comilla de cierre; duplique la comilla que pertenece al texto</translation>
+    </message>
+    <message>
+        <source>The quote that opens here is never closed</source>
+        <translation>La comilla que se abre aquí no se cierra</translation>
+    </message>
+    <message>
+        <source>The first line must be {0} and one language tag per column</source>
+        <translation>La primera línea debe ser {0} y una etiqueta de idioma por columna</translation>
+    </message>
+    <message>
+        <source>Column {0} has no language tag</source>
+        <translation>La columna {0} no tiene etiqueta de idioma</translation>
+    </message>
+    <message>
+        <source>The language {0} has two columns</source>
+        <translation>El idioma {0} tiene dos columnas</translation>
+    </message>
+    <message>
+        <source>This line has {0} {0:field|fields}, the header has {1}</source>
+        <translation>Esta línea tiene {0} {0:campo|campos}, la cabecera tiene {1}</translation>
+    </message>
+    <message>
+        <source>This line has no key</source>
+        <translation>Esta línea no tiene clave</translation>
+    </message>
+    <message>
+        <source>The key {0} is already on line {1}</source>
+        <translation>La clave {0} ya está en la línea {1}</translation>
+    </message>
+    <message>
+        <source>The alarm history cannot be opened: {0}</source>
+        <translation>No se puede abrir el historial de alarmas: {0}</translation>
+    </message>
+    <message>
+        <source>The alarm history cannot be used: {0}</source>
+        <translation>No se puede usar el historial de alarmas: {0}</translation>
+    </message>
+    <message>
+        <source>The alarm history cannot be written: {0}</source>
+        <translation>No se puede escribir el historial de alarmas: {0}</translation>
+    </message>
+    <message>
+        <source>{0} does not fit into {1}</source>
+        <translation>{0} no cabe en {1}</translation>
+    </message>
+    <message>
+        <source>STRING holds Latin-1 only; declare the variable as WSTRING</source>
+        <translation>STRING solo contiene Latin-1; declare la variable como WSTRING</translation>
+    </message>
+    <message>
+        <source>A {0} cannot be written from a panel</source>
+        <translation>Un {0} no se puede escribir desde un panel</translation>
+    </message>
+    <message>
+        <source>The folder for the pictures cannot be created</source>
+        <translation>No se puede crear la carpeta de las imágenes</translation>
+    </message>
+    <message>
+        <source>The picture cannot be written</source>
+        <translation>No se puede escribir la imagen</translation>
+    </message>
+    <message>
+        <source>The project has no such panel</source>
+        <translation>El proyecto no tiene ese panel</translation>
+    </message>
+    <message>
+        <source>The text &quot;{0}&quot; has no key, so it cannot be translated</source>
+        <translation>El texto «{0}» no tiene clave y por eso no se puede traducir</translation>
+    </message>
+    <message>
+        <source>The key {0} is not in the text table</source>
+        <translation>La clave {0} no está en la tabla de textos</translation>
+    </message>
+    <message>
+        <source>The text needs a value for {0}; specify it in &quot;Values in texts&quot;</source>
+        <translation>El texto necesita un valor para {0}; indíquelo en «Valores en textos»</translation>
+    </message>
+    <message>
+        <source>The text list {0} is empty: there is no key {1}</source>
+        <translation>La lista de textos {0} está vacía: no existe la clave {1}</translation>
+    </message>
+    <message>
+        <source>This version does not know the element kind &quot;{0}&quot;; it is kept as it is</source>
+        <translation>Esta versión no conoce la clase de elemento «{0}»; se conserva tal cual</translation>
+    </message>
+    <message>
+        <source>The project has no language {0}</source>
+        <translation>El proyecto no tiene el idioma {0}</translation>
+    </message>
+    <message>
+        <source>The element is outside the panel</source>
+        <translation>El elemento está fuera del panel</translation>
+    </message>
+    <message>
+        <source>The file {0} does not exist</source>
+        <translation>El archivo {0} no existe</translation>
+    </message>
+    <message>
+        <source>There is no panel {0}</source>
+        <translation>No existe el panel {0}</translation>
+    </message>
+    <message>
+        <source>The format {0} is not known; use for example {1} or {2}</source>
+        <translation>El formato {0} no se conoce; use por ejemplo {1} o {2}</translation>
+    </message>
+    <message>
+        <source>The alarm has no condition</source>
+        <translation>La alarma no tiene condición</translation>
+    </message>
+    <message>
+        <source>There is no alarm class {0}</source>
+        <translation>No existe la clase de alarma {0}</translation>
+    </message>
+    <message>
+        <source>No panel and no alarm uses the key {0}</source>
+        <translation>Ningún panel ni alarma usa la clave {0}</translation>
+    </message>
+    <message>
+        <source>The placeholders differ: {0} has {1}, {2} has {3}</source>
+        <translation>Los marcadores difieren: {0} tiene {1}, {2} tiene {3}</translation>
+    </message>
+    <message>
+        <source>The key {0} has no text in {1}</source>
+        <translation>La clave {0} no tiene texto en {1}</translation>
+    </message>
+    <message>
+        <source>The font {0} is not installed here, so texts cannot be measured</source>
+        <translation>La fuente {0} no está instalada aquí, por lo que los textos no se pueden medir</translation>
+    </message>
+    <message>
+        <source>No font has the character {0}</source>
+        <translation>Ninguna fuente tiene el carácter {0}</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; does not fit: it needs {1} px, the maximum is {2}</source>
+        <translation>«{0}» no cabe: necesita {1} px, el máximo es {2}</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}</source>
+        <translation>«{0}» no cabe: necesita una altura de {1} px, el máximo es {2}</translation>
+    </message>
+    <message>
+        <source>{0}; did you mean {1}?</source>
+        <translation>{0}; ¿quería decir {1}?</translation>
+    </message>
+    <message>
+        <source>{0} is not a variable, so it cannot be written</source>
+        <translation>{0} no es una variable y por eso no se puede escribir</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; a BOOL is needed here</source>
+        <translation>{0} es {1}; aquí se necesita un BOOL</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; a number is needed here</source>
+        <translation>{0} es {1}; aquí se necesita un número</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; a STRING is needed here</source>
+        <translation>{0} es {1}; aquí se necesita una STRING</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; an array is needed here</source>
+        <translation>{0} es {1}; aquí se necesita un array</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; a single value is needed here</source>
+        <translation>{0} es {1}; aquí se necesita un único valor</translation>
+    </message>
+    <message>
+        <source>A placeholder is not closed with {0}</source>
+        <translation>Un marcador no se cierra con {0}</translation>
+    </message>
+    <message>
+        <source>The format {0} is not known</source>
+        <translation>El formato {0} no se conoce</translation>
+    </message>
+    <message>
+        <source>The trace configuration is not valid JSON (see line {0})</source>
+        <translation>La configuración de la traza no es JSON válido (vea la línea {0})</translation>
+    </message>
+    <message>
+        <source>A trace configuration must be a JSON object</source>
+        <translation>Una configuración de traza debe ser un objeto JSON</translation>
+    </message>
+    <message>
+        <source>This trace configuration was written by a newer version of Stepwise (version {0})</source>
+        <translation>Esta configuración de traza la escribió una versión más reciente de Stepwise (versión {0})</translation>
+    </message>
+    <message>
+        <source>The trace configuration is invalid: {0}</source>
+        <translation>La configuración de la traza no es válida: {0}</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be {1}</source>
+        <translation>«{0}» debe ser {1}</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; is missing</source>
+        <translation>falta «{0}»</translation>
+    </message>
+    <message>
+        <source>A picture&apos;s name must end in one of {0}</source>
+        <translation>El nombre de una imagen debe terminar en {0}</translation>
+    </message>
+    <message>
+        <source>no longer recorded</source>
+        <translation>ya no está grabado</translation>
+    </message>
+    <message>
+        <source>A recording from a file cannot be written; go back to the running controller first</source>
+        <translation>Una grabación de un archivo no se puede escribir; vuelva primero al controlador en marcha</translation>
+    </message>
+    <message>
+        <source>Recorded values cannot be written; resume from here first</source>
+        <translation>Los valores grabados no se pueden escribir; reanude primero desde aquí</translation>
+    </message>
+    <message>
+        <source>Recorded values cannot be forced; resume from here or go back to live first</source>
+        <translation>Los valores grabados no se pueden forzar; reanude desde aquí o vuelva primero al directo</translation>
+    </message>
+    <message>
+        <source>A recording from a file cannot be resumed, only what the controller itself recorded</source>
+        <translation>Una grabación de un archivo no se puede reanudar, solo lo que grabó el propio controlador</translation>
+    </message>
+    <message>
+        <source>A priority is a number; 0 removes it</source>
+        <translation>Una prioridad es un número; 0 la quita</translation>
+    </message>
+    <message>
+        <source>The file was changed by another program and was not overwritten</source>
+        <translation>Otro programa cambió el archivo y no se ha sobrescrito</translation>
+    </message>
+    <message>
+        <source>This is no file that can be imported: PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
+        <translation>Este archivo no se puede importar: se leen PLCopen XML (.xml), TwinCAT (.TcPOU, etc.), texto de CODESYS (.EXP, .export) y texto estructurado (.st)</translation>
+    </message>
+    <message>
+        <source>This XML is neither PLCopen XML nor of TwinCAT or CODESYS; export the project as PLCopen XML and import that file</source>
+        <translation>Este XML no es PLCopen XML ni de TwinCAT o CODESYS; exporte el proyecto como PLCopen XML e importe ese archivo</translation>
+    </message>
+    <message>
+        <source>There is nothing in it that can be imported</source>
+        <translation>No contiene nada que se pueda importar</translation>
+    </message>
+    <message>
+        <source>The folder exists and is not empty; name a new one</source>
+        <translation>La carpeta existe y no está vacía; indique una nueva</translation>
+    </message>
+    <message>
+        <source>The sources have errors of syntax; stepwise check lists them</source>
+        <translation>Las fuentes tienen errores de sintaxis; stepwise check los enumera</translation>
+    </message>
+    <message>
+        <source>The file is too large to be read</source>
+        <translation>El archivo es demasiado grande para leerlo</translation>
+    </message>
+    <message>
+        <source>The file is in the encoding {0}, which is not read; save it as UTF-8</source>
+        <translation>El archivo tiene la codificación {0}, que no se admite; guárdelo como UTF-8</translation>
+    </message>
+    <message>
+        <source>The file declares a document type or entities of its own, which is not read; export it again without them</source>
+        <translation>El archivo declara un tipo de documento o entidades propias, que no se leen; expórtelo de nuevo sin ellos</translation>
+    </message>
+    <message>
+        <source>The elements of the file are nested too deeply</source>
+        <translation>Los elementos del archivo están anidados demasiado profundamente</translation>
+    </message>
+    <message>
+        <source>This is not well-formed XML: {0}</source>
+        <translation>Este XML no está bien formado: {0}</translation>
+    </message>
+    <message>
+        <source>The file has no elements</source>
+        <translation>El archivo no tiene elementos</translation>
+    </message>
+    <message>
+        <source>This is XML, not structured text; import it (stepwise import --help)</source>
+        <translation>Esto es XML, no texto estructurado; impórtelo (stepwise import --help)</translation>
+    </message>
+    <message>
+        <source>Windows-1252 does not have the character {0}; write the file as UTF-8</source>
+        <translation>Windows-1252 no tiene el carácter {0}; escriba el archivo como UTF-8</translation>
+    </message>
+    <message>
+        <source>The first input and the first output of {0} must be BOOL for it to be part of a rung.</source>
+        <translation>La primera entrada y la primera salida de {0} deben ser BOOL para que forme parte de un segmento.</translation>
+    </message>
+    <message>
+        <source>Type a name and a block: T1 : TON</source>
+        <translation>Escriba un nombre y un bloque: T1 : TON</translation>
+    </message>
+    <message>
+        <source>the local variables of {0} and of what it calls need {1} bytes; the maximum is {2}</source>
+        <translation>las variables locales de {0} y de lo que llama necesitan {1} bytes; el máximo es {2}</translation>
+    </message>
+    <message>
+        <source>{0} is too large for the stack; divide it into several functions</source>
+        <translation>{0} es demasiado grande para la pila; divídalo en varias funciones</translation>
+    </message>
+    <message>
+        <source>more than {0} units of work (loop passes, calls, copies) in one run of the task; check for an endless loop</source>
+        <translation>más de {0} unidades de trabajo (pasadas de bucle, llamadas, copias) en una ejecución de la tarea; busque un bucle infinito</translation>
+    </message>
+    <message>
+        <source>{0} is not a whole number</source>
+        <translation>{0} no es un número entero</translation>
+    </message>
+    <message>
+        <source>{0} is not a number of scans</source>
+        <translation>{0} no es un número de ciclos</translation>
+    </message>
+    <message>
+        <source>{0} is not a time</source>
+        <translation>{0} no es un tiempo</translation>
+        <source>This is no file that can be imported: PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
+        <translation>{0} no es un tiempo</translation>
+    </message>
+    <message>
+        <source>{0} is not a name: use letters, digits and underscores.</source>
+        <translation>{0} no es un nombre: use letras, cifras y guiones bajos.</translation>
+    </message>
+</context>
+<context>
+    <name>Hmi</name>
+    <message>
+        <source>as it is</source>
+        <translation>sin cambios</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguno</translation>
+    </message>
+    <message>
+        <source>Other…</source>
+        <translation>Otro…</translation>
+    </message>
+    <message>
+        <source>A variable that is written</source>
+        <translation>Una variable que se escribe</translation>
+    </message>
+    <message>
+        <source>An ST expression</source>
+        <translation>Una expresión ST</translation>
+    </message>
+    <message>
+        <source>Shown to the operator. A typed text gets its key by itself; @key names one.</source>
+        <translation>Se muestra al operador. Un texto escrito recibe su clave automáticamente; @clave indica una existente.</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Anchura</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Altura</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.svg)</source>
+        <translation>Imágenes (*.png *.jpg *.svg)</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valor</translation>
+    </message>
+    <message>
+        <source>Unknown element</source>
+        <translation>Elemento desconocido</translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation>Panel</translation>
+    </message>
+    <message>
+        <source>Alarm</source>
+        <translation>Alarma</translation>
+    </message>
+    <message>
+        <source>Alarm class</source>
+        <translation>Clase de alarma</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Línea</translation>
+    </message>
+    <message>
+        <source>Line width</source>
+        <translation>Grosor de línea</translation>
+    </message>
+    <message>
+        <source>Line style</source>
+        <translation>Estilo de línea</translation>
+    </message>
+    <message>
+        <source>Fill</source>
+        <translation>Relleno</translation>
+    </message>
+    <message>
+        <source>Fill level</source>
+        <translation>Nivel de llenado</translation>
+    </message>
+    <message>
+        <source>Full at</source>
+        <translation>Lleno con</translation>
+    </message>
+    <message>
+        <source>Level colour</source>
+        <translation>Color del nivel</translation>
+    </message>
+    <message>
+        <source>Font size</source>
+        <translation>Tamaño de letra</translation>
+    </message>
+    <message>
+        <source>Bold</source>
+        <translation>Negrita</translation>
+    </message>
+    <message>
+        <source>Alignment</source>
+        <translation>Alineación</translation>
+    </message>
+    <message>
+        <source>Text colour</source>
+        <translation>Color del texto</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>Mínimo</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Máximo</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unidad</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Formato</translation>
+    </message>
+    <message>
+        <source>Limit low-low</source>
+        <translation>Límite muy bajo (LL)</translation>
+    </message>
+    <message>
+        <source>Limit low</source>
+        <translation>Límite bajo (L)</translation>
+    </message>
+    <message>
+        <source>Limit high</source>
+        <translation>Límite alto (H)</translation>
+    </message>
+    <message>
+        <source>Limit high-high</source>
+        <translation>Límite muy alto (HH)</translation>
+    </message>
+    <message>
+        <source>Choices</source>
+        <translation>Opciones</translation>
+    </message>
+    <message>
+        <source>Text list</source>
+        <translation>Lista de textos</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Título</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Tamaño</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Tema</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Fondo</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Cuadrícula</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>Identificador</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Condición</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>Clase</translation>
+    </message>
+    <message>
+        <source>Priority</source>
+        <translation>Prioridad</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Texto</translation>
+    </message>
+    <message>
+        <source>Values in texts</source>
+        <translation>Valores en textos</translation>
+    </message>
+    <message>
+        <source>On delay in seconds</source>
+        <translation>Retardo a la conexión en segundos</translation>
+    </message>
+    <message>
+        <source>Off delay in seconds</source>
+        <translation>Retardo a la desconexión en segundos</translation>
+    </message>
+    <message>
+        <source>Must be acknowledged</source>
+        <translation>Requiere acuse</translation>
+    </message>
+    <message>
+        <source>Suppressed if</source>
+        <translation>Suprimida si</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Color</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Clase</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Grupo</translation>
+    </message>
+    <message>
+        <source>Tab page</source>
+        <translation>Página de pestaña</translation>
+    </message>
+    <message>
+        <source>Place and size</source>
+        <translation>Posición y tamaño</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Ángulo</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Bloqueado</translation>
+    </message>
+    <message>
+        <source>Visible if</source>
+        <translation>Visible si</translation>
+    </message>
+    <message>
+        <source>Enabled if</source>
+        <translation>Operable si</translation>
+    </message>
+    <message>
+        <source>Appearance by condition</source>
+        <translation>Aspecto según condición</translation>
+    </message>
+    <message>
+        <source>Move right by</source>
+        <translation>Mover a la derecha</translation>
+    </message>
+    <message>
+        <source>Move down by</source>
+        <translation>Mover hacia abajo</translation>
+    </message>
+    <message>
+        <source>Rotate by</source>
+        <translation>Girar</translation>
+    </message>
+    <message>
+        <source>Fixed language</source>
+        <translation>Idioma fijo</translation>
+    </message>
+    <message>
+        <source>If</source>
+        <translation>Si</translation>
+    </message>
+    <message>
+        <source>Blinks</source>
+        <translation>Parpadea</translation>
+    </message>
+    <message>
+        <source>Visible</source>
+        <translation>Visible</translation>
+    </message>
+    <message>
+        <source>Enabled</source>
+        <translation>Operable</translation>
+    </message>
+    <message>
+        <source>On if</source>
+        <translation>Encendido si</translation>
+    </message>
+    <message>
+        <source>Blinks if</source>
+        <translation>Parpadea si</translation>
+    </message>
+    <message>
+        <source>Variable with [#] as index</source>
+        <translation>Variable con [#] como índice</translation>
+    </message>
+    <message>
+        <source>Editable</source>
+        <translation>Editable</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Pasos</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Puntos</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Inicio</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Fin</translation>
+    </message>
+    <message>
+        <source>Polyline</source>
+        <translation>Polilínea</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>Rectángulo</translation>
+    </message>
+    <message>
+        <source>Rounded rectangle</source>
+        <translation>Rectángulo redondeado</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radio</translation>
+    </message>
+    <message>
+        <source>Ellipse</source>
+        <translation>Elipse</translation>
+    </message>
+    <message>
+        <source>Polygon</source>
+        <translation>Polígono</translation>
+    </message>
+    <message>
+        <source>Arc</source>
+        <translation>Arco</translation>
+    </message>
+    <message>
+        <source>Start angle</source>
+        <translation>Ángulo inicial</translation>
+    </message>
+    <message>
+        <source>Span</source>
+        <translation>Apertura</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Forma</translation>
+    </message>
+    <message>
+        <source>Pipe</source>
+        <translation>Tubería</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Grosor</translation>
+    </message>
+    <message>
+        <source>Flow (sign gives the direction)</source>
+        <translation>Caudal (el signo indica el sentido)</translation>
+    </message>
+    <message>
+        <source>Flow colour</source>
+        <translation>Color del caudal</translation>
+    </message>
+    <message>
+        <source>Wraps</source>
+        <translation>Ajuste de línea</translation>
+    </message>
+    <message>
+        <source>Image</source>
+        <translation>Imagen</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Archivo</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Ajuste</translation>
+    </message>
+    <message>
+        <source>Symbol</source>
+        <translation>Símbolo</translation>
+    </message>
+    <message>
+        <source>Running if</source>
+        <translation>En marcha si</translation>
+    </message>
+    <message>
+        <source>Warning if</source>
+        <translation>Advertencia si</translation>
+    </message>
+    <message>
+        <source>Fault if</source>
+        <translation>Fallo si</translation>
+    </message>
+    <message>
+        <source>Colour off</source>
+        <translation>Color apagado</translation>
+    </message>
+    <message>
+        <source>Colour running</source>
+        <translation>Color en marcha</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Dirección</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Rótulo</translation>
+    </message>
+    <message>
+        <source>Button</source>
+        <translation>Botón</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>Acción</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Value to write</source>
+        <translation>Valor que se escribe</translation>
+    </message>
+    <message>
+        <source>Go to panel</source>
+        <translation>Ir al panel</translation>
+    </message>
+    <message>
+        <source>Language tag</source>
+        <translation>Etiqueta de idioma</translation>
+    </message>
+    <message>
+        <source>Question to confirm</source>
+        <translation>Pregunta de confirmación</translation>
+    </message>
+    <message>
+        <source>Lit if</source>
+        <translation>Iluminado si</translation>
+    </message>
+    <message>
+        <source>Colour lit</source>
+        <translation>Color iluminado</translation>
+    </message>
+    <message>
+        <source>Icon</source>
+        <translation>Icono</translation>
+    </message>
+    <message>
+        <source>Switch</source>
+        <translation>Interruptor</translation>
+    </message>
+    <message>
+        <source>Text on</source>
+        <translation>Texto conectado</translation>
+    </message>
+    <message>
+        <source>Text off</source>
+        <translation>Texto desconectado</translation>
+    </message>
+    <message>
+        <source>Colour on</source>
+        <translation>Color conectado</translation>
+    </message>
+    <message>
+        <source>Rotary selector</source>
+        <translation>Selector giratorio</translation>
+    </message>
+    <message>
+        <source>Check box</source>
+        <translation>Casilla de verificación</translation>
+    </message>
+    <message>
+        <source>Radio group</source>
+        <translation>Grupo de opciones</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Columnas</translation>
+    </message>
+    <message>
+        <source>Combo box</source>
+        <translation>Cuadro combinado</translation>
+    </message>
+    <message>
+        <source>Slider</source>
+        <translation>Control deslizante</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Paso</translation>
+    </message>
+    <message>
+        <source>Orientation</source>
+        <translation>Orientación</translation>
+    </message>
+    <message>
+        <source>Shows the value</source>
+        <translation>Mostrar el valor</translation>
+    </message>
+    <message>
+        <source>Turning knob</source>
+        <translation>Botón giratorio</translation>
+    </message>
+    <message>
+        <source>Numeric entry</source>
+        <translation>Entrada numérica</translation>
+    </message>
+    <message>
+        <source>Lowest value</source>
+        <translation>Valor mínimo</translation>
+    </message>
+    <message>
+        <source>Highest value</source>
+        <translation>Valor máximo</translation>
+    </message>
+    <message>
+        <source>Title of the keypad</source>
+        <translation>Título del teclado</translation>
+    </message>
+    <message>
+        <source>Text entry</source>
+        <translation>Entrada de texto</translation>
+    </message>
+    <message>
+        <source>Longest text</source>
+        <translation>Longitud máxima</translation>
+    </message>
+    <message>
+        <source>Masked entry</source>
+        <translation>Entrada con máscara</translation>
+    </message>
+    <message>
+        <source>Mask (# digit, A letter, * any)</source>
+        <translation>Máscara (# cifra, A letra, * cualquiera)</translation>
+    </message>
+    <message>
+        <source>Hides the value</source>
+        <translation>Ocultar el valor</translation>
+    </message>
+    <message>
+        <source>Numeric display</source>
+        <translation>Indicador numérico</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Marco</translation>
+    </message>
+    <message>
+        <source>Date and time</source>
+        <translation>Fecha y hora</translation>
+    </message>
+    <message>
+        <source>Value (empty: the controller&apos;s clock)</source>
+        <translation>Valor (vacío: el reloj del controlador)</translation>
+    </message>
+    <message>
+        <source>Shows</source>
+        <translation>Muestra</translation>
+    </message>
+    <message>
+        <source>Seconds</source>
+        <translation>Segundos</translation>
+    </message>
+    <message>
+        <source>Lamp</source>
+        <translation>Piloto</translation>
+    </message>
+    <message>
+        <source>Blinks when on</source>
+        <translation>Parpadea al conectarse</translation>
+    </message>
+    <message>
+        <source>Multi-state indicator</source>
+        <translation>Indicador de varios estados</translation>
+    </message>
+    <message>
+        <source>States</source>
+        <translation>Estados</translation>
+    </message>
+    <message>
+        <source>Bar</source>
+        <translation>Barra</translation>
+    </message>
+    <message>
+        <source>Set point</source>
+        <translation>Consigna</translation>
+    </message>
+    <message>
+        <source>Tank level</source>
+        <translation>Nivel de depósito</translation>
+    </message>
+    <message>
+        <source>Gauge</source>
+        <translation>Indicador de aguja</translation>
+    </message>
+    <message>
+        <source>Span of the scale</source>
+        <translation>Apertura de la escala</translation>
+    </message>
+    <message>
+        <source>Divisions</source>
+        <translation>Divisiones</translation>
+    </message>
+    <message>
+        <source>7-segment display</source>
+        <translation>Indicador de 7 segmentos</translation>
+    </message>
+    <message>
+        <source>Digits</source>
+        <translation>Cifras</translation>
+    </message>
+    <message>
+        <source>Decimals</source>
+        <translation>Decimales</translation>
+    </message>
+    <message>
+        <source>Leading zeros</source>
+        <translation>Ceros a la izquierda</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Progreso</translation>
+    </message>
+    <message>
+        <source>Light tower</source>
+        <translation>Columna luminosa</translation>
+    </message>
+    <message>
+        <source>Lights</source>
+        <translation>Luces</translation>
+    </message>
+    <message>
+        <source>Siren if</source>
+        <translation>Sirena si</translation>
+    </message>
+    <message>
+        <source>Float switch</source>
+        <translation>Interruptor de flotador</translation>
+    </message>
+    <message>
+        <source>Raised if</source>
+        <translation>Elevado si</translation>
+    </message>
+    <message>
+        <source>Colour raised</source>
+        <translation>Color elevado</translation>
+    </message>
+    <message>
+        <source>Colour hanging</source>
+        <translation>Color colgante</translation>
+    </message>
+    <message>
+        <source>Cell grid</source>
+        <translation>Cuadrícula de celdas</translation>
+    </message>
+    <message>
+        <source>Array</source>
+        <translation>Array</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Filas</translation>
+    </message>
+    <message>
+        <source>Variable of a cell with [#]</source>
+        <translation>Variable de una celda con [#]</translation>
+    </message>
+    <message>
+        <source>On press</source>
+        <translation>Al pulsar</translation>
+    </message>
+    <message>
+        <source>First index</source>
+        <translation>Primer índice</translation>
+    </message>
+    <message>
+        <source>Shows the numbers</source>
+        <translation>Mostrar los números</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabla</translation>
+    </message>
+    <message>
+        <source>Index of the selected row</source>
+        <translation>Índice de la fila seleccionada</translation>
+    </message>
+    <message>
+        <source>Bar chart</source>
+        <translation>Gráfico de barras</translation>
+    </message>
+    <message>
+        <source>Text list of the bars</source>
+        <translation>Lista de textos de las barras</translation>
+    </message>
+    <message>
+        <source>XY chart</source>
+        <translation>Gráfico XY</translation>
+    </message>
+    <message>
+        <source>Array of x</source>
+        <translation>Array de los valores x</translation>
+    </message>
+    <message>
+        <source>Array of y</source>
+        <translation>Array de los valores y</translation>
+    </message>
+    <message>
+        <source>Operating point x</source>
+        <translation>Punto de trabajo x</translation>
+    </message>
+    <message>
+        <source>Operating point y</source>
+        <translation>Punto de trabajo y</translation>
+    </message>
+    <message>
+        <source>X from</source>
+        <translation>X desde</translation>
+    </message>
+    <message>
+        <source>X to</source>
+        <translation>X hasta</translation>
+    </message>
+    <message>
+        <source>Y from</source>
+        <translation>Y desde</translation>
+    </message>
+    <message>
+        <source>Y to</source>
+        <translation>Y hasta</translation>
+    </message>
+    <message>
+        <source>Title of x</source>
+        <translation>Título del eje x</translation>
+    </message>
+    <message>
+        <source>Title of y</source>
+        <translation>Título del eje y</translation>
+    </message>
+    <message>
+        <source>Trend chart</source>
+        <translation>Gráfico de tendencia</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Curvas</translation>
+    </message>
+    <message>
+        <source>Time span in seconds</source>
+        <translation>Intervalo en segundos</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Desde</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Hasta</translation>
+    </message>
+    <message>
+        <source>Legend</source>
+        <translation>Leyenda</translation>
+    </message>
+    <message>
+        <source>Alarm list</source>
+        <translation>Lista de alarmas</translation>
+    </message>
+    <message>
+        <source>Only these classes</source>
+        <translation>Solo estas clases</translation>
+    </message>
+    <message>
+        <source>Sorted by</source>
+        <translation>Orden</translation>
+    </message>
+    <message>
+        <source>Acknowledge buttons</source>
+        <translation>Botones de acuse</translation>
+    </message>
+    <message>
+        <source>Alarm banner</source>
+        <translation>Barra de alarmas</translation>
+    </message>
+    <message>
+        <source>Language selector</source>
+        <translation>Selector de idioma</translation>
+    </message>
+    <message>
+        <source>Style</source>
+        <translation>Estilo</translation>
+    </message>
+    <message>
+        <source>Names</source>
+        <translation>Nombres</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Pestañas</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Páginas</translation>
+    </message>
+    <message>
+        <source>Index of the page</source>
+        <translation>Índice de la página</translation>
+    </message>
+    <message>
+        <source>Shapes</source>
+        <translation>Formas</translation>
+    </message>
+    <message>
+        <source>Text and pictures</source>
+        <translation>Texto e imágenes</translation>
+    </message>
+    <message>
+        <source>Symbols</source>
+        <translation>Símbolos</translation>
+    </message>
+    <message>
+        <source>Operation</source>
+        <translation>Elementos de mando</translation>
+    </message>
+    <message>
+        <source>Display</source>
+        <translation>Elementos de visualización</translation>
+    </message>
+    <message>
+        <source>Arrays and charts</source>
+        <translation>Arrays y gráficos</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmas</translation>
+    </message>
+    <message>
+        <source>Containers</source>
+        <translation>Contenedores</translation>
+    </message>
+    <message>
+        <source>Geometry</source>
+        <translation>Geometría</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Aspecto</translation>
+    </message>
+    <message>
+        <source>Behaviour</source>
+        <translation>Comportamiento</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Movimiento</translation>
+    </message>
+</context>
+<context>
+    <name>LongTask</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+</context>
+<context>
+    <name>MarkText</name>
+    <message>
+        <source>Started</source>
+        <translation>Arrancado</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Parado</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>En pausa</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>Error</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Restablecido</translation>
+    </message>
+    <message>
+        <source>Written</source>
+        <translation>Escrito</translation>
+    </message>
+    <message>
+        <source>Forced</source>
+        <translation>Forzado</translation>
+    </message>
+    <message>
+        <source>All forces released</source>
+        <translation>Todos los forzados anulados</translation>
+    </message>
+    <message>
+        <source>Released</source>
+        <translation>Forzado anulado</translation>
+    </message>
+    <message>
+        <source>Online change</source>
+        <translation>Cambio online</translation>
+    </message>
+    <message>
+        <source>Breakpoint</source>
+        <translation>Punto de interrupción</translation>
+    </message>
+    <message>
+        <source>Retained values saved</source>
+        <translation>Valores remanentes guardados</translation>
+    </message>
+    <message>
+        <source>Retained values restored</source>
+        <translation>Valores remanentes restaurados</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n scan(s) skipped: the machine was late</source>
+        <translation>
+            <numerusform>%n ciclo omitido: el equipo iba con retraso</numerusform>
+            <numerusform>%n ciclos omitidos: el equipo iba con retraso</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Resumed from this scan</source>
+        <translation>Reanudado desde este ciclo</translation>
+    </message>
+</context>
+<context>
+    <name>PlotText</name>
+    <message>
+        <source>no longer kept</source>
+        <translation>ya no se conserva</translation>
+    </message>
+    <message>
+        <source>did not exist</source>
+        <translation>no existía</translation>
+    </message>
+    <message>
+        <source>scans skipped</source>
+        <translation>ciclos omitidos</translation>
+    </message>
+    <message>
+        <source>not recorded</source>
+        <translation>no grabado</translation>
+    </message>
+    <message>
+        <source>Time [%1]</source>
+        <translation>Tiempo [%1]</translation>
+    </message>
+    <message>
+        <source>Time from the trigger [%1]</source>
+        <translation>Tiempo desde el disparo [%1]</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Canal</translation>
+    </message>
+    <message>
+        <source>At A</source>
+        <translation>En A</translation>
+    </message>
+    <message>
+        <source>At B</source>
+        <translation>En B</translation>
+    </message>
+    <message>
+        <source>Min</source>
+        <translation>Mín</translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation>Máx</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Media</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>Valor eficaz</translation>
+    </message>
+    <message>
+        <source>Rise time</source>
+        <translation>Tiempo de subida</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>Sobreoscilación</translation>
+    </message>
+    <message>
+        <source>Settling</source>
+        <translation>Tiempo de establecimiento</translation>
+    </message>
+</context>
+<context>
+    <name>TraceText</name>
+    <message>
+        <source>Triggered at %1.</source>
+        <translation>Disparo en %1.</translation>
+    </message>
+    <message>
+        <source>The trigger did not fire.</source>
+        <translation>El disparo no se ha producido.</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::ConversionDialog</name>
+    <message>
+        <source>%1 as ST</source>
+        <translation>%1 como ST</translation>
+    </message>
+    <message>
+        <source>%1 as an Instruction List</source>
+        <translation>%1 como lista de instrucciones</translation>
+    </message>
+    <message>
+        <source>Instruction list, as it stands</source>
+        <translation>Lista de instrucciones (texto actual)</translation>
+    </message>
+    <message>
+        <source>ST, as it stands</source>
+        <translation>ST (texto actual)</translation>
+    </message>
+    <message>
+        <source>The same as ST</source>
+        <translation>Lo mismo como ST</translation>
+    </message>
+    <message>
+        <source>The same as an instruction list</source>
+        <translation>Lo mismo como lista de instrucciones</translation>
+    </message>
+    <message>
+        <source>Both give the same results. Replacing is one step of undo; comments stay, each above its statement.</source>
+        <translation>Ambos dan los mismos resultados. El reemplazo se puede deshacer en un solo paso; los comentarios se quedan, cada uno sobre su instrucción.</translation>
+    </message>
+    <message>
+        <source>Replace the Text</source>
+        <translation>Reemplazar el texto</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copiar</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::EditorTabs</name>
+    <message>
+        <source>Documents</source>
+        <translation>Documentos</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Close Others</source>
+        <translation>Cerrar los demás</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Cambios sin guardar</translation>
+    </message>
+    <message>
+        <source>%1 was changed. Save it?</source>
+        <translation>%1 ha cambiado. ¿Guardarlo?</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) were changed: %1. Save them?</source>
+        <translation>
+            <numerusform>%n archivo ha cambiado: %1. ¿Guardarlo?</numerusform>
+            <numerusform>%n archivos han cambiado: %1. ¿Guardarlos?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Changed outside</source>
+        <translation>Cambiado desde fuera</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program, and here too. Load the file from disk and lose the changes made here?</source>
+        <translation>Otro programa cambió %1, y aquí también se cambió. ¿Cargar el archivo del disco y perder los cambios hechos aquí?</translation>
+    </message>
+    <message numerus="yes">
+        <source>Changed in %n file(s); those edited since stay as they are</source>
+        <translation>
+            <numerusform>Cambiado en %n archivo; los editados después se quedan como están</numerusform>
+            <numerusform>Cambiado en %n archivos; los editados después se quedan como están</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Changed in %n file(s)</source>
+        <translation>
+            <numerusform>Cambiado en %n archivo</numerusform>
+            <numerusform>Cambiado en %n archivos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Read-only file</source>
+        <translation>Archivo de solo lectura</translation>
+    </message>
+    <message>
+        <source>%1 is read-only. Replace it all the same? It stays read-only.</source>
+        <translation>%1 es de solo lectura. ¿Reemplazarlo de todos modos? Seguirá siendo de solo lectura.</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Reemplazar</translation>
+    </message>
+    <message>
+        <source>%1 was not saved</source>
+        <translation>%1 no se ha guardado</translation>
+    </message>
+    <message>
+        <source>%1 is no variable of the running program</source>
+        <translation>%1 no es una variable del programa en marcha</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Forzar</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>Escribir</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::LiveViews</name>
+    <message>
+        <source>Panel shown</source>
+        <translation>Panel que se muestra</translation>
+    </message>
+    <message>
+        <source>Full screen (Esc ends it)</source>
+        <translation>Pantalla completa (Esc para salir)</translation>
+    </message>
+    <message>
+        <source>This project has no panel yet.
+New panels are drawn in the designer: Project, Panels, New…</source>
+        <translation>Este proyecto aún no tiene paneles.
+Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</translation>
+    </message>
+    <message>
+        <source>The alarm history is kept in memory only: %1</source>
+        <translation>El historial de alarmas solo se conserva en memoria: %1</translation>
+    </message>
+    <message>
+        <source>Saving the recording…</source>
+        <translation>Guardando la grabación…</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::MainWindow</name>
+    <message>
+        <source>A panel&apos;s name is a file name: no / and no \</source>
+        <translation>El nombre de un panel es un nombre de archivo: sin / ni \</translation>
+    </message>
+    <message>
+        <source>Name of the panel:</source>
+        <translation>Nombre del panel:</translation>
+    </message>
+    <message>
+        <source>New Panel</source>
+        <translation>Panel nuevo</translation>
+    </message>
+    <message>
+        <source>overview</source>
+        <translation>vista_general</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>Proyecto</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>Supervisión</translation>
+    </message>
+    <message>
+        <source>Forces</source>
+        <translation>Forzados</translation>
+    </message>
+    <message>
+        <source>Call Path</source>
+        <translation>Pila de llamadas</translation>
+    </message>
+    <message>
+        <source>Breakpoints</source>
+        <translation>Puntos de interrupción</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Problemas</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Búsqueda</translation>
+    </message>
+    <message>
+        <source>Tasks</source>
+        <translation>Tareas</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Registro</translation>
+    </message>
+    <message>
+        <source>Trace</source>
+        <translation>Traza</translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation>Panel</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>Recent Projects</source>
+        <translation>Proyectos recientes</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ver</translation>
+    </message>
+    <message>
+        <source>Main</source>
+        <translation>Barra de herramientas</translation>
+    </message>
+    <message>
+        <source>State of the controller</source>
+        <translation>Estado del controlador</translation>
+    </message>
+    <message>
+        <source>%1 : %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>OFFLINE</source>
+        <translation>OFFLINE</translation>
+    </message>
+    <message>
+        <source>RUN</source>
+        <translation>RUN</translation>
+    </message>
+    <message>
+        <source>PAUSE</source>
+        <translation>PAUSA</translation>
+    </message>
+    <message>
+        <source>HALT</source>
+        <translation>DETENIDO</translation>
+    </message>
+    <message>
+        <source>FAULT</source>
+        <translation>ERROR</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>STOP</translation>
+    </message>
+    <message>
+        <source>PAST</source>
+        <translation>PASADO</translation>
+    </message>
+    <message>
+        <source>%1 · scan %2</source>
+        <translation>%1 · ciclo %2</translation>
+    </message>
+    <message>
+        <source>%1 µs · %2 % load</source>
+        <translation>%1 µs · carga del %2 %</translation>
+    </message>
+    <message>
+        <source>%1 MB recorded</source>
+        <translation>%1 MB grabados</translation>
+    </message>
+    <message>
+        <source>%1 scans of %2 MB at most</source>
+        <translation>%1 ciclos, %2 MB como máximo</translation>
+    </message>
+    <message>
+        <source>Go to the line</source>
+        <translation>Ir a la línea</translation>
+    </message>
+    <message>
+        <source>no problems</source>
+        <translation>sin problemas</translation>
+    </message>
+    <message>
+        <source>Open Project</source>
+        <translation>Abrir proyecto</translation>
+    </message>
+    <message>
+        <source>%1 – Stepwise</source>
+        <translation>%1 – Stepwise</translation>
+    </message>
+    <message>
+        <source>Recovery</source>
+        <translation>Recuperación</translation>
+    </message>
+    <message>
+        <source>The studio ended without saving. Unsaved changes of %1 were kept. Restore them?</source>
+        <translation>El estudio terminó sin guardar. Se conservaron los cambios sin guardar de %1. ¿Restaurarlos?</translation>
+    </message>
+    <message>
+        <source>Go to Line</source>
+        <translation>Ir a la línea</translation>
+    </message>
+    <message>
+        <source>Line (1 to %1)</source>
+        <translation>Línea (1 a %1)</translation>
+    </message>
+    <message>
+        <source>Nothing is declared under this name</source>
+        <translation>No hay nada declarado con este nombre</translation>
+    </message>
+    <message>
+        <source>There is no name at the cursor</source>
+        <translation>No hay ningún nombre en el cursor</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Renombrar</translation>
+    </message>
+    <message>
+        <source>New name of %1, in the whole project:</source>
+        <translation>Nombre nuevo de %1, en todo el proyecto:</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 is now %2 in %n place(s)</source>
+        <translation>
+            <numerusform>%1 se llama ahora %2, en %n lugar</numerusform>
+            <numerusform>%1 se llama ahora %2, en %n lugares</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Delete %1?</source>
+        <translation>¿Eliminar %1?</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Eliminar</translation>
+    </message>
+    <message>
+        <source>Libraries</source>
+        <translation>Bibliotecas</translation>
+    </message>
+    <message>
+        <source>The tests run…</source>
+        <translation>Ejecutando las pruebas…</translation>
+    </message>
+    <message>
+        <source>passed: %1</source>
+        <translation>superada: %1</translation>
+    </message>
+    <message>
+        <source>FAILED: %1</source>
+        <translation>FALLIDA: %1</translation>
+    </message>
+    <message>
+        <source>%1 passed, %2 failed</source>
+        <translation>%1 superadas, %2 fallidas</translation>
+    </message>
+    <message>
+        <source>Real time</source>
+        <translation>Tiempo real</translation>
+    </message>
+    <message>
+        <source>As fast as possible</source>
+        <translation>Lo más rápido posible</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Velocidad</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Grabación</translation>
+    </message>
+    <message>
+        <source>Memory for the recording of every scan [MB]:</source>
+        <translation>Memoria para la grabación de cada ciclo [MB]:</translation>
+    </message>
+    <message>
+        <source>Save the Recording</source>
+        <translation>Guardar la grabación</translation>
+    </message>
+    <message>
+        <source>Recordings (*.rec)</source>
+        <translation>Grabaciones (*.rec)</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Guardado: %1</translation>
+    </message>
+    <message>
+        <source>About Stepwise</source>
+        <translation>Acerca de Stepwise</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Stepwise 0.1&lt;/h3&gt;&lt;p&gt;An open PLC studio: IEC 61131-3 programs as native code, every scan recorded, operator panels in many languages.&lt;/p&gt;&lt;p&gt;Licence: GPL-3.0&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Stepwise 0.1&lt;/h3&gt;&lt;p&gt;Un estudio PLC abierto: programas IEC 61131-3 como código nativo, cada ciclo grabado, paneles de operador en muchos idiomas.&lt;/p&gt;&lt;p&gt;Licencia: GPL-3.0&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Welcome</source>
+        <translation>Bienvenida</translation>
+    </message>
+    <message>
+        <source>This is a PID controller working on a simulated process: the program above, its trace below, its operator panel at the right. Nothing can break: the plant is only numbers. Press Next to look around for a minute, or F5 to run it at once.</source>
+        <translation>Este es un regulador PID sobre un proceso simulado: arriba el programa, abajo su traza, a la derecha su panel de operador. No se puede romper nada: la planta son solo números. Pulse Siguiente para un recorrido de un minuto, o F5 para arrancar ahora mismo.</translation>
+    </message>
+    <message>
+        <source>The project</source>
+        <translation>El proyecto</translation>
+    </message>
+    <message>
+        <source>Programs, blocks, tasks, panels, traces and tests, made from the text files in the folder.</source>
+        <translation>Programas, bloques, tareas, paneles, trazas y pruebas, a partir de los archivos de texto de la carpeta.</translation>
+    </message>
+    <message>
+        <source>The program</source>
+        <translation>El programa</translation>
+    </message>
+    <message>
+        <source>Structured Text with colours by meaning. Errors are underlined while you type; Alt+Enter mends what it can; Ctrl+Space completes.</source>
+        <translation>Texto estructurado con colores según el significado. Los errores se subrayan al escribir; Alt+Intro corrige lo que puede; Ctrl+Espacio completa.</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Ejecutar</translation>
+    </message>
+    <message>
+        <source>F5 compiles to native code and runs it. Values then stand beside each line.</source>
+        <translation>F5 compila a código nativo y lo ejecuta. Los valores aparecen entonces junto a cada línea.</translation>
+    </message>
+    <message>
+        <source>Any expression, at any moment. Prepare a value and write or force it with one click.</source>
+        <translation>Cualquier expresión, en cualquier momento. Prepare un valor y escríbalo o fuércelo con un clic.</translation>
+    </message>
+    <message>
+        <source>The trace</source>
+        <translation>La traza</translation>
+    </message>
+    <message>
+        <source>Nothing had to be chosen before it happened: every scan is recorded, and a chart can be made of any expression afterwards.</source>
+        <translation>No hubo que elegir nada de antemano: cada ciclo queda grabado, y después se puede hacer un gráfico de cualquier expresión.</translation>
+    </message>
+    <message>
+        <source>The panel</source>
+        <translation>El panel</translation>
+    </message>
+    <message>
+        <source>What the operator sees, in the languages of the machine. It works here as it will on the machine.</source>
+        <translation>Lo que ve el operador, en los idiomas de la máquina. Aquí funciona igual que en la máquina.</translation>
+    </message>
+    <message>
+        <source>Time runs backwards, too</source>
+        <translation>El tiempo también corre hacia atrás</translation>
+    </message>
+    <message>
+        <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume From Here” goes on from there.</source>
+        <translation>Arrastre el control de tiempo o pulse Ctrl+Alt+Izquierda: el código, los gráficos y el panel muestran el pasado. «Reanudar desde aquí» sigue desde ese punto.</translation>
+    </message>
+    <message>
+        <source>That is it</source>
+        <translation>Eso es todo</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+P finds every command. The start page has more machines to play with.</source>
+        <translation>Ctrl+Mayús+P encuentra cualquier comando. La página de inicio tiene más máquinas para probar.</translation>
+    </message>
+    <message>
+        <source>Texts</source>
+        <translation>Textos</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmas</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Archivo</translation>
+    </message>
+    <message>
+        <source>New Project…</source>
+        <translation>Proyecto nuevo…</translation>
+    </message>
+    <message>
+        <source>Open Project…</source>
+        <translation>Abrir proyecto…</translation>
+    </message>
+    <message>
+        <source>Close Project</source>
+        <translation>Cerrar proyecto</translation>
+    </message>
+    <message>
+        <source>New Program, Block, Type…</source>
+        <translation>Añadir programa, bloque, tipo…</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Guardar</translation>
+    </message>
+    <message>
+        <source>New Panel…</source>
+        <translation>Panel nuevo…</translation>
+    </message>
+    <message>
+        <source>Panel Texts</source>
+        <translation>Textos de los paneles</translation>
+    </message>
+    <message>
+        <source>Save All</source>
+        <translation>Guardar todo</translation>
+    </message>
+    <message>
+        <source>Close Document</source>
+        <translation>Cerrar documento</translation>
+    </message>
+    <message>
+        <source>Libraries…</source>
+        <translation>Bibliotecas…</translation>
+    </message>
+    <message>
+        <source>Settings…</source>
+        <translation>Ajustes…</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Salir</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Edición</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Deshacer</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rehacer</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Cortar</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copiar</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Pegar</translation>
+    </message>
+    <message>
+        <source>Find…</source>
+        <translation>Buscar…</translation>
+    </message>
+    <message>
+        <source>Replace…</source>
+        <translation>Reemplazar…</translation>
+    </message>
+    <message>
+        <source>Find Next</source>
+        <translation>Buscar siguiente</translation>
+    </message>
+    <message>
+        <source>Find Previous</source>
+        <translation>Buscar anterior</translation>
+    </message>
+    <message>
+        <source>Find in All Files…</source>
+        <translation>Buscar en todos los archivos…</translation>
+    </message>
+    <message>
+        <source>Go to Line…</source>
+        <translation>Ir a la línea…</translation>
+    </message>
+    <message>
+        <source>Go to Definition</source>
+        <translation>Ir a la definición</translation>
+    </message>
+    <message>
+        <source>Find All Uses</source>
+        <translation>Buscar todos los usos</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Renombrar…</translation>
+    </message>
+    <message>
+        <source>Complete</source>
+        <translation>Completar</translation>
+    </message>
+    <message>
+        <source>Apply a Fix (Alt+Enter)</source>
+        <translation>Aplicar una corrección (Alt+Intro)</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Dar formato</translation>
+    </message>
+    <message>
+        <source>Comment In or Out (Ctrl+/)</source>
+        <translation>Comentar o descomentar (Ctrl+/)</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Duplicar la línea</translation>
+    </message>
+    <message>
+        <source>Select the Block Around</source>
+        <translation>Seleccionar el bloque que lo rodea</translation>
+    </message>
+    <message>
+        <source>Go to the Matching Word</source>
+        <translation>Ir a la palabra clave correspondiente</translation>
+    </message>
+    <message>
+        <source>Next Problem</source>
+        <translation>Problema siguiente</translation>
+    </message>
+    <message>
+        <source>Previous Problem</source>
+        <translation>Problema anterior</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Atrás</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Adelante</translation>
+    </message>
+    <message>
+        <source>Build</source>
+        <translation>Compilar</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pausa</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Parar</translation>
+    </message>
+    <message>
+        <source>Single Scan</source>
+        <translation>Un solo ciclo</translation>
+    </message>
+    <message>
+        <source>Step In</source>
+        <translation>Paso a paso por instrucciones</translation>
+    </message>
+    <message>
+        <source>Step Over</source>
+        <translation>Paso a paso por procedimientos</translation>
+    </message>
+    <message>
+        <source>Step Out</source>
+        <translation>Paso a paso para salir</translation>
+    </message>
+    <message>
+        <source>Run to Cursor</source>
+        <translation>Ejecutar hasta el cursor</translation>
+    </message>
+    <message>
+        <source>Toggle Breakpoint</source>
+        <translation>Alternar punto de interrupción</translation>
+    </message>
+    <message>
+        <source>Reset Warm</source>
+        <translation>Reset en caliente</translation>
+    </message>
+    <message>
+        <source>Reset Cold</source>
+        <translation>Reset en frío</translation>
+    </message>
+    <message>
+        <source>Reset Origin</source>
+        <translation>Reset de origen</translation>
+    </message>
+    <message>
+        <source>Online Change</source>
+        <translation>Cambio online</translation>
+    </message>
+    <message>
+        <source>Speed…</source>
+        <translation>Velocidad…</translation>
+    </message>
+    <message>
+        <source>Memory for the Recording…</source>
+        <translation>Memoria para la grabación…</translation>
+    </message>
+    <message>
+        <source>Save the Recording…</source>
+        <translation>Guardar la grabación…</translation>
+    </message>
+    <message>
+        <source>Write Prepared Values</source>
+        <translation>Escribir los valores preparados</translation>
+    </message>
+    <message>
+        <source>Force Prepared Values</source>
+        <translation>Forzar los valores preparados</translation>
+    </message>
+    <message>
+        <source>Release All Forces</source>
+        <translation>Anular todos los forzados</translation>
+    </message>
+    <message>
+        <source>Run the Tests</source>
+        <translation>Ejecutar las pruebas</translation>
+    </message>
+    <message>
+        <source>One Scan Back</source>
+        <translation>Un ciclo atrás</translation>
+    </message>
+    <message>
+        <source>One Scan Forward</source>
+        <translation>Un ciclo adelante</translation>
+    </message>
+    <message>
+        <source>Back to Live</source>
+        <translation>Volver al directo</translation>
+    </message>
+    <message>
+        <source>Resume From Here</source>
+        <translation>Reanudar desde aquí</translation>
+    </message>
+    <message>
+        <source>Command Palette</source>
+        <translation>Paleta de comandos</translation>
+    </message>
+    <message>
+        <source>Split the Editor</source>
+        <translation>Dividir el editor</translation>
+    </message>
+    <message>
+        <source>Declarations as a Table</source>
+        <translation>Declaraciones como tabla</translation>
+    </message>
+    <message>
+        <source>Chart Beside the Text</source>
+        <translation>SFC junto al texto</translation>
+    </message>
+    <message>
+        <source>Online Values in the Text</source>
+        <translation>Valores online en el texto</translation>
+    </message>
+    <message>
+        <source>Larger</source>
+        <translation>Más grande</translation>
+    </message>
+    <message>
+        <source>Smaller</source>
+        <translation>Más pequeño</translation>
+    </message>
+    <message>
+        <source>Light Theme</source>
+        <translation>Tema claro</translation>
+    </message>
+    <message>
+        <source>Dark Theme</source>
+        <translation>Tema oscuro</translation>
+    </message>
+    <message>
+        <source>Theme of the System</source>
+        <translation>Tema del sistema</translation>
+    </message>
+    <message>
+        <source>Reset the Layout</source>
+        <translation>Restablecer la disposición</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Ayuda</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Recorrido</translation>
+    </message>
+    <message>
+        <source>Open a Recording…</source>
+        <translation>Abrir una grabación…</translation>
+    </message>
+    <message>
+        <source>All values are of a recording from a file. A click goes back to the controller.</source>
+        <translation>Todos los valores son de una grabación de un archivo. Un clic vuelve al controlador.</translation>
+    </message>
+    <message>
+        <source>RECORDING</source>
+        <translation>GRABACIÓN</translation>
+    </message>
+    <message>
+        <source>%1 – back to live</source>
+        <translation>%1 – volver al directo</translation>
+    </message>
+    <message>
+        <source>Panel %1</source>
+        <translation>Panel %1</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Cambios sin guardar</translation>
+    </message>
+    <message>
+        <source>%1 was changed. Save it?</source>
+        <translation>%1 ha cambiado. ¿Guardarlo?</translation>
+    </message>
+    <message>
+        <source>Open a Recording</source>
+        <translation>Abrir una grabación</translation>
+    </message>
+    <message>
+        <source>Show as ST…</source>
+        <translation>Mostrar como ST…</translation>
+    </message>
+    <message>
+        <source>Show as an Instruction List…</source>
+        <translation>Mostrar como lista de instrucciones…</translation>
+    </message>
+    <message>
+        <source>Put the cursor into a unit that is written in ST or IL</source>
+        <translation>Ponga el cursor en un POU escrito en ST o IL</translation>
+    </message>
+    <message>
+        <source>The text has changed meanwhile</source>
+        <translation>El texto ha cambiado mientras tanto</translation>
+    </message>
+    <message>
+        <source>New Trace…</source>
+        <translation>Traza nueva…</translation>
+    </message>
+    <message numerus="yes">
+        <source>It is used in %n other place(s).</source>
+        <translation>
+            <numerusform>Se usa en %n lugar más.</numerusform>
+            <numerusform>Se usa en %n lugares más.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Delete and Comment Out the Uses</source>
+        <translation>Eliminar y comentar los usos</translation>
+    </message>
+    <message>
+        <source>Show the Uses</source>
+        <translation>Mostrar los usos</translation>
+    </message>
+    <message>
+        <source>New Trace</source>
+        <translation>Traza nueva</translation>
+    </message>
+    <message>
+        <source>Name of the trace:</source>
+        <translation>Nombre de la traza:</translation>
+    </message>
+    <message>
+        <source>trace</source>
+        <translation>traza</translation>
+    </message>
+    <message>
+        <source>A file name holds no / and no \</source>
+        <translation>Un nombre de archivo no contiene / ni \</translation>
+    </message>
+    <message>
+        <source>There is a trace %1 already</source>
+        <translation>Ya existe una traza %1</translation>
+    </message>
+    <message>
+        <source>New name of %1:</source>
+        <translation>Nombre nuevo de %1:</translation>
+    </message>
+    <message>
+        <source>There is a file %1 already</source>
+        <translation>Ya existe un archivo %1</translation>
+    </message>
+    <message>
+        <source>The file can not be renamed; check the permissions of the folder</source>
+        <translation>No se puede renombrar el archivo; compruebe los permisos de la carpeta</translation>
+    </message>
+    <message>
+        <source>These panels lead to it; their buttons will be problems: %1</source>
+        <translation>Estos paneles llevan a él; sus botones se notificarán como problemas: %1</translation>
+    </message>
+    <message>
+        <source>The file can not be removed; check the permissions of the folder</source>
+        <translation>No se puede eliminar el archivo; compruebe los permisos de la carpeta</translation>
+    </message>
+    <message>
+        <source>The build was cancelled; everything is as it was</source>
+        <translation>La compilación se ha cancelado; todo está como antes</translation>
+    </message>
+    <message>
+        <source>Tests</source>
+        <translation>Pruebas</translation>
+    </message>
+    <message>
+        <source>The tests were cancelled</source>
+        <translation>Las pruebas se han cancelado</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing was saved</source>
+        <translation>Cancelado: no se ha guardado nada</translation>
+    </message>
+    <message>
+        <source>%1 is written in %2 and is saved as it was found</source>
+        <translation>%1 está escrito en %2 y se guarda tal como estaba</translation>
+    </message>
+    <message>
+        <source>This is a copy of the example, in %1: change what you like</source>
+        <translation>Esta es una copia del ejemplo, en %1: cambie lo que quiera</translation>
+    </message>
+    <message>
+        <source>This is your copy of the example, in %1</source>
+        <translation>Esta es su copia del ejemplo, en %1</translation>
+    </message>
+    <message>
+        <source>The project is still being checked; try again in a moment</source>
+        <translation>El proyecto aún se está comprobando; vuelva a intentarlo en un momento</translation>
+    </message>
+    <message>
+        <source>It holds %1.</source>
+        <translation>Contiene %1.</translation>
+    </message>
+    <message>
+        <source>The language changes when the tests have ended</source>
+        <translation>El idioma cambia cuando terminen las pruebas</translation>
+    </message>
+    <message>
+        <source>Fault of the controller</source>
+        <translation>Error del controlador</translation>
+    </message>
+    <message>
+        <source>RUN %1</source>
+        <translation>RUN %1</translation>
+    </message>
+    <message>
+        <source>at full speed</source>
+        <translation>a toda velocidad</translation>
+    </message>
+    <message>
+        <source>%1 ×</source>
+        <translation>%1 ×</translation>
+    </message>
+    <message>
+        <source>Speed of the controller; any factor can be typed:</source>
+        <translation>Velocidad del controlador; se puede escribir cualquier factor:</translation>
+    </message>
+    <message>
+        <source>The speed is a factor from 0.001 to 10000</source>
+        <translation>La velocidad es un factor de 0.001 a 10000</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>Importar…</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportar…</translation>
+    </message>
+    <message>
+        <source>The project was exported</source>
+        <translation>El proyecto se ha exportado</translation>
+    </message>
+    <message>
+        <source>%1 is written in %2 and is saved as it was found</source>
+        <translation>%1 está escrito en %2 y se guarda tal como estaba</translation>
+    </message>
+    <message>
+        <source>Select the Next Occurrence Too</source>
+        <translation>Seleccionar también la siguiente aparición</translation>
+    </message>
+    <message>
+        <source>Arrange for Editing</source>
+        <translation>Disposición para editar</translation>
+    </message>
+    <message>
+        <source>Arrange for Debugging</source>
+        <translation>Disposición para depurar</translation>
+    </message>
+    <message>
+        <source>Arrange for Drawing Panels</source>
+        <translation>Disposición para dibujar paneles</translation>
+    </message>
+    <message>
+        <source>Maximise the Editor</source>
+        <translation>Maximizar el editor</translation>
+    </message>
+    <message>
+        <source>Keeping the recording of the last run…</source>
+        <translation>Conservando la grabación de la última ejecución…</translation>
+    </message>
+    <message>
+        <source>%1 is not UTF-8 and was read as Windows-1252; saving it writes UTF-8</source>
+        <translation>%1 no es UTF-8 y se ha leído como Windows-1252; al guardarlo se escribe UTF-8</translation>
+    </message>
+    <message>
+        <source>Diagram Beside the Text</source>
+        <translation>Diagrama junto al texto</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::NewProjectDialog</name>
+    <message>
+        <source>Empty</source>
+        <translation>Vacío</translation>
+    </message>
+    <message>
+        <source>One program in a task of 10 ms</source>
+        <translation>Un programa en una tarea de 10 ms</translation>
+    </message>
+    <message>
+        <source>Motor</source>
+        <translation>Motor</translation>
+    </message>
+    <message>
+        <source>Start, stop, a simulated motor and a test</source>
+        <translation>Marcha, paro, un motor simulado y una prueba</translation>
+    </message>
+    <message>
+        <source>PID loop</source>
+        <translation>Lazo PID</translation>
+    </message>
+    <message>
+        <source>A temperature loop with its plant</source>
+        <translation>Un lazo de temperatura con su planta</translation>
+    </message>
+    <message>
+        <source>Sequence</source>
+        <translation>Secuencia</translation>
+    </message>
+    <message>
+        <source>Fill, mix, empty as a sequential function chart</source>
+        <translation>Llenar, mezclar y vaciar como SFC</translation>
+    </message>
+    <message>
+        <source>New Project</source>
+        <translation>Proyecto nuevo</translation>
+    </message>
+    <message>
+        <source>Template</source>
+        <translation>Plantilla</translation>
+    </message>
+    <message>
+        <source>My machine</source>
+        <translation>Mi máquina</translation>
+    </message>
+    <message>
+        <source>Choose a folder</source>
+        <translation>Elija una carpeta</translation>
+    </message>
+    <message>
+        <source>Folder of the project</source>
+        <translation>Carpeta del proyecto</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>In folder</source>
+        <translation>En la carpeta</translation>
+    </message>
+    <message>
+        <source>Create</source>
+        <translation>Crear</translation>
+    </message>
+    <message>
+        <source>The project needs a name</source>
+        <translation>Escriba un nombre de proyecto</translation>
+    </message>
+    <message>
+        <source>%1 exists already and is not empty</source>
+        <translation>%1 ya existe y no está vacía</translation>
+    </message>
+    <message>
+        <source>Will be made in %1</source>
+        <translation>Se creará en %1</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::NewUnitDialog</name>
+    <message>
+        <source>Program</source>
+        <translation>Programa</translation>
+    </message>
+    <message>
+        <source>Function block</source>
+        <translation>Bloque de función</translation>
+    </message>
+    <message>
+        <source>Function</source>
+        <translation>Función</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation>Estructura</translation>
+    </message>
+    <message>
+        <source>Enumeration</source>
+        <translation>Enumeración</translation>
+    </message>
+    <message>
+        <source>Interface</source>
+        <translation>Interfaz</translation>
+    </message>
+    <message>
+        <source>Global variables</source>
+        <translation>Variables globales</translation>
+    </message>
+    <message>
+        <source>Sequential function chart</source>
+        <translation>Diagrama funcional secuencial (SFC)</translation>
+    </message>
+    <message>
+        <source>Simulation of the plant</source>
+        <translation>Simulación de la planta</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Prueba</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Nuevo</translation>
+    </message>
+    <message>
+        <source>a file of its own</source>
+        <translation>un archivo propio</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Clase</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>In</source>
+        <translation>En</translation>
+    </message>
+    <message>
+        <source>Create</source>
+        <translation>Crear</translation>
+    </message>
+    <message>
+        <source>Give it a name</source>
+        <translation>Escriba un nombre</translation>
+    </message>
+    <message>
+        <source>A name has letters, digits and _, begins with a letter and is no keyword</source>
+        <translation>Un nombre tiene letras, cifras y _, empieza por una letra y no es una palabra clave</translation>
+    </message>
+    <message>
+        <source>There is a %1 in the project already</source>
+        <translation>%1 ya existe en el proyecto</translation>
+    </message>
+    <message>
+        <source>There is a file %1 already: choose it, or another name</source>
+        <translation>El archivo %1 ya existe: elíjalo o elija otro nombre</translation>
+    </message>
+    <message>
+        <source>Program as a ladder diagram</source>
+        <translation>Programa como esquema de contactos (LD)</translation>
+    </message>
+    <message>
+        <source>Program as a function block diagram</source>
+        <translation>Programa como diagrama de bloques (FBD)</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::ProblemsView</name>
+    <message>
+        <source>Message</source>
+        <translation>Mensaje</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Código</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Lugar</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Problemas</translation>
+    </message>
+    <message>
+        <source>Show errors</source>
+        <translation>Mostrar errores</translation>
+    </message>
+    <message>
+        <source>Show warnings</source>
+        <translation>Mostrar advertencias</translation>
+    </message>
+    <message>
+        <source>Show notes</source>
+        <translation>Mostrar notas</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filtro</translation>
+    </message>
+    <message>
+        <source>Filter of the problem list</source>
+        <translation>Filtro de la lista de problemas</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::ProjectTree</name>
+    <message>
+        <source>Project</source>
+        <translation>Proyecto</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filtro</translation>
+    </message>
+    <message>
+        <source>Filter of the project tree</source>
+        <translation>Filtro del árbol del proyecto</translation>
+    </message>
+    <message>
+        <source>Chart</source>
+        <translation>Secuencia (SFC)</translation>
+    </message>
+    <message>
+        <source>Programs</source>
+        <translation>Programas</translation>
+    </message>
+    <message>
+        <source>Blocks</source>
+        <translation>Bloques</translation>
+    </message>
+    <message>
+        <source>Functions</source>
+        <translation>Funciones</translation>
+    </message>
+    <message>
+        <source>Types</source>
+        <translation>Tipos</translation>
+    </message>
+    <message>
+        <source>Globals</source>
+        <translation>Variables globales</translation>
+    </message>
+    <message>
+        <source>Tasks</source>
+        <translation>Tareas</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>Simulación</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Paneles</translation>
+    </message>
+    <message>
+        <source>Texts</source>
+        <translation>Textos</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmas</translation>
+    </message>
+    <message>
+        <source>Traces</source>
+        <translation>Trazas</translation>
+    </message>
+    <message>
+        <source>Tests</source>
+        <translation>Pruebas</translation>
+    </message>
+    <message>
+        <source>Libraries</source>
+        <translation>Bibliotecas</translation>
+    </message>
+    <message>
+        <source>New…</source>
+        <translation>Nuevo…</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Abrir</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Renombrar…</translation>
+    </message>
+    <message>
+        <source>Delete…</source>
+        <translation>Eliminar…</translation>
+    </message>
+    <message>
+        <source>Libraries…</source>
+        <translation>Bibliotecas…</translation>
+    </message>
+    <message>
+        <source>Run Tests</source>
+        <translation>Ejecutar las pruebas</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>Añadir a la supervisión</translation>
+    </message>
+    <message>
+        <source>Arrange by file</source>
+        <translation>Ordenar por archivo</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Archivos</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::SearchView</name>
+    <message>
+        <source>Find in all files</source>
+        <translation>Buscar en todos los archivos</translation>
+    </message>
+    <message>
+        <source>Text to find in all files</source>
+        <translation>Texto que buscar en todos los archivos</translation>
+    </message>
+    <message>
+        <source>Replace by</source>
+        <translation>Reemplazar por</translation>
+    </message>
+    <message>
+        <source>Replacement in all files</source>
+        <translation>Texto de reemplazo en todos los archivos</translation>
+    </message>
+    <message>
+        <source>Regular expression</source>
+        <translation>Expresión regular</translation>
+    </message>
+    <message>
+        <source>Match case</source>
+        <translation>Distinguir mayúsculas</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>Buscar</translation>
+    </message>
+    <message>
+        <source>Replace All</source>
+        <translation>Reemplazar todo</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Lugar</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Uso</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Línea</translation>
+    </message>
+    <message>
+        <source>Search results</source>
+        <translation>Resultados de la búsqueda</translation>
+    </message>
+    <message>
+        <source>Not a pattern: %1</source>
+        <translation>Expresión regular no válida: %1</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 en %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s)</source>
+        <translation>
+            <numerusform>%n lugar</numerusform>
+            <numerusform>%n lugares</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s)</source>
+        <translation>
+            <numerusform>%n archivo</numerusform>
+            <numerusform>%n archivos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) replaced</source>
+        <translation>
+            <numerusform>%n lugar reemplazado</numerusform>
+            <numerusform>%n lugares reemplazados</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>declared</source>
+        <translation>declarado</translation>
+    </message>
+    <message>
+        <source>read, write</source>
+        <translation>lectura, escritura</translation>
+    </message>
+    <message>
+        <source>write</source>
+        <translation>escritura</translation>
+    </message>
+    <message>
+        <source>read</source>
+        <translation>lectura</translation>
+    </message>
+    <message>
+        <source>%1: %2 read, %3 written</source>
+        <translation>%1: %2 lecturas, %3 escrituras</translation>
+    </message>
+    <message>
+        <source>Searching all files…</source>
+        <translation>Buscando en todos los archivos…</translation>
+    </message>
+    <message>
+        <source>Cancelled; so far: %1 in %2</source>
+        <translation>Cancelado; hasta ahora: %1 en %2</translation>
+    </message>
+    <message>
+        <source>Replacing in all files…</source>
+        <translation>Reemplazando en todos los archivos…</translation>
+    </message>
+    <message>
+        <source>Cancelled; nothing was replaced</source>
+        <translation>Cancelado; no se ha reemplazado nada</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::SettingsDialog</name>
+    <message>
+        <source>Settings</source>
+        <translation>Ajustes</translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation>General</translation>
+    </message>
+    <message>
+        <source>Editor</source>
+        <translation>Editor</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>Ejecución</translation>
+    </message>
+    <message>
+        <source>Shortcuts</source>
+        <translation>Atajos</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Como el sistema</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Claro</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Oscuro</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Tema</translation>
+    </message>
+    <message>
+        <source>Language of the studio</source>
+        <translation>Idioma del estudio</translation>
+    </message>
+    <message>
+        <source>Indentation</source>
+        <translation>Sangría</translation>
+    </message>
+    <message>
+        <source>Write keywords in capitals while typing</source>
+        <translation>Poner las palabras clave en mayúsculas al escribir</translation>
+    </message>
+    <message>
+        <source>Close blocks with Enter (IF … END_IF)</source>
+        <translation>Cerrar los bloques con Intro (IF … END_IF)</translation>
+    </message>
+    <message>
+        <source>Show online values in the text</source>
+        <translation>Mostrar valores online en el texto</translation>
+    </message>
+    <message>
+        <source>Format when saving</source>
+        <translation>Dar formato al guardar</translation>
+    </message>
+    <message>
+        <source>Saving changes the running controller (online change)</source>
+        <translation>Aplicar un cambio online al guardar</translation>
+    </message>
+    <message>
+        <source>Memory for the recording of every scan</source>
+        <translation>Memoria para la grabación de cada ciclo</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filtro</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>Comando</translation>
+    </message>
+    <message>
+        <source>Shortcut</source>
+        <translation>Atajo</translation>
+    </message>
+    <message>
+        <source>Another action has the same shortcut</source>
+        <translation>Otro comando tiene el mismo atajo</translation>
+    </message>
+    <message>
+        <source>Shortcut of %1</source>
+        <translation>Atajo de %1</translation>
+    </message>
+    <message>
+        <source>Filter of the actions</source>
+        <translation>Filtro de los comandos</translation>
+    </message>
+    <message>
+        <source>All Defaults</source>
+        <translation>Valores predeterminados</translation>
+    </message>
+    <message>
+        <source>%1 now belongs to “%2”; “%3” loses it.</source>
+        <translation>%1 pertenece ahora a «%2»; «%3» lo pierde.</translation>
+    </message>
+    <message>
+        <source>none is kept</source>
+        <translation>no se conserva ninguna</translation>
+    </message>
+    <message>
+        <source>Disk space for the recordings of earlier runs, per project</source>
+        <translation>Espacio en disco para las grabaciones de ejecuciones anteriores, por proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::StPage</name>
+    <message>
+        <source>This file is read-only on disk. Saving asks before it replaces it.</source>
+        <translation>Este archivo es de solo lectura en el disco. Al guardarlo se pregunta antes de reemplazarlo.</translation>
+    </message>
+    <message>
+        <source>Make Writable</source>
+        <translation>Permitir escritura</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::StartPage</name>
+    <message>
+        <source>Write, run and watch PLC programs. Every scan is recorded; time runs backwards, too.</source>
+        <translation>Escriba, ejecute y observe programas PLC. Cada ciclo queda grabado; el tiempo también corre hacia atrás.</translation>
+    </message>
+    <message>
+        <source>Recent projects</source>
+        <translation>Proyectos recientes</translation>
+    </message>
+    <message>
+        <source>Examples</source>
+        <translation>Ejemplos</translation>
+    </message>
+    <message>
+        <source>New Project…</source>
+        <translation>Proyecto nuevo…</translation>
+    </message>
+    <message>
+        <source>Open Project…</source>
+        <translation>Abrir proyecto…</translation>
+    </message>
+    <message>
+        <source>Take the Tour</source>
+        <translation>Hacer el recorrido</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Recientes</translation>
+    </message>
+    <message>
+        <source>Examples: open one and press Run</source>
+        <translation>Ejemplos: abra uno y pulse Ejecutar</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Abrir</translation>
+    </message>
+    <message>
+        <source>Open a Fresh Copy</source>
+        <translation>Abrir una copia nueva</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::Tour</name>
+    <message>
+        <source>Back</source>
+        <translation>Atrás</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Siguiente</translation>
+    </message>
+    <message>
+        <source>End the tour</source>
+        <translation>Terminar el recorrido</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Listo</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::BreakpointView</name>
+    <message>
+        <source>Place</source>
+        <translation>Lugar</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Condición</translation>
+    </message>
+    <message>
+        <source>Hit count</source>
+        <translation>Número de pasos por el punto</translation>
+    </message>
+    <message>
+        <source>Instance</source>
+        <translation>Instancia</translation>
+    </message>
+    <message>
+        <source>Breakpoints</source>
+        <translation>Puntos de interrupción</translation>
+    </message>
+    <message>
+        <source>Remove selected</source>
+        <translation>Quitar la selección</translation>
+    </message>
+    <message>
+        <source>Remove all</source>
+        <translation>Quitar todos</translation>
+    </message>
+    <message>
+        <source>The program that runs has no code at this line or below it</source>
+        <translation>El programa en marcha no tiene código en esta línea ni más abajo</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::CallPathView</name>
+    <message>
+        <source>Unit</source>
+        <translation>POU</translation>
+    </message>
+    <message>
+        <source>Instance</source>
+        <translation>Instancia</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Línea</translation>
+    </message>
+    <message>
+        <source>Call path</source>
+        <translation>Pila de llamadas</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valor</translation>
+    </message>
+    <message>
+        <source>Values of the frame</source>
+        <translation>Valores del nivel de llamada</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::ChartView</name>
+    <message>
+        <source>Sequential function chart</source>
+        <translation>Diagrama funcional secuencial (SFC)</translation>
+    </message>
+    <message>
+        <source>Insert a step behind (Ins)</source>
+        <translation>Insertar una etapa después (Ins)</translation>
+    </message>
+    <message>
+        <source>Insert a branch beside</source>
+        <translation>Insertar una rama alternativa</translation>
+    </message>
+    <message>
+        <source>Insert a simultaneous branch</source>
+        <translation>Insertar una rama simultánea</translation>
+    </message>
+    <message>
+        <source>Add an action</source>
+        <translation>Añadir una acción</translation>
+    </message>
+    <message>
+        <source>Edit name or condition (F2)</source>
+        <translation>Editar el nombre o la condición (F2)</translation>
+    </message>
+    <message>
+        <source>Delete (Del)</source>
+        <translation>Eliminar (Supr)</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Mostrar todo</translation>
+    </message>
+    <message>
+        <source>Export the chart</source>
+        <translation>Exportar la secuencia</translation>
+    </message>
+    <message>
+        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
+        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>%1 can not be written</source>
+        <translation>No se puede escribir %1</translation>
+    </message>
+    <message>
+        <source>Print…</source>
+        <translation>Imprimir…</translation>
+    </message>
+    <message>
+        <source>The unit %1 is not in the text any more</source>
+        <translation>El POU %1 ya no está en el texto</translation>
+    </message>
+    <message>
+        <source>The text has errors: this is the last good drawing</source>
+        <translation>El texto tiene errores: este es el último dibujo correcto</translation>
+    </message>
+    <message>
+        <source>%1 is not a chart</source>
+        <translation>%1 no es una secuencia (SFC)</translation>
+    </message>
+    <message>
+        <source>Mend the text first: this is the last good drawing</source>
+        <translation>Corrija primero el texto: este es el último dibujo correcto</translation>
+    </message>
+    <message>
+        <source>Select the step from which the branch goes out</source>
+        <translation>Seleccione la etapa de la que sale la rama</translation>
+    </message>
+    <message>
+        <source>Select the transition behind which the steps run at the same time</source>
+        <translation>Seleccione la transición tras la que las etapas funcionan a la vez</translation>
+    </message>
+    <message>
+        <source>Select the step that gets the action</source>
+        <translation>Seleccione la etapa que recibe la acción</translation>
+    </message>
+    <message>
+        <source>Insert a Step Behind</source>
+        <translation>Insertar una etapa después</translation>
+    </message>
+    <message>
+        <source>Insert a Branch Beside</source>
+        <translation>Insertar una rama alternativa</translation>
+    </message>
+    <message>
+        <source>Insert a Simultaneous Branch</source>
+        <translation>Insertar una rama simultánea</translation>
+    </message>
+    <message>
+        <source>Add an Action</source>
+        <translation>Añadir una acción</translation>
+    </message>
+    <message>
+        <source>Make It the Initial Step</source>
+        <translation>Establecer como etapa inicial</translation>
+    </message>
+    <message>
+        <source>Force the Step On</source>
+        <translation>Forzar la etapa activa</translation>
+    </message>
+    <message>
+        <source>Release the Step</source>
+        <translation>Anular el forzado de la etapa</translation>
+    </message>
+    <message>
+        <source>Toggle Breakpoint</source>
+        <translation>Alternar punto de interrupción</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Edición</translation>
+    </message>
+    <message>
+        <source>Move Left</source>
+        <translation>Mover a la izquierda</translation>
+    </message>
+    <message>
+        <source>Move Right</source>
+        <translation>Mover a la derecha</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Eliminar</translation>
+    </message>
+    <message>
+        <source>Branch to the left</source>
+        <translation>Rama a la izquierda</translation>
+    </message>
+    <message>
+        <source>Branch to the right</source>
+        <translation>Rama a la derecha</translation>
+    </message>
+    <message>
+        <source>%1 behind this transition</source>
+        <translation>%1 después de esta transición</translation>
+    </message>
+    <message>
+        <source>leads to %1</source>
+        <translation>lleva a %1</translation>
+    </message>
+    <message>
+        <source>further up</source>
+        <translation>más arriba</translation>
+    </message>
+    <message>
+        <source>further down</source>
+        <translation>más abajo</translation>
+    </message>
+    <message>
+        <source>%1 in step %2</source>
+        <translation>%1 en la etapa %2</translation>
+    </message>
+    <message>
+        <source>A condition is a BOOL</source>
+        <translation>Una condición es un BOOL</translation>
+    </message>
+    <message>
+        <source>qualifier</source>
+        <translation>calificador</translation>
+    </message>
+    <message>
+        <source>action</source>
+        <translation>acción</translation>
+    </message>
+    <message>
+        <source>To the chart around (Backspace)</source>
+        <translation>A la secuencia superior (Retroceso)</translation>
+    </message>
+    <message>
+        <source>Breakpoint: stops when the step becomes active, when the transition is taken (F9)</source>
+        <translation>Punto de interrupción: se detiene cuando la etapa se activa o la transición se franquea (F9)</translation>
+    </message>
+    <message>
+        <source>Force the step on</source>
+        <translation>Forzar la etapa activa</translation>
+    </message>
+    <message>
+        <source>Release the step</source>
+        <translation>Anular el forzado de la etapa</translation>
+    </message>
+    <message>
+        <source>Export as SVG, PNG or PDF…</source>
+        <translation>Exportar como SVG, PNG o PDF…</translation>
+    </message>
+    <message>
+        <source>%1 is a variable: it has no body</source>
+        <translation>%1 es una variable: no tiene cuerpo</translation>
+    </message>
+    <message>
+        <source>Select a step or a transition</source>
+        <translation>Seleccione una etapa o una transición</translation>
+    </message>
+    <message>
+        <source>Select a step</source>
+        <translation>Seleccione una etapa</translation>
+    </message>
+    <message>
+        <source>Open Its Chart or Text</source>
+        <translation>Abrir su secuencia (SFC) o su texto</translation>
+    </message>
+    <message>
+        <source>Priority…</source>
+        <translation>Prioridad…</translation>
+    </message>
+    <message>
+        <source>Move Up</source>
+        <translation>Subir</translation>
+    </message>
+    <message>
+        <source>Move Down</source>
+        <translation>Bajar</translation>
+    </message>
+    <message>
+        <source>Delete the Whole Branch</source>
+        <translation>Eliminar toda la rama</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::DeclarationTable</name>
+    <message>
+        <source>Section</source>
+        <translation>Sección</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Dirección</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Initial value</source>
+        <translation>Valor inicial</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Comentario</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valor</translation>
+    </message>
+    <message>
+        <source>Declarations</source>
+        <translation>Declaraciones</translation>
+    </message>
+    <message>
+        <source>Add a variable</source>
+        <translation>Añadir una variable</translation>
+    </message>
+    <message>
+        <source>Remove the selected variables</source>
+        <translation>Quitar las variables seleccionadas</translation>
+    </message>
+    <message>
+        <source>Move up</source>
+        <translation>Subir</translation>
+    </message>
+    <message>
+        <source>Move down</source>
+        <translation>Bajar</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::EventLog</name>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>PLC time</source>
+        <translation>Tiempo del PLC</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>Ciclo</translation>
+    </message>
+    <message>
+        <source>Event</source>
+        <translation>Evento</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Eventos</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Vaciar</translation>
+    </message>
+    <message>
+        <source>Copy the selected rows, else all</source>
+        <translation>Copiar las filas seleccionadas, o todas</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copiar</translation>
+    </message>
+    <message>
+        <source>Only faults and refusals</source>
+        <translation>Solo errores y rechazos</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filtro</translation>
+    </message>
+    <message>
+        <source>Filter of the events</source>
+        <translation>Filtro de los eventos</translation>
+    </message>
+    <message>
+        <source>Step: %1</source>
+        <translation>Etapa: %1</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <comment>event at file:line</comment>
+        <translation>%1 en %2</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::FindBar</name>
+    <message>
+        <source>Find</source>
+        <translation>Buscar</translation>
+    </message>
+    <message>
+        <source>Text to find</source>
+        <translation>Texto que buscar</translation>
+    </message>
+    <message>
+        <source>Replace by</source>
+        <translation>Reemplazar por</translation>
+    </message>
+    <message>
+        <source>Replacement</source>
+        <translation>Texto de reemplazo</translation>
+    </message>
+    <message>
+        <source>Match case</source>
+        <translation>Distinguir mayúsculas</translation>
+    </message>
+    <message>
+        <source>Whole words</source>
+        <translation>Palabras completas</translation>
+    </message>
+    <message>
+        <source>Regular expression</source>
+        <translation>Expresión regular</translation>
+    </message>
+    <message>
+        <source>Previous (Shift+Enter)</source>
+        <translation>Anterior (Mayús+Intro)</translation>
+    </message>
+    <message>
+        <source>Next (Enter)</source>
+        <translation>Siguiente (Intro)</translation>
+    </message>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>Cerrar (Esc)</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Reemplazar</translation>
+    </message>
+    <message>
+        <source>Replace All</source>
+        <translation>Reemplazar todo</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n replaced</source>
+        <translation>
+            <numerusform>%n reemplazado</numerusform>
+            <numerusform>%n reemplazados</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not a pattern</source>
+        <translation>expresión regular no válida</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n found</source>
+        <translation>
+            <numerusform>%n encontrado</numerusform>
+            <numerusform>%n encontrados</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not found</source>
+        <translation>no encontrado</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::ForceView</name>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Forced value</source>
+        <translation>Valor forzado</translation>
+    </message>
+    <message>
+        <source>Forced variables</source>
+        <translation>Variables forzadas</translation>
+    </message>
+    <message>
+        <source>Release selected</source>
+        <translation>Anular los forzados seleccionados</translation>
+    </message>
+    <message>
+        <source>Release all</source>
+        <translation>Anular todos los forzados</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::RunControl</name>
+    <message>
+        <source>Built in %1 ms</source>
+        <translation>Compilado en %1 ms</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n error(s): the program was not built</source>
+        <translation>
+            <numerusform>%n error: el programa no se ha compilado</numerusform>
+            <numerusform>%n errores: el programa no se ha compilado</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Online change: %1 kept, %2 new, %3 lost</source>
+        <translation>Cambio online: %1 variables conservadas, %2 nuevas, %3 eliminadas</translation>
+    </message>
+    <message>
+        <source>The change waits for the end of the scan</source>
+        <translation>El cambio espera al final del ciclo</translation>
+    </message>
+    <message>
+        <source>The program has errors; the controller goes on with the old one</source>
+        <translation>El programa tiene errores; el controlador sigue con el anterior</translation>
+    </message>
+    <message>
+        <source>did not exist in this scan</source>
+        <translation>no existía en este ciclo</translation>
+    </message>
+    <message>
+        <source>Building</source>
+        <translation>Compilación</translation>
+    </message>
+    <message>
+        <source>Not optimised: the quick code goes on</source>
+        <translation>Sin optimizar: sigue el código compilado rápidamente</translation>
+    </message>
+    <message>
+        <source>Optimising</source>
+        <translation>Optimización</translation>
+    </message>
+    <message>
+        <source>There is no code at or below line %1 of %2</source>
+        <translation>No hay código en la línea %1 de %2 ni más abajo</translation>
+    </message>
+    <message>
+        <source>The condition of the breakpoint: %1</source>
+        <translation>La condición del punto de interrupción: %1</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::StEditor</name>
+    <message>
+        <source>Structured Text editor</source>
+        <translation>Editor de texto estructurado</translation>
+    </message>
+    <message>
+        <source>Declare %1</source>
+        <translation>Declarar %1</translation>
+    </message>
+    <message>
+        <source>There is no fix for this line</source>
+        <translation>No hay ninguna corrección para esta línea</translation>
+    </message>
+    <message>
+        <source>Go to Definition</source>
+        <translation>Ir a la definición</translation>
+    </message>
+    <message>
+        <source>Find All Uses</source>
+        <translation>Buscar todos los usos</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Renombrar…</translation>
+    </message>
+    <message>
+        <source>Add to Watch</source>
+        <translation>Añadir a la supervisión</translation>
+    </message>
+    <message>
+        <source>Toggle Breakpoint</source>
+        <translation>Alternar punto de interrupción</translation>
+    </message>
+    <message>
+        <source>CR</source>
+        <comment>current result of an instruction list</comment>
+        <translation>RA</translation>
+    </message>
+    <message>
+        <source>Declare %1 as an input</source>
+        <translation>Declarar %1 como entrada</translation>
+    </message>
+    <message>
+        <source>Declare %1 as an output</source>
+        <translation>Declarar %1 como salida</translation>
+    </message>
+    <message>
+        <source>Declare %1 as a global variable</source>
+        <translation>Declarar %1 como variable global</translation>
+    </message>
+    <message>
+        <source>Declare %1 in %2</source>
+        <translation>Declarar %1 en %2</translation>
+    </message>
+    <message>
+        <source>Write a Value…</source>
+        <translation>Escribir un valor…</translation>
+    </message>
+    <message>
+        <source>Force…</source>
+        <translation>Forzar…</translation>
+    </message>
+    <message>
+        <source>Release the Force</source>
+        <translation>Anular el forzado</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::TaskMonitor</name>
+    <message>
+        <source>Histogram of execution times</source>
+        <translation>Histograma de los tiempos de ejecución</translation>
+    </message>
+    <message>
+        <source>Execution times appear here while the controller runs</source>
+        <translation>Los tiempos de ejecución aparecen aquí mientras el controlador está en marcha</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Tarea</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Ejecuciones</translation>
+    </message>
+    <message>
+        <source>Last</source>
+        <translation>Último</translation>
+    </message>
+    <message>
+        <source>Min</source>
+        <translation>Mín</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Media</translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation>Máx</translation>
+    </message>
+    <message>
+        <source>Jitter</source>
+        <translation>Jitter</translation>
+    </message>
+    <message>
+        <source>Overruns</source>
+        <translation>Tiempo excedido</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>Carga</translation>
+    </message>
+    <message>
+        <source>Tasks</source>
+        <translation>Tareas</translation>
+    </message>
+    <message>
+        <source>Reset the statistics</source>
+        <translation>Restablecer las estadísticas</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::WatchView</name>
+    <message>
+        <source>Expression</source>
+        <translation>Expresión</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valor</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Prepared</source>
+        <translation>Preparado</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Comentario</translation>
+    </message>
+    <message>
+        <source>Watch list</source>
+        <translation>Lista de supervisión</translation>
+    </message>
+    <message>
+        <source>Add an expression: Main.x, a[i] * 2, fb.Q AND NOT done</source>
+        <translation>Añadir una expresión: Main.x, a[i] * 2, fb.Q AND NOT done</translation>
+    </message>
+    <message>
+        <source>New watch expression</source>
+        <translation>Nueva expresión de supervisión</translation>
+    </message>
+    <message>
+        <source>Write prepared values</source>
+        <translation>Escribir los valores preparados</translation>
+    </message>
+    <message>
+        <source>Force prepared values</source>
+        <translation>Forzar los valores preparados</translation>
+    </message>
+    <message>
+        <source>Release the selected forces</source>
+        <translation>Anular los forzados seleccionados</translation>
+    </message>
+    <message>
+        <source>Decimal</source>
+        <translation>Decimal</translation>
+    </message>
+    <message>
+        <source>Hexadecimal</source>
+        <translation>Hexadecimal</translation>
+    </message>
+    <message>
+        <source>Binary</source>
+        <translation>Binario</translation>
+    </message>
+    <message>
+        <source>Number format</source>
+        <translation>Formato de los números</translation>
+    </message>
+    <message>
+        <source>Toggle</source>
+        <translation>Conmutar</translation>
+    </message>
+    <message>
+        <source>Force to %1</source>
+        <translation>Forzar a %1</translation>
+    </message>
+    <message>
+        <source>Release force</source>
+        <translation>Anular el forzado</translation>
+    </message>
+    <message>
+        <source>Show in trace</source>
+        <translation>Mostrar en la traza</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Remove all</source>
+        <translation>Quitar todos</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <comment>number format</comment>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>Numbers as decimals, in hexadecimal or binary, or milliseconds as a time</source>
+        <translation>Números en decimal, hexadecimal o binario, o milisegundos como tiempo</translation>
+    </message>
+    <message>
+        <source>%1 … %2</source>
+        <comment>stretch of an array</comment>
+        <translation>%1 … %2</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>Supervisión</translation>
+    </message>
+    <message>
+        <source>Add, rename or remove a list</source>
+        <translation>Añadir, renombrar o quitar una lista</translation>
+    </message>
+    <message>
+        <source>Name of the list:</source>
+        <translation>Nombre de la lista:</translation>
+    </message>
+    <message>
+        <source>New List…</source>
+        <translation>Lista nueva…</translation>
+    </message>
+    <message>
+        <source>New List</source>
+        <translation>Lista nueva</translation>
+    </message>
+    <message>
+        <source>Rename the List…</source>
+        <translation>Renombrar la lista…</translation>
+    </message>
+    <message>
+        <source>Rename the List</source>
+        <translation>Renombrar la lista</translation>
+    </message>
+    <message>
+        <source>Remove the List</source>
+        <translation>Quitar la lista</translation>
+    </message>
+    <message>
+        <source>Number Format</source>
+        <translation>Formato de los números</translation>
+    </message>
+    <message>
+        <source>As the list</source>
+        <translation>Como la lista</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::AlarmEditor</name>
+    <message>
+        <source>Alarm</source>
+        <translation>Alarma</translation>
+    </message>
+    <message>
+        <source>Priority</source>
+        <translation>Prioridad</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Condición</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Texto</translation>
+    </message>
+    <message>
+        <source>Add an alarm</source>
+        <translation>Añadir una alarma</translation>
+    </message>
+    <message>
+        <source>Add a class</source>
+        <translation>Añadir una clase</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Valores</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmas</translation>
+    </message>
+    <message>
+        <source>Classes</source>
+        <translation>Clases</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguna</translation>
+    </message>
+    <message>
+        <source>Add alarm</source>
+        <translation>Añadir alarma</translation>
+    </message>
+    <message>
+        <source>Add class</source>
+        <translation>Añadir clase</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::ArrayDialog</name>
+    <message>
+        <source>Duplicate as array</source>
+        <translation>Duplicar como array</translation>
+    </message>
+    <message>
+        <source>Number of elements</source>
+        <translation>Número de elementos</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Columnas</translation>
+    </message>
+    <message>
+        <source>Gap across</source>
+        <translation>Separación horizontal</translation>
+        <source>The unit %1 is not in the text any more</source>
+        <translation>Separación horizontal</translation>
+    </message>
+    <message>
+        <source>Gap down</source>
+        <translation>Separación vertical</translation>
+    </message>
+    <message>
+        <source>Index step</source>
+        <translation>Paso del índice</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::DesignCanvas</name>
+    <message>
+        <source>Move</source>
+        <translation>Mover</translation>
+    </message>
+    <message>
+        <source>Resize</source>
+        <translation>Cambiar el tamaño</translation>
+        <source>Select the step from which the branch goes out</source>
+        <translation>Cambiar el tamaño</translation>
+    </message>
+    <message>
+        <source>Move point</source>
+        <translation>Mover el punto</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Puntos</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Eliminar</translation>
+    </message>
+    <message>
+        <source>Insert</source>
+        <translation>Insertar</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::DesignContext</name>
+    <message>
+        <source>Text</source>
+        <translation>Texto</translation>
+    </message>
+    <message>
+        <source>Rename %1</source>
+        <translation>Renombrar %1</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmas</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::Outline</name>
+    <message>
+        <source>Lock</source>
+        <translation>Bloquear</translation>
+    </message>
+    <message>
+        <source>Reorder</source>
+        <translation>Cambiar el orden</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::Palette</name>
+    <message>
+        <source>Search elements</source>
+        <translation>Buscar elementos</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::PanelDesigner</name>
+    <message>
+        <source>Finding</source>
+        <translation>Mensaje</translation>
+    </message>
+    <message>
+        <source>Element</source>
+        <translation>Elemento</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Idioma</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Cortar</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copiar</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Pegar</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Duplicar</translation>
+    </message>
+    <message>
+        <source>Duplicate as array…</source>
+        <translation>Duplicar como array…</translation>
+    </message>
+    <message>
+        <source>Select all</source>
+        <translation>Seleccionar todo</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Eliminar</translation>
+    </message>
+    <message>
+        <source>Align left</source>
+        <translation>Alinear a la izquierda</translation>
+    </message>
+    <message>
+        <source>Align centres</source>
+        <translation>Alinear los centros</translation>
+    </message>
+    <message>
+        <source>Align right</source>
+        <translation>Alinear a la derecha</translation>
+    </message>
+    <message>
+        <source>Align top</source>
+        <translation>Alinear arriba</translation>
+    </message>
+    <message>
+        <source>Align middles</source>
+        <translation>Alinear los medios</translation>
+    </message>
+    <message>
+        <source>Align bottom</source>
+        <translation>Alinear abajo</translation>
+    </message>
+    <message>
+        <source>Equal gaps across</source>
+        <translation>Distribuir horizontalmente</translation>
+    </message>
+    <message>
+        <source>Equal gaps down</source>
+        <translation>Distribuir verticalmente</translation>
+    </message>
+    <message>
+        <source>Same width</source>
+        <translation>Misma anchura</translation>
+    </message>
+    <message>
+        <source>Same height</source>
+        <translation>Misma altura</translation>
+    </message>
+    <message>
+        <source>Same size</source>
+        <translation>Mismo tamaño</translation>
+        <source>%1 is a variable: it has no body</source>
+        <translation>Mismo tamaño</translation>
+    </message>
+    <message>
+        <source>Bring to front</source>
+        <translation>Traer al frente</translation>
+    </message>
+    <message>
+        <source>Bring forward</source>
+        <translation>Traer adelante</translation>
+    </message>
+    <message>
+        <source>Send backward</source>
+        <translation>Enviar atrás</translation>
+    </message>
+    <message>
+        <source>Send to back</source>
+        <translation>Enviar al fondo</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Agrupar</translation>
+    </message>
+    <message>
+        <source>Ungroup</source>
+        <translation>Desagrupar</translation>
+    </message>
+    <message>
+        <source>Lock</source>
+        <translation>Bloquear</translation>
+    </message>
+    <message>
+        <source>Show the grid</source>
+        <translation>Mostrar la cuadrícula</translation>
+    </message>
+    <message>
+        <source>Snap (Alt: not now)</source>
+        <translation>Ajustar a la cuadrícula (Alt: ahora no)</translation>
+    </message>
+    <message>
+        <source>Live preview</source>
+        <translation>Vista previa en vivo</translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation>Acercar</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>Alejar</translation>
+    </message>
+    <message>
+        <source>Zoom 100 %</source>
+        <translation>Zoom 100 %</translation>
+    </message>
+    <message>
+        <source>Zoom to fit</source>
+        <translation>Ajustar a la ventana</translation>
+    </message>
+    <message>
+        <source>Language shown</source>
+        <translation>Idioma que se muestra</translation>
+    </message>
+    <message>
+        <source>Theme of the panel</source>
+        <translation>Tema del panel</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Claro</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Oscuro</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>Contraste alto</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Tema</translation>
+    </message>
+    <message>
+        <source>Duplicate as array</source>
+        <translation>Duplicar como array</translation>
+    </message>
+    <message>
+        <source>Elements</source>
+        <translation>Elementos</translation>
+    </message>
+    <message>
+        <source>Variables</source>
+        <translation>Variables</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::PropertySheet</name>
+    <message>
+        <source>Search properties</source>
+        <translation>Buscar propiedades</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Restablecer</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n elements</source>
+        <translation>
+            <numerusform>%n elemento</numerusform>
+            <numerusform>%n elementos</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::RecordsDialog</name>
+    <message>
+        <source>Add</source>
+        <translation>Añadir</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Arriba</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Abajo</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::TextEditor</name>
+    <message>
+        <source>Only incomplete</source>
+        <translation>Solo incompletos</translation>
+    </message>
+    <message>
+        <source>Search texts</source>
+        <translation>Buscar textos</translation>
+    </message>
+    <message>
+        <source>Add a key</source>
+        <translation>Añadir una clave</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Clave</translation>
+    </message>
+    <message>
+        <source>Remove the selected keys</source>
+        <translation>Quitar las claves seleccionadas</translation>
+    </message>
+    <message>
+        <source>Add a language</source>
+        <translation>Añadir un idioma</translation>
+    </message>
+    <message>
+        <source>Language tag, for example de or zh-CN</source>
+        <translation>Etiqueta de idioma, por ejemplo de o zh-CN</translation>
+    </message>
+    <message>
+        <source>Import CSV</source>
+        <translation>Importar CSV</translation>
+    </message>
+    <message>
+        <source>Text tables (*.csv *.txt)</source>
+        <translation>Tablas de textos (*.csv *.txt)</translation>
+    </message>
+    <message>
+        <source>Export CSV</source>
+        <translation>Exportar CSV</translation>
+    </message>
+    <message>
+        <source>Text tables (*.csv)</source>
+        <translation>Tablas de textos (*.csv)</translation>
+    </message>
+    <message>
+        <source>Add key</source>
+        <translation>Añadir clave</translation>
+    </message>
+    <message>
+        <source>Remove keys</source>
+        <translation>Quitar claves</translation>
+    </message>
+    <message>
+        <source>Add language</source>
+        <translation>Añadir idioma</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n text(s)</source>
+        <translation>
+            <numerusform>%n texto</numerusform>
+            <numerusform>%n textos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 is not used.</source>
+        <translation>%1 no se usa.</translation>
+    </message>
+    <message>
+        <source>%1 is used by %2</source>
+        <translation>%1 se usa en %2</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::TextModel</name>
+    <message>
+        <source>Key</source>
+        <translation>Clave</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Comentario</translation>
+    </message>
+    <message>
+        <source>Rename key</source>
+        <translation>Renombrar la clave</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Texto</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::Canvas</name>
+    <message>
+        <source>Overview</source>
+        <translation>Vista general</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::ColorPopup</name>
+    <message>
+        <source>Colours</source>
+        <translation>Colores</translation>
+    </message>
+    <message>
+        <source>More colours…</source>
+        <translation>Más colores…</translation>
+    </message>
+    <message>
+        <source>No colour</source>
+        <translation>Sin color</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::CommandPalette</name>
+    <message>
+        <source>Command palette</source>
+        <translation>Paleta de comandos</translation>
+    </message>
+    <message>
+        <source>Type to find a command</source>
+        <translation>Escriba para encontrar un comando</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Comando</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Comandos</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>menu and command</comment>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::PlotView</name>
+    <message>
+        <source>Chart</source>
+        <translation>Gráfico</translation>
+    </message>
+    <message>
+        <source>%1
+Click selects, Ctrl+click shows or hides.</source>
+        <translation>%1
+Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::PropertyGrid</name>
+    <message>
+        <source>Choose a variable</source>
+        <translation>Elija una variable</translation>
+    </message>
+    <message>
+        <source>Choose a file</source>
+        <translation>Elija un archivo</translation>
+    </message>
+    <message>
+        <source>Edit in a window</source>
+        <translation>Editar en una ventana</translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation>Sí</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>No</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ninguno</translation>
+    </message>
+    <message>
+        <source>Property</source>
+        <translation>Propiedad</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valor</translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation>Propiedades</translation>
+    </message>
+    <message>
+        <source>various</source>
+        <translation>distintos</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Restablecer</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::VariablePicker</name>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Comentario</translation>
+    </message>
+    <message>
+        <source>Search variables</source>
+        <translation>Buscar variables</translation>
+    </message>
+    <message>
+        <source>Variables</source>
+        <translation>Variables</translation>
+    </message>
+    <message>
+        <source>Found variables</source>
+        <translation>Variables encontradas</translation>
+    </message>
+    <message>
+        <source>Choose a variable</source>
+        <translation>Elija una variable</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::WorkStrip</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>%1 is being cancelled…</source>
+        <translation>Cancelando: %1…</translation>
+    </message>
+    <message>
+        <source>Cancel: %1</source>
+        <translation>Cancelar: %1</translation>
+    </message>
+</context>
+<context>
+    <name>plc::trace::ChannelPanel</name>
+    <message>
+        <source>Variable or expression</source>
+        <translation>Variable o expresión</translation>
+    </message>
+    <message>
+        <source>Add a channel</source>
+        <translation>Añadir un canal</translation>
+    </message>
+    <message>
+        <source>Add as a channel</source>
+        <translation>Añadir como canal</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Canal</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valor</translation>
+    </message>
+    <message>
+        <source>Channels</source>
+        <translation>Canales</translation>
+    </message>
+    <message>
+        <source>Show channel</source>
+        <translation>Mostrar el canal</translation>
+    </message>
+    <message>
+        <source>Hide channel</source>
+        <translation>Ocultar el canal</translation>
+    </message>
+    <message>
+        <source>Chart %1</source>
+        <translation>Gráfico %1</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>error</translation>
+    </message>
+    <message>
+        <source>Expression</source>
+        <translation>Expresión</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unidad</translation>
+    </message>
+    <message>
+        <source>Style</source>
+        <translation>Estilo</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automático</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Línea</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Escalón</translation>
+    </message>
+    <message>
+        <source>Digital</source>
+        <translation>Digital</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Color</translation>
+    </message>
+    <message>
+        <source>Line width</source>
+        <translation>Grosor de línea</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Factor</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Desplazamiento</translation>
+    </message>
+    <message>
+        <source>Chart</source>
+        <translation>Gráfico</translation>
+    </message>
+    <message>
+        <source>New chart</source>
+        <translation>Gráfico nuevo</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Eje</translation>
+    </message>
+    <message>
+        <source>Axis %1</source>
+        <translation>Eje %1</translation>
+    </message>
+    <message>
+        <source>New axis</source>
+        <translation>Eje nuevo</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Título</translation>
+    </message>
+    <message>
+        <source>Share of height</source>
+        <translation>Parte de la altura</translation>
+    </message>
+    <message>
+        <source>Scaling</source>
+        <translation>Escalado</translation>
+    </message>
+    <message>
+        <source>Fit to view</source>
+        <translation>Ajustar a la vista</translation>
+    </message>
+    <message>
+        <source>Fixed</source>
+        <translation>Fijo</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>Mínimo</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Máximo</translation>
+    </message>
+    <message>
+        <source>On the right</source>
+        <translation>A la derecha</translation>
+    </message>
+    <message>
+        <source>Trace</source>
+        <translation>Traza</translation>
+    </message>
+    <message>
+        <source>Every n-th scan</source>
+        <translation>Cada n ciclos</translation>
+    </message>
+    <message>
+        <source>Record while</source>
+        <translation>Condición de grabación</translation>
+    </message>
+    <message>
+        <source>Trigger</source>
+        <translation>Disparador</translation>
+    </message>
+    <message>
+        <source>Edge</source>
+        <translation>Flanco</translation>
+    </message>
+    <message>
+        <source>Rising</source>
+        <translation>Ascendente</translation>
+    </message>
+    <message>
+        <source>Falling</source>
+        <translation>Descendente</translation>
+    </message>
+    <message>
+        <source>Both</source>
+        <translation>Ambos</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Nivel</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Modo</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Desactivado</translation>
+    </message>
+    <message>
+        <source>Single</source>
+        <translation>Único</translation>
+    </message>
+    <message>
+        <source>Repeated</source>
+        <translation>Repetido</translation>
+    </message>
+    <message>
+        <source>Shown before</source>
+        <translation>Mostrado antes del disparo</translation>
+    </message>
+    <message>
+        <source>Shown after</source>
+        <translation>Mostrado después del disparo</translation>
+    </message>
+    <message>
+        <source>Change channel</source>
+        <translation>Cambiar el canal</translation>
+    </message>
+    <message>
+        <source>Change chart</source>
+        <translation>Cambiar el gráfico</translation>
+    </message>
+    <message>
+        <source>Change trace</source>
+        <translation>Cambiar la traza</translation>
+    </message>
+    <message>
+        <source>Remove channel</source>
+        <translation>Quitar el canal</translation>
+    </message>
+    <message>
+        <source>Remove chart</source>
+        <translation>Quitar el gráfico</translation>
+    </message>
+    <message>
+        <source>Move channel</source>
+        <translation>Mover el canal</translation>
+    </message>
+</context>
+<context>
+    <name>plc::trace::TimeBar</name>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>Resumed from here
+%1</source>
+        <translation>Reanudado desde aquí
+%1</translation>
+    </message>
+</context>
+<context>
+    <name>plc::trace::TimeSlider</name>
+    <message>
+        <source>Time slider</source>
+        <translation>Control deslizante del tiempo</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Variable whose changes to step to</source>
+        <translation>Variable por cuyos cambios se avanza</translation>
+    </message>
+    <message>
+        <source>The arrows beside step to its previous and next change</source>
+        <translation>Las flechas de al lado van a su cambio anterior y siguiente</translation>
+    </message>
+    <message>
+        <source>One scan back (Left)</source>
+        <translation>Un ciclo atrás (Izquierda)</translation>
+    </message>
+    <message>
+        <source>One scan forth (Right)</source>
+        <translation>Un ciclo adelante (Derecha)</translation>
+    </message>
+    <message>
+        <source>Previous change of the variable (Ctrl+Left)</source>
+        <translation>Cambio anterior de la variable (Ctrl+Izquierda)</translation>
+    </message>
+    <message>
+        <source>Next change of the variable (Ctrl+Right)</source>
+        <translation>Cambio siguiente de la variable (Ctrl+Derecha)</translation>
+    </message>
+    <message>
+        <source>Resume the controller from this scan</source>
+        <translation>Reanudar el controlador desde este ciclo</translation>
+    </message>
+    <message>
+        <source>Back to the newest scan (End)</source>
+        <translation>Volver al ciclo más reciente (Fin)</translation>
+    </message>
+    <message>
+        <source>Older scans are no longer kept.</source>
+        <translation>Los ciclos más antiguos ya no se conservan.</translation>
+    </message>
+    <message>
+        <source>%1 does not change before this scan.</source>
+        <translation>%1 no cambia antes de este ciclo.</translation>
+    </message>
+    <message>
+        <source>%1 does not change after this scan.</source>
+        <translation>%1 no cambia después de este ciclo.</translation>
+    </message>
+    <message>
+        <source>No recording</source>
+        <translation>Sin grabación</translation>
+    </message>
+    <message>
+        <source>no longer kept</source>
+        <translation>ya no se conserva</translation>
+    </message>
+    <message>
+        <source>scan %1  %2</source>
+        <translation>ciclo %1  %2</translation>
+    </message>
+</context>
+<context>
+    <name>plc::trace::TraceView</name>
+    <message>
+        <source>Trace</source>
+        <translation>Traza</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Mediciones</translation>
+    </message>
+    <message>
+        <source>Show channel</source>
+        <translation>Mostrar el canal</translation>
+    </message>
+    <message>
+        <source>Hide channel</source>
+        <translation>Ocultar el canal</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Seguir</translation>
+    </message>
+    <message>
+        <source>Follow the newest scan (End)</source>
+        <translation>Seguir el ciclo más reciente (Fin)</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Ajustar</translation>
+    </message>
+    <message>
+        <source>Show everything recorded (Home)</source>
+        <translation>Mostrar todo lo grabado (Inicio)</translation>
+    </message>
+    <message>
+        <source>Fit values</source>
+        <translation>Ajustar los valores</translation>
+    </message>
+    <message>
+        <source>Let the value axes fit again</source>
+        <translation>Volver a ajustar los ejes de valores</translation>
+    </message>
+    <message>
+        <source>Zoom back</source>
+        <translation>Zoom anterior</translation>
+    </message>
+    <message>
+        <source>Back to the view before (Backspace)</source>
+        <translation>Volver a la vista anterior (Retroceso)</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoom</translation>
+    </message>
+    <message>
+        <source>Drag a box to zoom: flat for time, upright for values</source>
+        <translation>Arrastre un recuadro para ampliar: plano para el tiempo, alto para los valores</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>Desplazar la vista</translation>
+    </message>
+    <message>
+        <source>Drag to pan (middle button always does)</source>
+        <translation>Arrastre para desplazar la vista (con el botón central, siempre)</translation>
+    </message>
+    <message>
+        <source>Cursors</source>
+        <translation>Cursores</translation>
+    </message>
+    <message>
+        <source>Two cursors (Ctrl+click sets A, Shift+click sets B)</source>
+        <translation>Dos cursores (Ctrl+clic pone A, Mayús+clic pone B)</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Medir</translation>
+    </message>
+    <message>
+        <source>Table of values and statistics between the cursors</source>
+        <translation>Tabla de valores y estadísticas entre los cursores</translation>
+    </message>
+    <message>
+        <source>Measuring table</source>
+        <translation>Tabla de medición</translation>
+    </message>
+    <message>
+        <source>Trigger</source>
+        <translation>Disparador</translation>
+    </message>
+    <message>
+        <source>Arm the trigger set in the properties of the trace</source>
+        <translation>Armar el disparador definido en las propiedades de la traza</translation>
+    </message>
+    <message>
+        <source>Previous trigger</source>
+        <translation>Disparo anterior</translation>
+    </message>
+    <message>
+        <source>Where the trigger would have fired before</source>
+        <translation>Dónde se habría disparado antes el disparador</translation>
+    </message>
+    <message>
+        <source>Next trigger</source>
+        <translation>Disparo siguiente</translation>
+    </message>
+    <message>
+        <source>Where the trigger would have fired next</source>
+        <translation>Dónde se habría disparado después el disparador</translation>
+    </message>
+    <message>
+        <source>Add chart</source>
+        <translation>Añadir gráfico</translation>
+    </message>
+    <message>
+        <source>Another chart over the same time</source>
+        <translation>Otro gráfico sobre el mismo tiempo</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Comparar</translation>
+    </message>
+    <message>
+        <source>Load an older recording beneath the present one</source>
+        <translation>Cargar una grabación anterior debajo de la actual</translation>
+    </message>
+    <message>
+        <source>Recording to draw beneath</source>
+        <translation>Grabación que se dibuja debajo</translation>
+    </message>
+    <message>
+        <source>Recordings (*.rec);;All files (*)</source>
+        <translation>Grabaciones (*.rec);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Trace set-up</source>
+        <translation>Configuración de traza</translation>
+    </message>
+    <message>
+        <source>Open set-up…</source>
+        <translation>Abrir configuración…</translation>
+    </message>
+    <message>
+        <source>Open trace set-up</source>
+        <translation>Abrir configuración de traza</translation>
+    </message>
+    <message>
+        <source>Trace set-ups (*.trace.json)</source>
+        <translation>Configuraciones de traza (*.trace.json)</translation>
+    </message>
+    <message>
+        <source>Save trace set-up</source>
+        <translation>Guardar configuración de traza</translation>
+    </message>
+    <message>
+        <source>Save set-up</source>
+        <translation>Guardar configuración</translation>
+    </message>
+    <message>
+        <source>Save set-up as…</source>
+        <translation>Guardar configuración como…</translation>
+    </message>
+    <message>
+        <source>Open recording…</source>
+        <translation>Abrir grabación…</translation>
+    </message>
+    <message>
+        <source>Open recording</source>
+        <translation>Abrir grabación</translation>
+    </message>
+    <message>
+        <source>Back to the running PLC</source>
+        <translation>Volver al directo del PLC</translation>
+    </message>
+    <message>
+        <source>Save recording…</source>
+        <translation>Guardar grabación…</translation>
+    </message>
+    <message>
+        <source>Save recording</source>
+        <translation>Guardar grabación</translation>
+    </message>
+    <message>
+        <source>Recordings (*.rec)</source>
+        <translation>Grabaciones (*.rec)</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportar</translation>
+    </message>
+    <message>
+        <source>Copy as picture</source>
+        <translation>Copiar como imagen</translation>
+    </message>
+    <message>
+        <source>Save samples in view as CSV…</source>
+        <translation>Guardar los valores visibles como CSV…</translation>
+    </message>
+    <message>
+        <source>Save as %1…</source>
+        <translation>Guardar como %1…</translation>
+    </message>
+    <message>
+        <source>Print…</source>
+        <translation>Imprimir…</translation>
+    </message>
+    <message>
+        <source>Save as %1</source>
+        <translation>Guardar como %1</translation>
+    </message>
+    <message>
+        <source>Add channel</source>
+        <translation>Añadir canal</translation>
+    </message>
+    <message>
+        <source>Arm trigger</source>
+        <translation>Armar el disparador</translation>
+    </message>
+    <message>
+        <source>The trigger has no expression yet: enter one in the properties of the trace.</source>
+        <translation>El disparador aún no tiene expresión: escriba una en las propiedades de la traza.</translation>
+    </message>
+    <message>
+        <source>Trigger armed</source>
+        <translation>Disparador armado</translation>
+    </message>
+    <message>
+        <source>Triggered, collecting</source>
+        <translation>Disparado, recogiendo valores</translation>
+    </message>
+    <message>
+        <source>Triggered</source>
+        <translation>Disparado</translation>
+    </message>
+    <message numerus="yes">
+        <source>(%n shot(s))</source>
+        <translation>
+            <numerusform>(%n disparo)</numerusform>
+            <numerusform>(%n disparos)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not running</source>
+        <translation>Parado</translation>
+    </message>
+    <message>
+        <source>%L1 scans kept  ·  history %2 of %3 MB  ·  channels %4 of %5 MB</source>
+        <translation>%L1 ciclos conservados  ·  historial %2 de %3 MB  ·  canales %4 de %5 MB</translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation>Propiedades</translation>
+    </message>
+    <message>
+        <source>Remove channel</source>
+        <translation>Quitar el canal</translation>
+    </message>
+    <message>
+        <source>Add channel…</source>
+        <translation>Añadir canal…</translation>
+    </message>
+    <message>
+        <source>Trigger off</source>
+        <translation>Desactivar el disparador</translation>
+    </message>
+    <message>
+        <source>Saving the samples…</source>
+        <translation>Guardando los valores…</translation>
+    </message>
+    <message>
+        <source>Opening %1…</source>
+        <translation>Abriendo %1…</translation>
+    </message>
+    <message>
+        <source>Saving the recording…</source>
+        <translation>Guardando la grabación…</translation>
+    </message>
+</context>
+<context>
+    <name>Phrases</name>
+    <message>
+        <source>a name</source>
+        <translation>un nombre</translation>
+    </message>
+    <message>
+        <source>a label</source>
+        <translation>una etiqueta</translation>
+    </message>
+    <message>
+        <source>an operand</source>
+        <translation>un operando</translation>
+    </message>
+    <message>
+        <source>an expression</source>
+        <translation>una expresión</translation>
+    </message>
+    <message>
+        <source>a value</source>
+        <translation>un valor</translation>
+    </message>
+    <message>
+        <source>a type</source>
+        <translation>un tipo</translation>
+    </message>
+    <message>
+        <source>an index</source>
+        <translation>un índice</translation>
+    </message>
+    <message>
+        <source>an argument</source>
+        <translation>un argumento</translation>
+    </message>
+    <message>
+        <source>an address</source>
+        <translation>una dirección</translation>
+    </message>
+    <message>
+        <source>an action</source>
+        <translation>una acción</translation>
+    </message>
+    <message>
+        <source>a CASE label</source>
+        <translation>una etiqueta CASE</translation>
+    </message>
+    <message>
+        <source>a block&apos;s name</source>
+        <translation>el nombre de un bloque</translation>
+    </message>
+    <message>
+        <source>a processor&apos;s name</source>
+        <translation>el nombre de un procesador</translation>
+    </message>
+    <message>
+        <source>a task&apos;s name</source>
+        <translation>el nombre de una tarea</translation>
+    </message>
+    <message>
+        <source>a program instance&apos;s name</source>
+        <translation>el nombre de una instancia de programa</translation>
+    </message>
+    <message>
+        <source>an input or output</source>
+        <translation>una entrada o salida</translation>
+    </message>
+    <message>
+        <source>a variable&apos;s name</source>
+        <translation>el nombre de una variable</translation>
+    </message>
+    <message>
+        <source>a variable&apos;s path</source>
+        <translation>la ruta de una variable</translation>
+    </message>
+    <message>
+        <source>a step&apos;s name</source>
+        <translation>el nombre de una etapa</translation>
+    </message>
+    <message>
+        <source>a type&apos;s name</source>
+        <translation>el nombre de un tipo</translation>
+    </message>
+    <message>
+        <source>a member&apos;s name</source>
+        <translation>el nombre de un miembro</translation>
+    </message>
+    <message>
+        <source>an access name</source>
+        <translation>un nombre de acceso</translation>
+    </message>
+    <message>
+        <source>an enumeration value</source>
+        <translation>un valor de enumeración</translation>
+    </message>
+    <message>
+        <source>the end of the line</source>
+        <translation>el final de la línea</translation>
+    </message>
+    <message>
+        <source>the end of the file</source>
+        <translation>el final del archivo</translation>
+    </message>
+    <message>
+        <source>{0} or {1}</source>
+        <translation>{0} o {1}</translation>
+    </message>
+    <message>
+        <source>FOR and a time</source>
+        <translation>FOR y un tiempo</translation>
+    </message>
+    <message>
+        <source>:= or instructions</source>
+        <translation>:= o instrucciones</translation>
+    </message>
+    <message>
+        <source>a subrange</source>
+        <translation>un subrango</translation>
+    </message>
+    <message>
+        <source>an enumeration</source>
+        <translation>una enumeración</translation>
+    </message>
+    <message>
+        <source>in parentheses</source>
+        <translation>entre paréntesis</translation>
+    </message>
+    <message>
+        <source>a chart</source>
+        <translation>una secuencia (SFC)</translation>
+    </message>
+    <message>
+        <source>a body</source>
+        <translation>un cuerpo</translation>
+    </message>
+    <message>
+        <source>in a CLASS</source>
+        <translation>en una CLASS</translation>
+    </message>
+    <message>
+        <source>in a FUNCTION</source>
+        <translation>en una FUNCTION</translation>
+    </message>
+    <message>
+        <source>in a METHOD</source>
+        <translation>en un METHOD</translation>
+    </message>
+    <message>
+        <source>in a PROGRAM</source>
+        <translation>en un PROGRAM</translation>
+    </message>
+    <message>
+        <source>in a FUNCTION_BLOCK</source>
+        <translation>en un FUNCTION_BLOCK</translation>
+    </message>
+    <message>
+        <source>here</source>
+        <translation>aquí</translation>
+    </message>
+    <message>
+        <source>in {0}</source>
+        <translation>en {0}</translation>
+    </message>
+    <message>
+        <source>in an expression</source>
+        <translation>en una expresión</translation>
+    </message>
+    <message>
+        <source>in an initial value</source>
+        <translation>en un valor inicial</translation>
+    </message>
+    <message>
+        <source>in this section</source>
+        <translation>en esta sección</translation>
+    </message>
+    <message>
+        <source>an initial value</source>
+        <translation>un valor inicial</translation>
+    </message>
+    <message>
+        <source>RETURN with a value</source>
+        <translation>RETURN con un valor</translation>
+    </message>
+    <message>
+        <source>in a declaration that calls FB_Init</source>
+        <translation>en una declaración que llama a FB_Init</translation>
+    </message>
+    <message>
+        <source>{0} (VAR_IN_OUT)</source>
+        <translation>{0} (VAR_IN_OUT)</translation>
+    </message>
+    <message>
+        <source>in {0}, which is not abstract itself</source>
+        <translation>en {0}, que no es abstracto</translation>
+    </message>
+    <message>
+        <source>address</source>
+        <translation>dirección</translation>
+    </message>
+    <message>
+        <source>duration</source>
+        <translation>duración</translation>
+    </message>
+    <message>
+        <source>date</source>
+        <translation>fecha</translation>
+    </message>
+    <message>
+        <source>time of day</source>
+        <translation>hora del día</translation>
+    </message>
+    <message>
+        <source>date and time</source>
+        <translation>fecha y hora</translation>
+    </message>
+    <message>
+        <source>integer</source>
+        <translation>entero</translation>
+    </message>
+    <message>
+        <source>string</source>
+        <translation>cadena</translation>
+    </message>
+    <message>
+        <source>{0} (a constant)</source>
+        <translation>{0} (una constante)</translation>
+    </message>
+    <message>
+        <source>{0} (an output)</source>
+        <translation>{0} (una salida)</translation>
+    </message>
+    <message>
+        <source>{0} (a local variable of {1})</source>
+        <translation>{0} (una variable local de {1})</translation>
+    </message>
+    <message>
+        <source>{0} (an input)</source>
+        <translation>{0} (una entrada)</translation>
+    </message>
+    <message>
+        <source>{0} (an input; the next scan overwrites it)</source>
+        <translation>{0} (una entrada; el próximo ciclo la sobrescribe)</translation>
+    </message>
+    <message>
+        <source>{0} (a property without SET)</source>
+        <translation>{0} (una propiedad sin SET)</translation>
+    </message>
+    <message>
+        <source>{0} (no instance, or several)</source>
+        <translation>{0} (ninguna instancia, o varias)</translation>
+    </message>
+    <message>
+        <source>{0} (a type; declare an instance of it)</source>
+        <translation>{0} (un tipo; declare una instancia)</translation>
+    </message>
+    <message>
+        <source>{0} (a variable, which hides the function of this name)</source>
+        <translation>{0} (una variable que oculta la función del mismo nombre)</translation>
+    </message>
+    <message>
+        <source>an output</source>
+        <translation>una salida</translation>
+    </message>
+    <message>
+        <source>an input</source>
+        <translation>una entrada</translation>
+    </message>
+    <message>
+        <source>an IN_OUT parameter</source>
+        <translation>un parámetro IN_OUT</translation>
+    </message>
+    <message>
+        <source>a power of a computed number</source>
+        <translation>una potencia de un número calculado</translation>
+    </message>
+    <message>
+        <source>a call of {0}</source>
+        <translation>una llamada a {0}</translation>
+    </message>
+    <message>
+        <source>a call without arguments</source>
+        <translation>una llamada sin argumentos</translation>
+    </message>
+    <message>
+        <source>a computed second argument of {0}</source>
+        <translation>un segundo argumento calculado de {0}</translation>
+    </message>
+    <message>
+        <source>{0} outside a loop</source>
+        <translation>{0} fuera de un bucle</translation>
+    </message>
+    <message>
+        <source>this statement</source>
+        <translation>esta instrucción</translation>
+    </message>
+    <message>
+        <source>FOR with this end or step</source>
+        <translation>FOR con este final o paso</translation>
+    </message>
+    <message>
+        <source>an assignment of several variables</source>
+        <translation>una asignación de varias variables</translation>
+    </message>
+    <message>
+        <source>CASE of a computed value</source>
+        <translation>CASE de un valor calculado</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>un texto</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>un número</translation>
+    </message>
+    <message>
+        <source>an integer</source>
+        <translation>un entero</translation>
+    </message>
+    <message>
+        <source>a number of seconds</source>
+        <translation>un número de segundos</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>una lista</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>un objeto</translation>
+    </message>
+    <message>
+        <source>one of {0}</source>
+        <translation>uno de {0}</translation>
+    </message>
+</context>
+<context>
+    <name>Fixes</name>
+    <message>
+        <source>Replace with {0}</source>
+        <translation>Reemplazar por {0}</translation>
+    </message>
+    <message>
+        <source>Insert {0}</source>
+        <translation>Insertar {0}</translation>
+    </message>
+    <message>
+        <source>Did you mean {0}?</source>
+        <translation>¿Quería decir {0}?</translation>
+    </message>
+    <message>
+        <source>Convert with {0}</source>
+        <translation>Convertir con {0}</translation>
+    </message>
+    <message>
+        <source>Move {0} to {1}</source>
+        <translation>Mover {0} a {1}</translation>
+    </message>
+    <message>
+        <source>Add the property {0}</source>
+        <translation>Añadir la propiedad {0}</translation>
+    </message>
+    <message>
+        <source>Add the method {0}</source>
+        <translation>Añadir el método {0}</translation>
+    </message>
+    <message>
+        <source>Add the missing branches</source>
+        <translation>Añadir las ramas que faltan</translation>
+    </message>
+    <message>
+        <source>Add ELSE</source>
+        <translation>Añadir ELSE</translation>
+    </message>
+    <message>
+        <source>Add () to call it</source>
+        <translation>Añadir () para llamarlo</translation>
+    </message>
+    <message>
+        <source>Compare with 0</source>
+        <translation>Comparar con 0</translation>
+    </message>
+    <message>
+        <source>Remove the unused declaration</source>
+        <translation>Quitar la declaración sin usar</translation>
+    </message>
+    <message>
+        <source>Replace with IF and ELSIF</source>
+        <translation>Reemplazar por IF y ELSIF</translation>
+    </message>
+    <message>
+        <source>Change to a WSTRING literal</source>
+        <translation>Cambiar a un literal WSTRING</translation>
+    </message>
+    <message>
+        <source>Replace with straight quotes</source>
+        <translation>Reemplazar por comillas rectas</translation>
+    </message>
+    <message>
+        <source>Make {0} the initial step</source>
+        <translation>Convertir {0} en la etapa inicial</translation>
+    </message>
+    <message>
+        <source>Dereference the pointer with ^</source>
+        <translation>Desreferenciar el puntero con ^</translation>
+    </message>
+</context>
+<context>
+    <name>Notes</name>
+    <message>
+        <source>first declared here</source>
+        <translation>declarado aquí por primera vez</translation>
+    </message>
+    <message>
+        <source>declared here</source>
+        <translation>declarado aquí</translation>
+    </message>
+    <message>
+        <source>the variable</source>
+        <translation>la variable</translation>
+    </message>
+    <message>
+        <source>the first program</source>
+        <translation>el primer programa</translation>
+    </message>
+    <message>
+        <source>overridden here</source>
+        <translation>sobrescrito aquí</translation>
+    </message>
+    <message>
+        <source>the first one</source>
+        <translation>el primero</translation>
+    </message>
+    <message>
+        <source>by this transition, while it is active</source>
+        <translation>por esta transición, mientras está activa</translation>
+    </message>
+</context>
+<context>
+    <name>Exchange</name>
+    <message>
+        <source>The file is written in {0}</source>
+        <translation>El archivo está escrito en {0}</translation>
+    </message>
+    <message>
+        <source>The file was not read: {0}</source>
+        <translation>El archivo no se ha leído: {0}</translation>
+    </message>
+    <message>
+        <source>The element {0} was not read</source>
+        <translation>El elemento {0} no se ha leído</translation>
+    </message>
+    <message>
+        <source>The vendor&apos;s data {0} is kept in exchange.json</source>
+        <translation>Los datos {0} del fabricante se conservan en exchange.json</translation>
+    </message>
+    <message>
+        <source>The body in {0} became structured text; the diagram is kept in exchange.json</source>
+        <translation>El cuerpo en {0} se ha convertido en texto estructurado; el diagrama se conserva en exchange.json</translation>
+    </message>
+    <message>
+        <source>The body in {0} is stored in a form that only its own editor reads; export it there as PLCopen XML</source>
+        <translation>El cuerpo en {0} está guardado en un formato que solo lee su propio editor; expórtelo allí como PLCopen XML</translation>
+    </message>
+    <message>
+        <source>A jump leads to the step {0}, which does not exist</source>
+        <translation>Un salto lleva a la etapa {0}, que no existe</translation>
+    </message>
+    <message>
+        <source>The element {0} of the chart is not connected and was left out</source>
+        <translation>El elemento {0} de la secuencia (SFC) no está conectado y se ha omitido</translation>
+    </message>
+    <message>
+        <source>The transition from {0} has no condition; it is written as FALSE</source>
+        <translation>La transición desde {0} no tiene condición; se escribe como FALSE</translation>
+    </message>
+    <message>
+        <source>The element {0} takes part in a loop without a block that stores a value; its last value is not kept</source>
+        <translation>El elemento {0} forma parte de un bucle sin bloque que almacene un valor; su último valor no se conserva</translation>
+    </message>
+    <message>
+        <source>The element {0} is not connected and was left out</source>
+        <translation>El elemento {0} no está conectado y se ha omitido</translation>
+    </message>
+    <message>
+        <source>An edge in a function needs the value of the last call, which a function does not store</source>
+        <translation>Un flanco en una función necesita el valor de la última llamada, que una función no almacena</translation>
+    </message>
+    <message>
+        <source>The result of {0} is used in several places and is computed in each</source>
+        <translation>El resultado de {0} se usa en varios lugares y se calcula en cada uno</translation>
+    </message>
+    <message>
+        <source>The type of the result of {0} is not known; it is computed although EN is FALSE</source>
+        <translation>El tipo del resultado de {0} no se conoce; se calcula aunque EN sea FALSE</translation>
+    </message>
+    <message>
+        <source>The library {0} is not part of Stepwise; uses of it are reported by the check</source>
+        <translation>La biblioteca {0} no forma parte de Stepwise; la comprobación notifica sus usos</translation>
+    </message>
+    <message>
+        <source>Code in C is kept as a comment and is not executed</source>
+        <translation>El código en C se conserva como comentario y no se ejecuta</translation>
+    </message>
+    <message>
+        <source>There are two units named {0}; the second is in {1}</source>
+        <translation>Hay dos POU llamados {0}; el segundo está en {1}</translation>
+    </message>
+    <message>
+        <source>The configuration of the devices was not read; assign the inputs and outputs again</source>
+        <translation>La configuración de los dispositivos no se ha leído; vuelva a asignar las entradas y salidas</translation>
+    </message>
+    <message>
+        <source>The task {0} is started by the event {1}, which does not exist here; give it an INTERVAL or a SINGLE</source>
+        <translation>La tarea {0} la inicia el evento {1}, que aquí no existe; asígnele un INTERVAL o un SINGLE</translation>
+    </message>
+    <message>
+        <source>{0} counts %MW1 in words, here it is counted in bytes; check that the addresses do not overlap</source>
+        <translation>{0} cuenta %MW1 en palabras, aquí se cuenta en bytes; compruebe que las direcciones no se solapen</translation>
+    </message>
+    <message>
+        <source>A comment outside of the elements was left out: {0}</source>
+        <translation>Se ha omitido un comentario fuera de los elementos: {0}</translation>
+    </message>
+    <message>
+        <source>The diagram in {0} was not read: an expression repeats itself without end</source>
+        <translation>El diagrama en {0} no se ha leído: una expresión se repite sin fin</translation>
+    </message>
+    <message>
+        <source>A condition in {0} needs the call of a block, which a condition cannot make</source>
+        <translation>Una condición en {0} necesita llamar a un bloque, lo que una condición no puede hacer</translation>
+    </message>
+    <message>
+        <source>The transition {0} is not a single expression and was not read</source>
+        <translation>La transición {0} no es una única expresión y no se ha leído</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for panels; they were left out</source>
+        <translation>PLCopen XML no tiene lugar para paneles; se han omitido</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for traces; they were left out</source>
+        <translation>PLCopen XML no tiene lugar para trazas; se han omitido</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for tests; they were left out</source>
+        <translation>PLCopen XML no tiene lugar para pruebas; se han omitido</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for tests; the TEST &apos;{0}&apos; was left out</source>
+        <translation>PLCopen XML no tiene lugar para pruebas; el TEST «{0}» se ha omitido</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for namespaces; a NAMESPACE was left out with its units</source>
+        <translation>PLCopen XML no tiene lugar para espacios de nombres; se ha omitido un NAMESPACE con sus POU</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for USING; it was left out</source>
+        <translation>PLCopen XML no tiene lugar para USING; se ha omitido</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for the name of the transition {0}; it was left out</source>
+        <translation>PLCopen XML no tiene lugar para el nombre de la transición {0}; se ha omitido</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has one indicator per action; {0} was left out</source>
+        <translation>PLCopen XML tiene un indicador por acción; {0} se ha omitido</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no methods; {0} was left out</source>
+        <translation>La versión 0201 no tiene métodos; {0} se ha omitido</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no properties; {0} was left out</source>
+        <translation>La versión 0201 no tiene propiedades; {0} se ha omitido</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no interfaces; {0} was left out</source>
+        <translation>La versión 0201 no tiene interfaces; {0} se ha omitido</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no unions; {0} was left out</source>
+        <translation>La versión 0201 no tiene uniones; {0} se ha omitido</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no inheritance; EXTENDS or IMPLEMENTS of {0} was left out</source>
+        <translation>La versión 0201 no tiene herencia; se ha omitido EXTENDS o IMPLEMENTS de {0}</translation>
+    </message>
+    <message>
+        <source>Version 0201 does not have the type {0}; other tools will not know it</source>
+        <translation>La versión 0201 no tiene el tipo {0}; otras herramientas no lo conocerán</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for the pragma {0} of a step; it was left out</source>
+        <translation>La versión 0201 no tiene lugar para el pragma {0} de una etapa; se ha omitido</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for {0} of a task; it was left out</source>
+        <translation>La versión 0201 no tiene lugar para {0} de una tarea; se ha omitido</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for the connections of the program {0}; they were left out</source>
+        <translation>La versión 0201 no tiene lugar para las conexiones del programa {0}; se han omitido</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for libraries; {0} was left out</source>
+        <translation>La versión 0201 no tiene lugar para bibliotecas; {0} se ha omitido</translation>
+    </message>
+    <message>
+        <source>The file is no program source and was left out</source>
+        <translation>El archivo no es código fuente y se ha omitido</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::ImportDialog</name>
+    <message>
+        <source>Place</source>
+        <translation>Lugar</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Nota</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Informe</translation>
+    </message>
+    <message>
+        <source>Units: %1
+Bodies: %2
+Not kept: %3</source>
+        <translation>POU: %1
+Cuerpos: %2
+No conservados: %3</translation>
+    </message>
+    <message>
+        <source>Import a Project</source>
+        <translation>Importar un proyecto</translation>
+    </message>
+    <message>
+        <source>PLCopen XML, TwinCAT or CODESYS files, structured text</source>
+        <translation>PLCopen XML, archivos de TwinCAT o CODESYS, texto estructurado</translation>
+    </message>
+    <message>
+        <source>File…</source>
+        <translation>Archivo…</translation>
+    </message>
+    <message>
+        <source>Folder…</source>
+        <translation>Carpeta…</translation>
+    </message>
+    <message>
+        <source>Source files</source>
+        <translation>Archivos fuente</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vista previa</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importar</translation>
+    </message>
+    <message>
+        <source>From:</source>
+        <translation>Desde:</translation>
+    </message>
+    <message>
+        <source>New project in:</source>
+        <translation>Proyecto nuevo en:</translation>
+    </message>
+    <message>
+        <source>Projects of other tools (%1)</source>
+        <translation>Proyectos de otras herramientas (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>This folder is not empty; name a new one</source>
+        <translation>Esta carpeta no está vacía; indique una nueva</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::ExportDialog</name>
+    <message>
+        <source>Export the Project</source>
+        <translation>Exportar el proyecto</translation>
+    </message>
+    <message>
+        <source>PLCopen XML 0200, for CODESYS and TwinCAT</source>
+        <translation>PLCopen XML 0200, para CODESYS y TwinCAT</translation>
+    </message>
+    <message>
+        <source>PLCopen XML 0201, for Beremiz and OpenPLC</source>
+        <translation>PLCopen XML 0201, para Beremiz y OpenPLC</translation>
+    </message>
+    <message>
+        <source>File…</source>
+        <translation>Archivo…</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportar</translation>
+    </message>
+    <message>
+        <source>Format:</source>
+        <translation>Formato:</translation>
+    </message>
+    <message>
+        <source>To:</source>
+        <translation>A:</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::GraphView</name>
+    <message>
+        <source>Show all</source>
+        <translation>Mostrar todo</translation>
+    </message>
+    <message>
+        <source>Export as SVG, PNG or PDF…</source>
+        <translation>Exportar como SVG, PNG o PDF…</translation>
+    </message>
+    <message>
+        <source>Export the Drawing</source>
+        <translation>Exportar el dibujo</translation>
+    </message>
+    <message>
+        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
+        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written</source>
+        <translation>No se puede escribir %1</translation>
+    </message>
+    <message>
+        <source>Print…</source>
+        <translation>Imprimir…</translation>
+    </message>
+    <message>
+        <source>Fix the text first: this is the last good drawing</source>
+        <translation>Corrija primero el texto: este es el último dibujo correcto</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::RenameDialog</name>
+    <message>
+        <source>Rename</source>
+        <translation>Renombrar</translation>
+    </message>
+    <message>
+        <source>New name of %1, in the whole project:</source>
+        <translation>Nombre nuevo de %1, en todo el proyecto:</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Lugar</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Texto</translation>
+    </message>
+    <message>
+        <source>Places that change</source>
+        <translation>Lugares que cambian</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) change:</source>
+        <translation>
+            <numerusform>%n lugar cambia:</numerusform>
+            <numerusform>%n lugares cambian:</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>DiskChange</name>
+    <message>
+        <source>Changed outside</source>
+        <translation>Cambiado desde fuera</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program, and here too.</source>
+        <translation>Otro programa cambió %1, y aquí también se cambió.</translation>
+    </message>
+    <message>
+        <source>Compare both side by side, load the file from disk and lose the changes made here, or keep what is here and replace the file with the next save?</source>
+        <translation>¿Comparar los dos uno al lado del otro, cargar el archivo del disco y perder los cambios hechos aquí, o conservar lo de aquí y reemplazar el archivo la próxima vez que se guarde?</translation>
+    </message>
+    <message>
+        <source>Compare…</source>
+        <translation>Comparar…</translation>
+    </message>
+    <message>
+        <source>Load from Disk</source>
+        <translation>Cargar del disco</translation>
+    </message>
+    <message>
+        <source>Keep Mine</source>
+        <translation>Conservar lo mío</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::InstanceBar</name>
+    <message>
+        <source>Instance whose values are shown</source>
+        <translation>Instancia cuyos valores se muestran</translation>
+    </message>
+    <message>
+        <source>Values of the instance of %1:</source>
+        <translation>Valores de la instancia de %1:</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::MergeDialog</name>
+    <message>
+        <source>Compare %1</source>
+        <translation>Comparar %1</translation>
+    </message>
+    <message>
+        <source>Previous</source>
+        <translation>Anterior</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Siguiente</translation>
+    </message>
+    <message>
+        <source>Take Over</source>
+        <translation>Aceptar</translation>
+    </message>
+    <message>
+        <source>Take Over All</source>
+        <translation>Aceptar todo</translation>
+    </message>
+    <message>
+        <source>Here (this text is kept)</source>
+        <translation>Aquí (este texto se conserva)</translation>
+    </message>
+    <message>
+        <source>On disk</source>
+        <translation>En el disco</translation>
+    </message>
+    <message>
+        <source>Use the Text on the Left</source>
+        <translation>Usar el texto de la izquierda</translation>
+    </message>
+    <message>
+        <source>No differences</source>
+        <translation>Sin diferencias</translation>
+    </message>
+    <message>
+        <source>Difference %1 of %2</source>
+        <translation>Diferencia %1 de %2</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::PanelFiles</name>
+    <message>
+        <source>Texts</source>
+        <translation>Textos</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmas</translation>
+    </message>
+    <message>
+        <source>Panel %1</source>
+        <translation>Panel %1</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::RunsMenu</name>
+    <message>
+        <source>Earlier Runs</source>
+        <translation>Ejecuciones anteriores</translation>
+    </message>
+    <message>
+        <source>%1, ended by a fault, %2</source>
+        <translation>%1, terminada por un error, %2</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>The last run is being written…</source>
+        <translation>Escribiendo la última ejecución…</translation>
+    </message>
+    <message>
+        <source>No run has ended yet</source>
+        <translation>Aún no ha terminado ninguna ejecución</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::TestView</name>
+    <message>
+        <source>Run all tests</source>
+        <translation>Ejecutar todas las pruebas</translation>
+    </message>
+    <message>
+        <source>Run the selected tests</source>
+        <translation>Ejecutar las pruebas seleccionadas</translation>
+    </message>
+    <message>
+        <source>Run the failed tests</source>
+        <translation>Ejecutar las pruebas fallidas</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Prueba</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Resultado</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>Tests</source>
+        <translation>Pruebas</translation>
+    </message>
+    <message>
+        <source>%1 passed, %2 failed</source>
+        <translation>%1 superadas, %2 fallidas</translation>
+    </message>
+    <message>
+        <source>not run yet</source>
+        <translation>aún sin ejecutar</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>superada</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>fallida</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Show the Recording of the Failure</source>
+        <translation>Mostrar la grabación del fallo</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::TextPage</name>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>Línea %1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::RunArchive</name>
+    <message>
+        <source>The recording of the last run was not kept: %1</source>
+        <translation>La grabación de la última ejecución no se ha conservado: %1</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::LadderView</name>
+    <message>
+        <source>Ladder or function block diagram</source>
+        <translation>Esquema de contactos o diagrama de bloques</translation>
+    </message>
+    <message>
+        <source>Insert a rung below (Ctrl+T)</source>
+        <translation>Insertar un segmento debajo (Ctrl+T)</translation>
+    </message>
+    <message>
+        <source>Insert a contact on the left (Ctrl+K)</source>
+        <translation>Insertar un contacto a la izquierda (Ctrl+K)</translation>
+    </message>
+    <message>
+        <source>Insert a contact on the right (Ctrl+D)</source>
+        <translation>Insertar un contacto a la derecha (Ctrl+D)</translation>
+    </message>
+    <message>
+        <source>Insert a parallel contact (Ctrl+R)</source>
+        <translation>Insertar un contacto en paralelo (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>Insert a coil (Ctrl+A)</source>
+        <translation>Insertar una bobina (Ctrl+A)</translation>
+    </message>
+    <message>
+        <source>Insert a function block (Ctrl+B)</source>
+        <translation>Insertar un bloque de función (Ctrl+B)</translation>
+    </message>
+    <message>
+        <source>Edit (F2)</source>
+        <translation>Editar (F2)</translation>
+    </message>
+    <message>
+        <source>Delete (Del)</source>
+        <translation>Eliminar (Supr)</translation>
+    </message>
+    <message>
+        <source>Breakpoint on the rung (F9)</source>
+        <translation>Punto de interrupción en el segmento (F9)</translation>
+    </message>
+    <message>
+        <source>Show as a function block diagram</source>
+        <translation>Mostrar como diagrama de bloques</translation>
+    </message>
+    <message>
+        <source>Show as a ladder diagram</source>
+        <translation>Mostrar como esquema de contactos</translation>
+    </message>
+    <message>
+        <source>%1 is not in the text any more</source>
+        <translation>%1 ya no está en el texto</translation>
+    </message>
+    <message>
+        <source>The text has errors: this is the last good drawing</source>
+        <translation>El texto tiene errores: este es el último dibujo correcto</translation>
+    </message>
+    <message>
+        <source>Fix the text first: this is the last good drawing</source>
+        <translation>Corrija primero el texto: este es el último dibujo correcto</translation>
+    </message>
+    <message>
+        <source>Select a rung</source>
+        <translation>Seleccione un segmento</translation>
+    </message>
+    <message>
+        <source>Select a coil</source>
+        <translation>Seleccione una bobina</translation>
+    </message>
+    <message>
+        <source>Select a contact, a coil or a pin with a variable</source>
+        <translation>Seleccione un contacto, una bobina o una conexión con una variable</translation>
+    </message>
+    <message>
+        <source>The rung has no contact yet</source>
+        <translation>El segmento aún no tiene ningún contacto</translation>
+    </message>
+    <message>
+        <source>Select the rung that gets the block</source>
+        <translation>Seleccione el segmento que recibe el bloque</translation>
+    </message>
+    <message>
+        <source>block</source>
+        <translation>bloque</translation>
+    </message>
+    <message>
+        <source>Contact on the left; at a coil, the last contact</source>
+        <translation>Contacto a la izquierda; en una bobina, el último contacto</translation>
+    </message>
+    <message>
+        <source>Contact on the right</source>
+        <translation>Contacto a la derecha</translation>
+    </message>
+    <message>
+        <source>Parallel contact</source>
+        <translation>Contacto en paralelo</translation>
+    </message>
+    <message>
+        <source>Coil</source>
+        <translation>Bobina</translation>
+    </message>
+    <message>
+        <source>Function block in the rung</source>
+        <translation>Bloque de función en el segmento</translation>
+    </message>
+    <message>
+        <source>Rung above</source>
+        <translation>Segmento encima</translation>
+    </message>
+    <message>
+        <source>Rung below</source>
+        <translation>Segmento debajo</translation>
+    </message>
+    <message>
+        <source>Negate a contact, a coil or a pin</source>
+        <translation>Negar un contacto, una bobina o una conexión</translation>
+    </message>
+    <message>
+        <source>Coil: normal, set, reset</source>
+        <translation>Bobina: normal, set, reset</translation>
+    </message>
+    <message>
+        <source>Comment of the rung</source>
+        <translation>Comentario del segmento</translation>
+    </message>
+    <message>
+        <source>Edit what is selected (or Enter)</source>
+        <translation>Editar lo seleccionado (o Intro)</translation>
+    </message>
+    <message>
+        <source>Delete what is selected</source>
+        <translation>Eliminar lo seleccionado</translation>
+    </message>
+    <message>
+        <source>Breakpoint on the rung</source>
+        <translation>Punto de interrupción en el segmento</translation>
+    </message>
+    <message>
+        <source>This list</source>
+        <translation>Esta lista</translation>
+    </message>
+    <message>
+        <source>Arrows</source>
+        <translation>Flechas</translation>
+    </message>
+    <message>
+        <source>Select the next part; Up and Down also the next rung</source>
+        <translation>Seleccionar la parte siguiente; Arriba y Abajo también el segmento siguiente</translation>
+    </message>
+    <message>
+        <source>Move the rung up; with Down, down</source>
+        <translation>Mover el segmento hacia arriba; con Abajo, hacia abajo</translation>
+    </message>
+    <message>
+        <source>Typed before a name: a negated contact</source>
+        <translation>Escrito delante de un nombre: un contacto negado</translation>
+    </message>
+    <message>
+        <source>Keys in Ladder and Function Block Diagrams</source>
+        <translation>Teclas en esquemas de contactos y diagramas de bloques</translation>
+    </message>
+    <message>
+        <source>Insert a Rung Above</source>
+        <translation>Insertar un segmento encima</translation>
+    </message>
+    <message>
+        <source>Insert a Rung Below</source>
+        <translation>Insertar un segmento debajo</translation>
+    </message>
+    <message>
+        <source>Insert a Contact</source>
+        <translation>Insertar un contacto</translation>
+    </message>
+    <message>
+        <source>Insert a Parallel Contact</source>
+        <translation>Insertar un contacto en paralelo</translation>
+    </message>
+    <message>
+        <source>Insert a Coil</source>
+        <translation>Insertar una bobina</translation>
+    </message>
+    <message>
+        <source>Insert a Function Block…</source>
+        <translation>Insertar un bloque de función…</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Edición</translation>
+    </message>
+    <message>
+        <source>Comment…</source>
+        <translation>Comentario…</translation>
+    </message>
+    <message>
+        <source>Negate</source>
+        <translation>Negar</translation>
+    </message>
+    <message>
+        <source>Set or Reset</source>
+        <translation>Set o reset</translation>
+    </message>
+    <message>
+        <source>Move the Rung Up</source>
+        <translation>Subir el segmento</translation>
+    </message>
+    <message>
+        <source>Move the Rung Down</source>
+        <translation>Bajar el segmento</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Eliminar</translation>
+    </message>
+    <message>
+        <source>Force TRUE</source>
+        <translation>Forzar TRUE</translation>
+    </message>
+    <message>
+        <source>Force FALSE</source>
+        <translation>Forzar FALSE</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>Anular el forzado</translation>
+    </message>
+    <message>
+        <source>Toggle Breakpoint</source>
+        <translation>Alternar punto de interrupción</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,7688 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="fr" sourcelanguage="en">
+<context>
+    <name>Diagnostics</name>
+    <message>
+        <source>The character {0} has no meaning here</source>
+        <translation>Le caractère {0} n’a pas de sens ici</translation>
+    </message>
+    <message>
+        <source>Unterminated comment; close it with *)</source>
+        <translation>Commentaire non terminé ; le fermer par *)</translation>
+    </message>
+    <message>
+        <source>Unterminated string; add the closing quote</source>
+        <translation>Chaîne non terminée ; ajouter le guillemet fermant</translation>
+    </message>
+    <message>
+        <source>This is not valid UTF-8; save the file as UTF-8</source>
+        <translation>Ce n’est pas de l’UTF-8 valide ; enregistrer le fichier en UTF-8</translation>
+    </message>
+    <message>
+        <source>{0} is not a valid {1} literal</source>
+        <translation>{0} n’est pas un littéral valide ({1})</translation>
+    </message>
+    <message>
+        <source>Expected {0} before {1}</source>
+        <translation>Attendu avant {1} : {0}</translation>
+    </message>
+    <message>
+        <source>A semicolon is missing here</source>
+        <translation>Il manque un point-virgule ici</translation>
+    </message>
+    <message>
+        <source>{0} is missing for this {1}</source>
+        <translation>Il manque {0} pour ce {1}</translation>
+    </message>
+    <message>
+        <source>Unexpected {0}</source>
+        <translation>{0} inattendu</translation>
+    </message>
+    <message>
+        <source>This comparison has no effect; use := to assign</source>
+        <translation>Cette comparaison est sans effet ; utiliser := pour affecter</translation>
+    </message>
+    <message>
+        <source>An assignment is not a condition; use = to compare</source>
+        <translation>Une affectation n’est pas une condition ; utiliser = pour comparer</translation>
+    </message>
+    <message>
+        <source>A colon is missing between the name and its type</source>
+        <translation>Il manque un deux-points entre le nom et son type</translation>
+    </message>
+    <message>
+        <source>Decimal numbers use a point: {0}</source>
+        <translation>Les nombres décimaux utilisent le point : {0}</translation>
+    </message>
+    <message>
+        <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT</source>
+        <translation>Une borne ouverte s’écrit ARRAY[*] et n’est autorisée que pour VAR_IN_OUT</translation>
+    </message>
+    <message>
+        <source>This is nested too deeply to be compiled</source>
+        <translation>Imbrication trop profonde pour être compilée</translation>
+    </message>
+    <message>
+        <source>The pragma {0} is not known and has no effect</source>
+        <translation>Le pragma {0} est inconnu et sans effet</translation>
+    </message>
+    <message>
+        <source>{0} is missing; the program unit ends here</source>
+        <translation>Il manque {0} ; le POU se termine ici</translation>
+    </message>
+    <message>
+        <source>A semicolon is missing here; the statement ends here</source>
+        <translation>Il manque un point-virgule ici ; l’instruction se termine ici</translation>
+    </message>
+    <message>
+        <source>{0} is not declared</source>
+        <translation>{0} n’est pas déclaré</translation>
+    </message>
+    <message>
+        <source>{0} has no member {1}</source>
+        <translation>{0} n’a pas de membre {1}</translation>
+    </message>
+    <message>
+        <source>{0} cannot be converted to {1}</source>
+        <translation>{0} ne peut pas être converti en {1}</translation>
+    </message>
+    <message>
+        <source>Implicit conversion from {0} to {1} may lose data; convert it explicitly</source>
+        <translation>La conversion implicite de {0} en {1} peut perdre des données ; convertir explicitement</translation>
+    </message>
+    <message>
+        <source>{0} cannot be assigned to</source>
+        <translation>Il n’est pas possible d’affecter une valeur à {0}</translation>
+    </message>
+    <message>
+        <source>{0} cannot be used with {1}</source>
+        <translation>{0} ne peut pas être utilisé avec {1}</translation>
+    </message>
+    <message>
+        <source>{0} cannot combine {1} and {2}</source>
+        <translation>{0} ne peut pas combiner {1} et {2}</translation>
+    </message>
+    <message>
+        <source>{0} cannot be called</source>
+        <translation>{0} ne peut pas être appelé</translation>
+    </message>
+    <message>
+        <source>{0} has no parameter {1}</source>
+        <translation>{0} n’a pas de paramètre {1}</translation>
+    </message>
+    <message>
+        <source>The argument for {1} of {0} is missing</source>
+        <translation>Il manque l’argument pour {1} de {0}</translation>
+    </message>
+    <message>
+        <source>{0} takes {1} {1:argument|arguments}</source>
+        <translation>{0} attend {1} {1:argument|arguments}</translation>
+    </message>
+    <message>
+        <source>{0} is specified twice</source>
+        <translation>{0} est indiqué deux fois</translation>
+    </message>
+    <message>
+        <source>{0} is an IN_OUT parameter and needs a variable of type {1}</source>
+        <translation>{0} est un paramètre IN_OUT et demande une variable de type {1}</translation>
+    </message>
+    <message>
+        <source>{0} is not an array or string</source>
+        <translation>{0} n’est ni un tableau ni une chaîne</translation>
+    </message>
+    <message>
+        <source>This array has {0} {0:dimension|dimensions}, not {1}</source>
+        <translation>Ce tableau a {0} {0:dimension|dimensions}, et non {1}</translation>
+    </message>
+    <message>
+        <source>The index {0} is outside {1}..{2}</source>
+        <translation>L’indice {0} est en dehors de {1}..{2}</translation>
+    </message>
+    <message>
+        <source>Division by zero</source>
+        <translation>Division par zéro</translation>
+    </message>
+    <message>
+        <source>{0} does not fit into {1}</source>
+        <translation>{0} dépasse la plage de {1}</translation>
+    </message>
+    <message>
+        <source>A constant is needed here</source>
+        <translation>Une constante est nécessaire ici</translation>
+    </message>
+    <message>
+        <source>{0} is not a pointer or reference</source>
+        <translation>{0} n’est ni un pointeur ni une référence</translation>
+    </message>
+    <message>
+        <source>{0} has only the bits 0 to {1}</source>
+        <translation>{0} n’a que les bits 0 à {1}</translation>
+    </message>
+    <message>
+        <source>The condition must be BOOL, not {0}</source>
+        <translation>La condition doit être de type BOOL, et non {0}</translation>
+    </message>
+    <message>
+        <source>{0} does not return a value</source>
+        <translation>{0} ne renvoie pas de valeur</translation>
+    </message>
+    <message>
+        <source>{0} is ambiguous: {1}; write the namespace before it</source>
+        <translation>{0} est ambigu : {1} ; le faire précéder de l’espace de noms</translation>
+    </message>
+    <message>
+        <source>{0} is abstract and cannot be instantiated</source>
+        <translation>{0} est abstrait et ne peut pas être instancié</translation>
+    </message>
+    <message>
+        <source>{0} is {1} and cannot be used here</source>
+        <translation>{0} est {1} et ne peut pas être utilisé ici</translation>
+    </message>
+    <message>
+        <source>The character {0} is not in STRING (Latin-1); use WSTRING</source>
+        <translation>Le caractère {0} n’existe pas en STRING (Latin-1) ; utiliser WSTRING</translation>
+    </message>
+    <message>
+        <source>The text has {0} characters and will be truncated to {1}</source>
+        <translation>Le texte a {0} caractères et sera tronqué à {1}</translation>
+    </message>
+    <message>
+        <source>This integer division discards the fraction before the conversion to {0}</source>
+        <translation>Cette division entière supprime la partie décimale avant la conversion en {0}</translation>
+    </message>
+    <message>
+        <source>{0} is computed as {1} and may overflow before the conversion to {2}</source>
+        <translation>{0} est calculé en {1} et peut déborder avant la conversion en {2}</translation>
+    </message>
+    <message>
+        <source>{0} and {1} are compared as {2}; convert one of them</source>
+        <translation>{0} et {1} sont comparés en {2} ; convertir l’un des deux</translation>
+    </message>
+    <message>
+        <source>{0} is not checked against the enumeration {1}; use one of its names</source>
+        <translation>{0} n’est pas vérifié par rapport à l’énumération {1} ; utiliser l’un de ses noms</translation>
+    </message>
+    <message>
+        <source>The result of {0} is not used</source>
+        <translation>Le résultat de {0} n’est pas utilisé</translation>
+    </message>
+    <message>
+        <source>The address {0} is outside {1}</source>
+        <translation>L’adresse {0} est en dehors de {1}</translation>
+    </message>
+    <message>
+        <source>{0} is not allowed in a watch or binding, which cannot have side effects</source>
+        <translation>{0} n’est pas autorisé dans une surveillance ou une liaison de variable, qui doit être sans effet de bord</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; write {2}</source>
+        <translation>{0} est {1} ; écrire {2}</translation>
+    </message>
+    <message>
+        <source>A reference needs a variable that has an address</source>
+        <translation>Une référence demande une variable qui a une adresse</translation>
+    </message>
+    <message>
+        <source>{0} is declared twice</source>
+        <translation>{0} est déclaré deux fois</translation>
+    </message>
+    <message>
+        <source>There is no type {0}</source>
+        <translation>Le type {0} n’existe pas</translation>
+    </message>
+    <message>
+        <source>{0} contains itself; use a REFERENCE TO</source>
+        <translation>{0} se contient lui-même ; utiliser un REFERENCE TO</translation>
+    </message>
+    <message>
+        <source>{0} calls itself, which is not allowed: {1}</source>
+        <translation>{0} s’appelle lui-même, ce qui n’est pas autorisé : {1}</translation>
+    </message>
+    <message>
+        <source>{0} is never used</source>
+        <translation>{0} n’est jamais utilisé</translation>
+    </message>
+    <message>
+        <source>{0} is read but never written</source>
+        <translation>{0} est lu mais jamais écrit</translation>
+    </message>
+    <message>
+        <source>This is never executed</source>
+        <translation>Ceci n’est jamais exécuté</translation>
+    </message>
+    <message>
+        <source>The result of {0} is not set on every path</source>
+        <translation>Le résultat de {0} n’est pas affecté sur tous les chemins</translation>
+    </message>
+    <message>
+        <source>CASE has no branch for {0} and no ELSE</source>
+        <translation>CASE n’a ni branche pour {0} ni ELSE</translation>
+    </message>
+    <message>
+        <source>{0} already has a branch</source>
+        <translation>{0} a déjà une branche</translation>
+    </message>
+    <message>
+        <source>The task {0} is declared twice</source>
+        <translation>La tâche {0} est déclarée deux fois</translation>
+    </message>
+    <message>
+        <source>There is no task {0}</source>
+        <translation>La tâche {0} n’existe pas</translation>
+    </message>
+    <message>
+        <source>{0} does not implement {1} of {2}</source>
+        <translation>{0} n’implémente pas {1} de {2}</translation>
+    </message>
+    <message>
+        <source>The parameters of {0} must match those of the overridden method</source>
+        <translation>Les paramètres de {0} doivent correspondre à ceux de la méthode redéfinie</translation>
+    </message>
+    <message>
+        <source>{0} is FINAL and cannot be extended or overridden</source>
+        <translation>{0} est FINAL et ne peut être ni étendu ni redéfini</translation>
+    </message>
+    <message>
+        <source>{1} cannot extend {0}</source>
+        <translation>{1} ne peut pas étendre {0}</translation>
+    </message>
+    <message>
+        <source>{0} is not allowed {1}</source>
+        <translation>{0} n’est pas autorisé {1}</translation>
+    </message>
+    <message>
+        <source>There is no label {0}</source>
+        <translation>L’étiquette {0} n’existe pas</translation>
+    </message>
+    <message>
+        <source>{0} is only allowed inside a loop</source>
+        <translation>{0} n’est autorisé que dans une boucle</translation>
+    </message>
+    <message>
+        <source>The loop variable {0} is changed inside its loop</source>
+        <translation>La variable de boucle {0} est modifiée dans sa boucle</translation>
+    </message>
+    <message>
+        <source>There is no global variable {0} of type {1}</source>
+        <translation>La variable globale {0} de type {1} n’existe pas</translation>
+    </message>
+    <message>
+        <source>The variables need {0} bytes; the maximum is {1}</source>
+        <translation>Les variables demandent {0} octets ; le maximum est {1}</translation>
+    </message>
+    <message>
+        <source>There is no PROGRAM to run</source>
+        <translation>Il n’y a pas de PROGRAM à exécuter</translation>
+    </message>
+    <message>
+        <source>There are several programs and no CONFIGURATION; name one of them Main or write a CONFIGURATION</source>
+        <translation>Il y a plusieurs programmes et pas de CONFIGURATION ; en nommer un Main ou écrire une CONFIGURATION</translation>
+    </message>
+    <message>
+        <source>There is no namespace {0}</source>
+        <translation>L’espace de noms {0} n’existe pas</translation>
+    </message>
+    <message>
+        <source>The range {0}..{1} is not valid: the lower bound is above the upper bound or there are too many elements</source>
+        <translation>La plage {0}..{1} n’est pas valide : la borne inférieure dépasse la borne supérieure ou il y a trop d’éléments</translation>
+    </message>
+    <message>
+        <source>{0} is not a variable of this configuration</source>
+        <translation>{0} n’est pas une variable de cette configuration</translation>
+    </message>
+    <message>
+        <source>{0} has an incomplete address; complete it in a VAR_CONFIG</source>
+        <translation>{0} a une adresse incomplète ; la compléter dans un VAR_CONFIG</translation>
+    </message>
+    <message>
+        <source>{0} restarts on every call because functions keep no state</source>
+        <translation>{0} redémarre à chaque appel, car une fonction ne garde pas d’état</translation>
+    </message>
+    <message>
+        <source>Too many initial values: {0} for {1} {1:element|elements}</source>
+        <translation>Trop de valeurs initiales : {0} pour {1} {1:élément|éléments}</translation>
+    </message>
+    <message>
+        <source>{0} may call itself; the depth of recursion is limited at run time</source>
+        <translation>{0} peut s’appeler lui-même ; la profondeur de récursion est limitée à l’exécution</translation>
+    </message>
+    <message>
+        <source>The chart has no INITIAL_STEP</source>
+        <translation>Le grafcet n’a pas d’INITIAL_STEP</translation>
+    </message>
+    <message>
+        <source>The chart has two initial steps: {0} and {1}</source>
+        <translation>Le grafcet a deux étapes initiales : {0} et {1}</translation>
+    </message>
+    <message>
+        <source>There is no step {0}</source>
+        <translation>L’étape {0} n’existe pas</translation>
+    </message>
+    <message>
+        <source>No transition leads to step {0}; it can never become active</source>
+        <translation>Aucune transition ne mène à l’étape {0} ; elle ne peut jamais devenir active</translation>
+    </message>
+    <message>
+        <source>Step {0} can become active twice at the same time: the branches from here do not join</source>
+        <translation>L’étape {0} peut devenir active deux fois en même temps : les branches qui partent d’ici ne convergent pas</translation>
+    </message>
+    <message>
+        <source>The steps before this transition cannot be active together; start them from one simultaneous branch</source>
+        <translation>Les étapes avant cette transition ne peuvent pas être actives ensemble ; les démarrer par une même divergence simultanée</translation>
+    </message>
+    <message>
+        <source>This transition is always true; the step before it lasts one scan</source>
+        <translation>Cette transition est toujours vraie ; l’étape qui la précède dure un cycle</translation>
+    </message>
+    <message>
+        <source>The qualifier {0} needs a time, for example T#2s</source>
+        <translation>Le qualificatif {0} demande un temps, par exemple T#2s</translation>
+    </message>
+    <message>
+        <source>{0} is not an action qualifier</source>
+        <translation>{0} n’est pas un qualificatif d’action</translation>
+    </message>
+    <message>
+        <source>There is no action or BOOL variable {0}</source>
+        <translation>Il n’y a ni action ni variable BOOL {0}</translation>
+    </message>
+    <message>
+        <source>The step {0} is declared twice</source>
+        <translation>L’étape {0} est déclarée deux fois</translation>
+    </message>
+    <message>
+        <source>{0} is not an IL operator</source>
+        <translation>{0} n’est pas un opérateur IL</translation>
+    </message>
+    <message>
+        <source>{0} needs a current result; load one with LD</source>
+        <translation>{0} demande un résultat courant ; en charger un avec LD</translation>
+    </message>
+    <message>
+        <source>The parenthesis of this instruction is not closed</source>
+        <translation>La parenthèse de cette instruction n’est pas fermée</translation>
+    </message>
+    <message>
+        <source>The current result is {0} on one path to this label and {1} on another</source>
+        <translation>Le résultat courant est {0} sur un chemin vers cette étiquette et {1} sur un autre</translation>
+    </message>
+    <message>
+        <source>{0} is only allowed in a TEST</source>
+        <translation>{0} n’est autorisé que dans un TEST</translation>
+    </message>
+    <message>
+        <source>{0} is not a value of the strict enumeration {1}; use one of its names</source>
+        <translation>{0} n’est pas une valeur de l’énumération stricte {1} ; utiliser l’un de ses noms</translation>
+    </message>
+    <message>
+        <source>{0} is a strict enumeration and cannot be used in arithmetic; convert the value with {1}</source>
+        <translation>{0} est une énumération stricte et ne peut pas être utilisée dans un calcul ; convertir la valeur avec {1}</translation>
+    </message>
+    <message>
+        <source>{0} cannot compare {1} as a whole; compare the members one by one</source>
+        <translation>{0} ne peut pas comparer {1} en entier ; comparer les membres un par un</translation>
+    </message>
+    <message>
+        <source>A CASE selector must be an integer, enumeration or character, not {0}; use IF and ELSIF</source>
+        <translation>Le sélecteur d’un CASE doit être un entier, une énumération ou un caractère, et non {0} ; utiliser IF et ELSIF</translation>
+    </message>
+    <message>
+        <source>{0} and {1} share storage at {2}; move one of them or write STRUCT OVERLAP</source>
+        <translation>{0} et {1} partagent la mémoire en {2} ; déplacer l’un des deux ou écrire STRUCT OVERLAP</translation>
+    </message>
+    <message>
+        <source>A member&apos;s address is relative to the start of its structure (%B4, %X4.1), not {0}</source>
+        <translation>L’adresse d’un membre est relative au début de sa structure (%B4, %X4.1), et non {0}</translation>
+    </message>
+    <message>
+        <source>{0} and {1} share the address {2}; {3} is free</source>
+        <translation>{0} et {1} partagent l’adresse {2} ; {3} est libre</translation>
+    </message>
+    <message>
+        <source>{0} belongs to the chart and must be {1}</source>
+        <translation>{0} appartient au grafcet et doit être {1}</translation>
+    </message>
+    <message>
+        <source>{0} has no effect without {1}; declare both</source>
+        <translation>{0} est sans effet sans {1} ; déclarer les deux</translation>
+    </message>
+    <message>
+        <source>A step lists its actions here; write statements in an ACTION</source>
+        <translation>Une étape énumère ici ses actions ; écrire les instructions dans une ACTION</translation>
+    </message>
+    <message>
+        <source>No transition leads away from step {0}; the chart ends here</source>
+        <translation>Aucune transition ne part de l’étape {0} ; le grafcet se termine ici</translation>
+    </message>
+    <message>
+        <source>{0} appears twice in this step with qualifier {1}</source>
+        <translation>{0} apparaît deux fois dans cette étape avec le qualificatif {1}</translation>
+    </message>
+    <message>
+        <source>{0} is also a variable; steps and calls mean the ACTION</source>
+        <translation>{0} est aussi une variable ; les étapes et les appels désignent l’ACTION</translation>
+    </message>
+    <message>
+        <source>{0} is a keyword and cannot be used as a name</source>
+        <translation>{0} est un mot-clé et ne peut pas servir de nom</translation>
+    </message>
+    <message>
+        <source>Use {1} instead of {0} in Structured Text</source>
+        <translation>En texte structuré, utiliser {1} au lieu de {0}</translation>
+    </message>
+    <message>
+        <source>This loop never ends and would stop the controller</source>
+        <translation>Cette boucle ne se termine jamais et bloquerait l’automate</translation>
+    </message>
+    <message>
+        <source>{0} is marked OVERRIDE, but no base has a method with this name</source>
+        <translation>{0} est marqué OVERRIDE, mais aucune base n’a de méthode de ce nom</translation>
+    </message>
+    <message>
+        <source>The task {0} has no INTERVAL above zero and no SINGLE; it runs in every scan</source>
+        <translation>La tâche {0} n’a ni INTERVAL supérieur à zéro ni SINGLE ; elle s’exécute à chaque cycle</translation>
+    </message>
+    <message>
+        <source>{0} is read as {1}; write a time with its unit</source>
+        <translation>{0} est lu comme {1} ; écrire un temps avec son unité</translation>
+    </message>
+    <message>
+        <source>The address {0} has {1} {1:bit|bits}, {2} has {3}; write {4}</source>
+        <translation>L’adresse {0} a {1} {1:bit|bits}, {2} en a {3} ; écrire {4}</translation>
+    </message>
+    <message>
+        <source>An index must be an integer, not {0}</source>
+        <translation>Un indice doit être un entier, et non {0}</translation>
+    </message>
+    <message>
+        <source>A block with a task of its own is not supported; call {0} in a program of the task {1}</source>
+        <translation>Un bloc doté de sa propre tâche n’est pas pris en charge ; appeler {0} dans un programme de la tâche {1}</translation>
+    </message>
+    <message>
+        <source>{0}</source>
+        <translation>{0}</translation>
+    </message>
+    <message>
+        <source>The condition {0} is not one of defined, hasvalue, hasattribute, hastype with NOT, AND, OR</source>
+        <translation>La condition {0} n’est pas l’une de defined, hasvalue, hasattribute, hastype avec NOT, AND, OR</translation>
+    </message>
+    <message>
+        <source>The pragma {0} is missing for this {1}</source>
+        <translation>Il manque le pragma {0} pour ce {1}</translation>
+    </message>
+    <message>
+        <source>Code in C is not executed</source>
+        <translation>Le code en C n’est pas exécuté</translation>
+    </message>
+</context>
+<context>
+    <name>EditHistory</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>Ann&amp;uler</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rétablir</translation>
+    </message>
+</context>
+<context>
+    <name>Errors</name>
+    <message>
+        <source>division by zero</source>
+        <translation>division par zéro</translation>
+    </message>
+    <message>
+        <source>index {0} is used on an empty array</source>
+        <translation>accès à l’indice {0} d’un tableau vide</translation>
+    </message>
+    <message>
+        <source>index {0} is outside {1}..{2}</source>
+        <translation>l’indice {0} est en dehors de {1}..{2}</translation>
+    </message>
+    <message>
+        <source>the reference is NULL</source>
+        <translation>la référence est NULL</translation>
+    </message>
+    <message>
+        <source>the reference does not point to a variable of its type</source>
+        <translation>la référence ne désigne pas une variable de son type</translation>
+    </message>
+    <message>
+        <source>a VAR_IN_OUT is not connected to a variable</source>
+        <translation>un VAR_IN_OUT n’est relié à aucune variable</translation>
+    </message>
+    <message>
+        <source>character {0} is read from an empty string</source>
+        <translation>lecture du caractère {0} d’une chaîne vide</translation>
+    </message>
+    <message>
+        <source>character {0} is outside {1}..{2} of the string</source>
+        <translation>le caractère {0} est en dehors de {1}..{2} de la chaîne</translation>
+    </message>
+    <message>
+        <source>the watchdog stopped a task that did not end</source>
+        <translation>le chien de garde a arrêté une tâche qui ne se terminait pas</translation>
+    </message>
+    <message>
+        <source>the task ran longer than its watchdog time of {0}</source>
+        <translation>la tâche a dépassé son temps de chien de garde de {0}</translation>
+    </message>
+    <message>
+        <source>more than {0} loop passes and calls in one run of the task; check for an endless loop</source>
+        <translation>plus de {0} passages de boucle et appels en une exécution de la tâche ; recherchez une boucle sans fin</translation>
+    </message>
+    <message>
+        <source>calls are nested too deeply; check for endless recursion</source>
+        <translation>les appels sont imbriqués trop profondément ; recherchez une récursion sans fin</translation>
+    </message>
+    <message>
+        <source>the called method has no body</source>
+        <translation>la méthode appelée n’a pas de corps</translation>
+    </message>
+    <message>
+        <source>the scan was aborted</source>
+        <translation>le cycle a été interrompu</translation>
+    </message>
+    <message>
+        <source>no expression</source>
+        <translation>pas d’expression</translation>
+    </message>
+    <message>
+        <source>not in this image</source>
+        <translation>absent de cette image mémoire</translation>
+    </message>
+    <message>
+        <source>has no value here</source>
+        <translation>n’a pas de valeur ici</translation>
+    </message>
+    <message>
+        <source>{0}: {1}</source>
+        <translation>{0} : {1}</translation>
+    </message>
+    <message>
+        <source>simulation: {0}</source>
+        <translation>simulation : {0}</translation>
+    </message>
+    <message>
+        <source>warm</source>
+        <translation>à chaud</translation>
+    </message>
+    <message>
+        <source>cold</source>
+        <translation>à froid</translation>
+    </message>
+    <message>
+        <source>origin</source>
+        <translation>d’origine</translation>
+    </message>
+    <message>
+        <source>in the middle of a scan</source>
+        <translation>au milieu d’un cycle</translation>
+    </message>
+    <message>
+        <source>{0}</source>
+        <translation>{0}</translation>
+    </message>
+    <message>
+        <source>{0} := {1}</source>
+        <translation>{0} := {1}</translation>
+    </message>
+    <message>
+        <source>no such file or folder</source>
+        <translation>fichier ou dossier introuvable</translation>
+    </message>
+    <message>
+        <source>permission denied</source>
+        <translation>permission refusée</translation>
+    </message>
+    <message>
+        <source>no space left on the device</source>
+        <translation>plus d’espace libre sur le périphérique</translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation>c’est un dossier</translation>
+    </message>
+    <message>
+        <source>it is not a folder</source>
+        <translation>ce n’est pas un dossier</translation>
+    </message>
+    <message>
+        <source>the file system is read-only</source>
+        <translation>le système de fichiers est en lecture seule</translation>
+    </message>
+    <message>
+        <source>the device reports a read or write error</source>
+        <translation>le périphérique signale une erreur de lecture ou d’écriture</translation>
+    </message>
+    <message>
+        <source>the file name is too long</source>
+        <translation>le nom du fichier est trop long</translation>
+    </message>
+    <message>
+        <source>it already exists</source>
+        <translation>il existe déjà</translation>
+    </message>
+    <message>
+        <source>the folder is not empty</source>
+        <translation>le dossier n’est pas vide</translation>
+    </message>
+    <message>
+        <source>too many files are open</source>
+        <translation>trop de fichiers sont ouverts</translation>
+    </message>
+    <message>
+        <source>the file is too large</source>
+        <translation>le fichier est trop grand</translation>
+    </message>
+    <message>
+        <source>{0}; free some space and save again</source>
+        <translation>{0} ; libérez de l’espace et enregistrez de nouveau</translation>
+    </message>
+    <message>
+        <source>{0}; check the permissions of the folder</source>
+        <translation>{0} ; vérifiez les droits du dossier</translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation>annulé</translation>
+    </message>
+    <message>
+        <source>This is not a regular file and cannot be replaced; choose another name</source>
+        <translation>Ce n’est pas un fichier ordinaire et il ne peut pas être remplacé ; choisissez un autre nom</translation>
+    </message>
+    <message>
+        <source>The recording cannot be written: {0}</source>
+        <translation>L’enregistrement ne peut pas être écrit : {0}</translation>
+    </message>
+    <message>
+        <source>The recording cannot be read: {0}</source>
+        <translation>L’enregistrement ne peut pas être lu : {0}</translation>
+    </message>
+    <message>
+        <source>The file is damaged or is not a recording</source>
+        <translation>Le fichier est endommagé ou n’est pas un enregistrement</translation>
+    </message>
+    <message>
+        <source>The recorded program can no longer be built</source>
+        <translation>Le programme enregistré ne peut plus être compilé</translation>
+    </message>
+    <message>
+        <source>This version of Stepwise lays out the program&apos;s variables differently; open the recording with the version that made it</source>
+        <translation>Cette version de Stepwise dispose autrement les variables du programme ; ouvrez l’enregistrement avec la version qui l’a créé</translation>
+    </message>
+    <message>
+        <source>The recording cannot be opened: {0}</source>
+        <translation>L’enregistrement ne peut pas être ouvert : {0}</translation>
+    </message>
+    <message>
+        <source>its program has errors</source>
+        <translation>son programme contient des erreurs</translation>
+    </message>
+    <message>
+        <source>The recording contains no program</source>
+        <translation>L’enregistrement ne contient pas de programme</translation>
+    </message>
+    <message>
+        <source>Nothing has been recorded yet</source>
+        <translation>Rien n’a encore été enregistré</translation>
+    </message>
+    <message>
+        <source>This scan is no longer in the recording</source>
+        <translation>Ce cycle n’est plus dans l’enregistrement</translation>
+    </message>
+    <message>
+        <source>The program that recorded this scan is no longer available</source>
+        <translation>Le programme qui a enregistré ce cycle n’est plus disponible</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; is ambiguous; write one of {1}</source>
+        <translation>« {0} » est ambigu ; écrivez l’un de {1}</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; has no variable &apos;{1}&apos;; did you mean &apos;{2}&apos;?</source>
+        <translation>« {0} » n’a pas de variable « {1} » ; vouliez-vous dire « {2} » ?</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; has no variable &apos;{1}&apos;</source>
+        <translation>« {0} » n’a pas de variable « {1} »</translation>
+    </message>
+    <message>
+        <source>there is no variable &apos;{0}&apos;; did you mean &apos;{1}&apos;?</source>
+        <translation>la variable « {0} » n’existe pas ; vouliez-vous dire « {1} » ?</translation>
+    </message>
+    <message>
+        <source>there is no variable &apos;{0}&apos;</source>
+        <translation>la variable « {0} » n’existe pas</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; is reached through a reference, which a path cannot follow</source>
+        <translation>« {0} » est atteint par une référence, qu’un chemin ne peut pas suivre</translation>
+    </message>
+    <message>
+        <source>a variable of type {1} has no member &apos;{0}&apos;</source>
+        <translation>une variable de type {1} n’a pas de membre « {0} »</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; is a VAR_IN_OUT; write the variable that is connected to it</source>
+        <translation>« {0} » est un VAR_IN_OUT ; écrivez la variable qui lui est reliée</translation>
+    </message>
+    <message>
+        <source>a string has one index</source>
+        <translation>une chaîne a un seul indice</translation>
+    </message>
+    <message>
+        <source>a variable of type {0} has no elements</source>
+        <translation>une variable de type {0} n’a pas d’éléments</translation>
+    </message>
+    <message>
+        <source>{0} needs {1} {1:index|indices}, not {2}</source>
+        <translation>{0} demande {1} {1:indice|indices}, et non {2}</translation>
+    </message>
+    <message>
+        <source>a variable of type {0} has no bits</source>
+        <translation>une variable de type {0} n’a pas de bits</translation>
+    </message>
+    <message>
+        <source>bit {0} is outside 0..{1}</source>
+        <translation>le bit {0} est en dehors de 0..{1}</translation>
+    </message>
+    <message>
+        <source>part {0} is outside 0..{1}</source>
+        <translation>la partie {0} est en dehors de 0..{1}</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; is not an address; write for example %IX0.0, %QB4 or %MW2</source>
+        <translation>« {0} » n’est pas une adresse ; écrivez par exemple %IX0.0, %QB4 ou %MW2</translation>
+    </message>
+    <message>
+        <source>the program does not use the address &apos;{0}&apos;</source>
+        <translation>le programme n’utilise pas l’adresse « {0} »</translation>
+    </message>
+    <message>
+        <source>the path is empty</source>
+        <translation>le chemin est vide</translation>
+    </message>
+    <message>
+        <source>the path is incomplete</source>
+        <translation>le chemin est incomplet</translation>
+    </message>
+    <message>
+        <source>the path cannot be read from &apos;{0}&apos; on</source>
+        <translation>le chemin n’est plus lisible à partir de « {0} »</translation>
+    </message>
+    <message>
+        <source>{0} is forced; release the force before writing</source>
+        <translation>{0} est forcé ; levez le forçage avant d’écrire</translation>
+    </message>
+    <message>
+        <source>a constant cannot be written</source>
+        <translation>une constante ne peut pas être écrite</translation>
+    </message>
+    <message>
+        <source>a constant cannot be forced</source>
+        <translation>une constante ne peut pas être forcée</translation>
+    </message>
+    <message>
+        <source>the variable is not forced</source>
+        <translation>la variable n’est pas forcée</translation>
+    </message>
+    <message>
+        <source>the initial values of the new program cause a fault: {0}</source>
+        <translation>les valeurs initiales du nouveau programme provoquent une erreur : {0}</translation>
+    </message>
+    <message>
+        <source>The retain file cannot be written: {0}</source>
+        <translation>Le fichier des valeurs rémanentes ne peut pas être écrit : {0}</translation>
+    </message>
+    <message>
+        <source>The retain file cannot be read: {0}</source>
+        <translation>Le fichier des valeurs rémanentes ne peut pas être lu : {0}</translation>
+    </message>
+    <message>
+        <source>The retain file is not a regular file</source>
+        <translation>Le fichier des valeurs rémanentes n’est pas un fichier ordinaire</translation>
+    </message>
+    <message>
+        <source>The retain file is damaged; the program starts with its initial values</source>
+        <translation>Le fichier des valeurs rémanentes est endommagé ; le programme démarre avec ses valeurs initiales</translation>
+    </message>
+    <message>
+        <source>{0}; it is kept as {1}</source>
+        <translation>{0} ; il est conservé sous {1}</translation>
+    </message>
+    <message>
+        <source>{0} retained {0:value does|values do} not fit the program: {1}</source>
+        <translation>{0} {0:valeur rémanente ne correspond|valeurs rémanentes ne correspondent} pas au programme : {1}</translation>
+    </message>
+    <message>
+        <source>{0} does not fit into a variable of type {1}</source>
+        <translation>{0} dépasse la plage d’une variable de type {1}</translation>
+    </message>
+    <message>
+        <source>the value does not fit into a variable of type {0}</source>
+        <translation>la valeur dépasse la plage d’une variable de type {0}</translation>
+    </message>
+    <message>
+        <source>{0} is outside {1}..{2}</source>
+        <translation>{0} est en dehors de {1}..{2}</translation>
+    </message>
+    <message>
+        <source>a character of the text does not fit into a STRING; use a WSTRING</source>
+        <translation>un caractère du texte n’existe pas en STRING ; utilisez une WSTRING</translation>
+    </message>
+    <message>
+        <source>the text has {0} characters, the maximum is {1}</source>
+        <translation>le texte a {0} caractères, le maximum est {1}</translation>
+    </message>
+    <message>
+        <source>{0} has {1} {1:part|parts}, the value has {2}</source>
+        <translation>{0} a {1} {1:partie|parties}, la valeur en a {2}</translation>
+    </message>
+    <message>
+        <source>there is no value to write</source>
+        <translation>il n’y a pas de valeur à écrire</translation>
+    </message>
+    <message>
+        <source>a reference can only be set to NULL from outside</source>
+        <translation>de l’extérieur, une référence ne peut être mise qu’à NULL</translation>
+    </message>
+    <message>
+        <source>{0} is not a value for {1}, which is {2}</source>
+        <translation>{0} n’est pas une valeur pour {1} de type {2}</translation>
+    </message>
+    <message>
+        <source>{0} does not fit into {1}, which is {2}</source>
+        <translation>{0} dépasse la plage de {1} de type {2}</translation>
+    </message>
+    <message>
+        <source>{0}; {1}</source>
+        <translation>{0} ; {1}</translation>
+    </message>
+    <message>
+        <source>did you mean {0}?</source>
+        <translation>vouliez-vous dire {0} ?</translation>
+    </message>
+    <message>
+        <source>its values are {0}</source>
+        <translation>ses valeurs sont {0}</translation>
+    </message>
+    <message>
+        <source>write it in quotes, for example {0}, with Latin-1 characters only</source>
+        <translation>écrivez-le entre apostrophes, par exemple {0}, avec des caractères Latin-1 uniquement</translation>
+    </message>
+    <message>
+        <source>write it in quotes, for example {0}</source>
+        <translation>écrivez-le entre guillemets, par exemple {0}</translation>
+    </message>
+    <message>
+        <source>write one character in quotes, for example {0}</source>
+        <translation>écrivez un caractère entre guillemets, par exemple {0}</translation>
+    </message>
+    <message>
+        <source>write all elements, for example {0}, or a single one by its index</source>
+        <translation>écrivez tous les éléments, par exemple {0}, ou un seul par son indice</translation>
+    </message>
+    <message>
+        <source>write its members, for example {0}, or a single one by its path</source>
+        <translation>écrivez ses membres, par exemple {0}, ou un seul par son chemin</translation>
+    </message>
+    <message>
+        <source>write {0} or {1}</source>
+        <translation>écrivez {0} ou {1}</translation>
+    </message>
+    <message>
+        <source>write for example {0}</source>
+        <translation>écrivez par exemple {0}</translation>
+    </message>
+    <message>
+        <source>write a number, for example {0}</source>
+        <translation>écrivez un nombre, par exemple {0}</translation>
+    </message>
+    <message>
+        <source>write an integer, for example {0}</source>
+        <translation>écrivez un entier, par exemple {0}</translation>
+    </message>
+    <message>
+        <source>There is no program to optimise</source>
+        <translation>Il n’y a pas de programme à optimiser</translation>
+    </message>
+    <message>
+        <source>The expression is nested too deeply</source>
+        <translation>L’expression est imbriquée trop profondément</translation>
+    </message>
+    <message>
+        <source>this is not an expression</source>
+        <translation>ce n’est pas une expression</translation>
+    </message>
+    <message>
+        <source>this is local to a running call and has no address of its own</source>
+        <translation>ceci est local à un appel en cours et n’a pas d’adresse propre</translation>
+    </message>
+    <message>
+        <source>this part of a computed value cannot be shown</source>
+        <translation>cette partie d’une valeur calculée ne peut pas être affichée</translation>
+    </message>
+    <message>
+        <source>a character of a string has no address of its own</source>
+        <translation>un caractère d’une chaîne n’a pas d’adresse propre</translation>
+    </message>
+    <message>
+        <source>this variable cannot be shown</source>
+        <translation>cette variable ne peut pas être affichée</translation>
+    </message>
+    <message>
+        <source>this array of variable length has no address here</source>
+        <translation>ce tableau de longueur variable n’a pas d’adresse ici</translation>
+    </message>
+    <message>
+        <source>this is not an array</source>
+        <translation>ce n’est pas un tableau</translation>
+    </message>
+    <message>
+        <source>the array has no such dimension</source>
+        <translation>le tableau n’a pas cette dimension</translation>
+    </message>
+    <message>
+        <source>this has no value</source>
+        <translation>ceci n’a pas de valeur</translation>
+    </message>
+    <message>
+        <source>an expression cannot have side effects</source>
+        <translation>une expression doit être sans effet de bord</translation>
+    </message>
+    <message>
+        <source>only standard functions can be called here</source>
+        <translation>seules les fonctions standard peuvent être appelées ici</translation>
+    </message>
+    <message>
+        <source>a cast to an interface cannot be watched</source>
+        <translation>une conversion vers une interface ne peut pas être surveillée</translation>
+    </message>
+    <message>
+        <source>this cannot be evaluated</source>
+        <translation>ceci ne peut pas être évalué</translation>
+    </message>
+    <message>
+        <source>The code generator failed: {0}</source>
+        <translation>Le générateur de code a échoué : {0}</translation>
+    </message>
+    <message>
+        <source>The code generator produced an invalid module: {0}</source>
+        <translation>Le générateur de code a produit un module incorrect : {0}</translation>
+    </message>
+    <message>
+        <source>not compiled</source>
+        <translation>non compilé</translation>
+    </message>
+    <message>
+        <source>Code for the thread sanitizer needs a process that runs under it</source>
+        <translation>Le code pour le détecteur d’accès concurrents demande un processus qui s’exécute avec lui</translation>
+    </message>
+    <message>
+        <source>the program could not be optimised: {0}</source>
+        <translation>le programme n’a pas pu être optimisé : {0}</translation>
+    </message>
+    <message>
+        <source>the program has errors</source>
+        <translation>le programme contient des erreurs</translation>
+    </message>
+    <message>
+        <source>the online change waits until the scan that is halted at a breakpoint has ended</source>
+        <translation>la modification en ligne attend la fin du cycle arrêté à un point d’arrêt</translation>
+    </message>
+    <message>
+        <source>This body is not an instruction list</source>
+        <translation>Ce corps n’est pas une liste d’instructions</translation>
+    </message>
+    <message>
+        <source>The type of {0} is not known here</source>
+        <translation>Le type de {0} est inconnu ici</translation>
+    </message>
+    <message>
+        <source>This body is not ST</source>
+        <translation>Ce corps n’est pas en ST</translation>
+    </message>
+    <message>
+        <source>{0} has no equivalent in an instruction list</source>
+        <translation>{0} n’a pas d’équivalent dans une liste d’instructions</translation>
+    </message>
+    <message>
+        <source>There is no body in ST or IL here</source>
+        <translation>Il n’y a pas de corps en ST ou en IL ici</translation>
+    </message>
+    <message>
+        <source>{0} is already written in ST</source>
+        <translation>{0} est déjà écrit en ST</translation>
+    </message>
+    <message>
+        <source>{0} is already written in IL</source>
+        <translation>{0} est déjà écrit en IL</translation>
+    </message>
+    <message>
+        <source>Fix the text first: {0}</source>
+        <translation>Corrigez d’abord le texte : {0}</translation>
+    </message>
+    <message>
+        <source>There is no equivalent in the other language: {0}</source>
+        <translation>Il n’y a pas d’équivalent dans l’autre langage : {0}</translation>
+    </message>
+    <message>
+        <source>This is a folder; a file is needed</source>
+        <translation>C’est un dossier ; il faut un fichier</translation>
+    </message>
+    <message>
+        <source>This is a device; a file is needed</source>
+        <translation>C’est un périphérique ; il faut un fichier</translation>
+    </message>
+    <message>
+        <source>The file cannot be read: {0}</source>
+        <translation>Le fichier ne peut pas être lu : {0}</translation>
+    </message>
+    <message>
+        <source>The file cannot be replaced: {0}</source>
+        <translation>Le fichier ne peut pas être remplacé : {0}</translation>
+    </message>
+    <message>
+        <source>The file cannot be written: {0}</source>
+        <translation>Le fichier ne peut pas être écrit : {0}</translation>
+    </message>
+    <message>
+        <source>project.json is not valid JSON; look for a missing comma, quote or bracket</source>
+        <translation>project.json n’est pas du JSON valide ; recherchez une virgule, un guillemet ou un crochet manquant</translation>
+    </message>
+    <message>
+        <source>project.json must contain one JSON object</source>
+        <translation>project.json doit contenir un objet JSON</translation>
+    </message>
+    <message>
+        <source>This folder contains neither a project.json nor ST files</source>
+        <translation>Ce dossier ne contient ni project.json ni fichiers ST</translation>
+    </message>
+    <message>
+        <source>There is no library &quot;{0}&quot;; available are {1}</source>
+        <translation>La bibliothèque « {0} » n’existe pas ; sont disponibles {1}</translation>
+    </message>
+    <message>
+        <source>There is no library {0}; did you mean {1}?</source>
+        <translation>La bibliothèque {0} n’existe pas ; vouliez-vous dire {1} ?</translation>
+    </message>
+    <message>
+        <source>There is no library {0}</source>
+        <translation>La bibliothèque {0} n’existe pas</translation>
+    </message>
+    <message>
+        <source>Specify a project folder or ST files</source>
+        <translation>Indiquez un dossier de projet ou des fichiers ST</translation>
+    </message>
+    <message>
+        <source>There is no such file or folder</source>
+        <translation>Fichier ou dossier introuvable</translation>
+    </message>
+    <message>
+        <source>Specify one project folder or ST files, not both</source>
+        <translation>Indiquez un dossier de projet ou des fichiers ST, pas les deux</translation>
+    </message>
+    <message>
+        <source>There is no name here that can be renamed</source>
+        <translation>Il n’y a ici aucun nom qui puisse être renommé</translation>
+    </message>
+    <message>
+        <source>{0} belongs to a library and cannot be renamed</source>
+        <translation>{0} appartient à une bibliothèque et ne peut pas être renommé</translation>
+    </message>
+    <message>
+        <source>{0} is not a valid name; use letters, digits and _, start with a letter and avoid keywords</source>
+        <translation>{0} n’est pas un nom valide ; utilisez des lettres, des chiffres et _, commencez par une lettre et évitez les mots-clés</translation>
+    </message>
+    <message>
+        <source>{0} already exists in the project</source>
+        <translation>{0} existe déjà dans le projet</translation>
+    </message>
+    <message>
+        <source>{0} already exists in {1}</source>
+        <translation>{0} existe déjà dans {1}</translation>
+    </message>
+    <message>
+        <source>The folder cannot be created: {0}</source>
+        <translation>Le dossier ne peut pas être créé : {0}</translation>
+    </message>
+    <message>
+        <source>The folder cannot be read: {0}</source>
+        <translation>Le dossier ne peut pas être lu : {0}</translation>
+    </message>
+    <message>
+        <source>The file cannot be copied: {0}</source>
+        <translation>Le fichier ne peut pas être copié : {0}</translation>
+    </message>
+    <message>
+        <source>The folder already exists and is not empty; choose another name</source>
+        <translation>Le dossier existe déjà et n’est pas vide ; choisissez un autre nom</translation>
+    </message>
+    <message>
+        <source>The page cannot be written</source>
+        <translation>La page ne peut pas être écrite</translation>
+    </message>
+    <message>
+        <source>There is no such file in the project</source>
+        <translation>Le projet ne contient pas ce fichier</translation>
+    </message>
+    <message>
+        <source>A file with this name already exists</source>
+        <translation>Un fichier de ce nom existe déjà</translation>
+    </message>
+    <message>
+        <source>The file is read-only and was not overwritten</source>
+        <translation>Le fichier est en lecture seule et n’a pas été écrasé</translation>
+    </message>
+    <message>
+        <source>The file&apos;s permissions cannot be changed</source>
+        <translation>Les droits du fichier ne peuvent pas être modifiés</translation>
+    </message>
+    <message>
+        <source>The file cannot be removed; check the permissions of the folder</source>
+        <translation>Le fichier ne peut pas être supprimé ; vérifiez les droits du dossier</translation>
+    </message>
+    <message>
+        <source>The file cannot be renamed; check the permissions of the folder</source>
+        <translation>Le fichier ne peut pas être renommé ; vérifiez les droits du dossier</translation>
+    </message>
+    <message>
+        <source>Open a project first</source>
+        <translation>Ouvrez d’abord un projet</translation>
+    </message>
+    <message>
+        <source>A panel with this name already exists</source>
+        <translation>Une vue de ce nom existe déjà</translation>
+    </message>
+    <message>
+        <source>The controller is not running</source>
+        <translation>L’automate n’est pas en marche</translation>
+    </message>
+    <message>
+        <source>There is no program to run</source>
+        <translation>Il n’y a pas de programme à exécuter</translation>
+    </message>
+    <message>
+        <source>There is no program to test</source>
+        <translation>Il n’y a pas de programme à tester</translation>
+    </message>
+    <message>
+        <source>This statement is not possible in a TEST together with RUN or ASSERT around it</source>
+        <translation>Cette instruction n’est pas possible dans un TEST avec RUN ou ASSERT autour d’elle</translation>
+    </message>
+    <message>
+        <source>The code of this statement is missing</source>
+        <translation>Le code de cette instruction manque</translation>
+    </message>
+    <message>
+        <source>Fault in the test: {0}</source>
+        <translation>Erreur dans le test : {0}</translation>
+    </message>
+    <message>
+        <source>{0} is not a value for {1}</source>
+        <translation>{0} n’est pas une valeur pour {1}</translation>
+    </message>
+    <message>
+        <source>This loop of the test does not end</source>
+        <translation>Cette boucle du test ne se termine pas</translation>
+    </message>
+    <message>
+        <source>The step of this loop is 0</source>
+        <translation>Le pas de cette boucle est 0</translation>
+    </message>
+    <message>
+        <source>The simulation stopped: {0}</source>
+        <translation>La simulation s’est arrêtée : {0}</translation>
+    </message>
+    <message>
+        <source>The controller stopped: {0}</source>
+        <translation>L’automate s’est arrêté : {0}</translation>
+    </message>
+    <message>
+        <source>at {0}:{1}</source>
+        <translation>à {0}:{1}</translation>
+    </message>
+    <message>
+        <source>{0} has no value: {1}</source>
+        <translation>{0} n’a pas de valeur : {1}</translation>
+    </message>
+    <message>
+        <source>{0} did not become true within {1}</source>
+        <translation>{0} n’est pas devenu vrai en {1}</translation>
+    </message>
+    <message>
+        <source>ASSERT failed: {0}</source>
+        <translation>Échec d’ASSERT : {0}</translation>
+    </message>
+    <message>
+        <source>ASSERT failed: {0} ({1})</source>
+        <translation>Échec d’ASSERT : {0} ({1})</translation>
+    </message>
+    <message>
+        <source>A coil writes a variable.</source>
+        <translation>Une bobine écrit une variable.</translation>
+    </message>
+    <message>
+        <source>A pin has no contacts; type an expression.</source>
+        <translation>Une broche n’a pas de contacts ; saisissez une expression.</translation>
+    </message>
+    <message>
+        <source>A rung cannot move into itself.</source>
+        <translation>Un réseau ne peut pas être déplacé dans lui-même.</translation>
+    </message>
+    <message>
+        <source>A rung moves within its block of statements; use cut and paste in the text for more.</source>
+        <translation>Un réseau se déplace au sein de son bloc d’instructions ; au-delà, utilisez couper et coller dans le texte.</translation>
+    </message>
+    <message>
+        <source>Delete the call in the text: other statements may use its outputs.</source>
+        <translation>Supprimez l’appel dans le texte : d’autres instructions peuvent utiliser ses sorties.</translation>
+    </message>
+    <message>
+        <source>Delete this output in the text.</source>
+        <translation>Supprimez cette sortie dans le texte.</translation>
+    </message>
+    <message>
+        <source>Other outputs depend on the same IF; give this coil a rung of its own first.</source>
+        <translation>D’autres sorties dépendent du même IF ; donnez d’abord à cette bobine son propre réseau.</translation>
+    </message>
+    <message>
+        <source>Select a box with text.</source>
+        <translation>Sélectionnez une boîte contenant du texte.</translation>
+    </message>
+    <message>
+        <source>Select a coil.</source>
+        <translation>Sélectionnez une bobine.</translation>
+    </message>
+    <message>
+        <source>Select a contact or a wire.</source>
+        <translation>Sélectionnez un contact ou une liaison.</translation>
+    </message>
+    <message>
+        <source>Select a contact, a pin or a coil.</source>
+        <translation>Sélectionnez un contact, une broche ou une bobine.</translation>
+    </message>
+    <message>
+        <source>Select a rung with contacts.</source>
+        <translation>Sélectionnez un réseau avec des contacts.</translation>
+    </message>
+    <message>
+        <source>Select a rung with one output.</source>
+        <translation>Sélectionnez un réseau avec une seule sortie.</translation>
+    </message>
+    <message>
+        <source>Select the rung beside which it is inserted.</source>
+        <translation>Sélectionnez le réseau à côté duquel insérer.</translation>
+    </message>
+    <message>
+        <source>Select the rung that the comment belongs to.</source>
+        <translation>Sélectionnez le réseau auquel appartient le commentaire.</translation>
+    </message>
+    <message>
+        <source>Select what is to be changed.</source>
+        <translation>Sélectionnez ce qui doit être modifié.</translation>
+    </message>
+    <message>
+        <source>Select what is to be deleted.</source>
+        <translation>Sélectionnez ce qui doit être supprimé.</translation>
+    </message>
+    <message>
+        <source>Several variables are assigned in one statement; separate them in the text first.</source>
+        <translation>Plusieurs variables sont affectées dans une même instruction ; séparez-les d’abord dans le texte.</translation>
+    </message>
+    <message>
+        <source>Statements on one line cannot be moved; separate them in the text first.</source>
+        <translation>Des instructions sur la même ligne ne peuvent pas être déplacées ; séparez-les d’abord dans le texte.</translation>
+    </message>
+    <message>
+        <source>The first input and the first output of {0} must be BOOL for it to stand in a rung.</source>
+        <translation>La première entrée et la première sortie de {0} doivent être de type BOOL pour qu’il puisse figurer dans un réseau.</translation>
+    </message>
+    <message>
+        <source>The rung reads what it writes; add this coil in a rung of its own.</source>
+        <translation>Le réseau lit ce qu’il écrit ; ajoutez cette bobine dans un réseau à part.</translation>
+    </message>
+    <message>
+        <source>There is no function block {0}.</source>
+        <translation>Le bloc fonctionnel {0} n’existe pas.</translation>
+    </message>
+    <message>
+        <source>This edit cannot be made in the picture; edit the text.</source>
+        <translation>Cette modification n’est pas possible dans le schéma ; modifiez le texte.</translation>
+    </message>
+    <message>
+        <source>This has no operand.</source>
+        <translation>Ceci n’a pas d’opérande.</translation>
+    </message>
+    <message>
+        <source>This is not a statement: {0}</source>
+        <translation>Ce n’est pas une instruction : {0}</translation>
+    </message>
+    <message>
+        <source>This is not an expression: {0}</source>
+        <translation>Ce n’est pas une expression : {0}</translation>
+    </message>
+    <message>
+        <source>This rung has no condition; put it under IF in the text.</source>
+        <translation>Ce réseau n’a pas de condition ; placez-le sous un IF dans le texte.</translation>
+    </message>
+    <message>
+        <source>{0} is {1}</source>
+        <translation>{0} est {1}</translation>
+    </message>
+    <message>
+        <source>{0} is {1}, expected {2} {3}</source>
+        <translation>{0} est {1}, attendu {2} {3}</translation>
+    </message>
+    <message>
+        <source>{0} is {1}, recorded {2} in scan {3}</source>
+        <translation>{0} est {1}, enregistré {2} au cycle {3}</translation>
+    </message>
+    <message>
+        <source>The recording {0} has {1} {1:scan|scans}, this run {2}</source>
+        <translation>L’enregistrement {0} a {1} {1:cycle|cycles}, cette exécution {2}</translation>
+    </message>
+    <message>
+        <source>The run differs from the recording {0}</source>
+        <translation>L’exécution diffère de l’enregistrement {0}</translation>
+    </message>
+    <message>
+        <source>the condition cannot be evaluated</source>
+        <translation>la condition ne peut pas être évaluée</translation>
+    </message>
+    <message>
+        <source>There is no action {0}</source>
+        <translation>L’action {0} n’existe pas</translation>
+    </message>
+    <message>
+        <source>{0} is not a valid name; use letters, digits and underscores</source>
+        <translation>{0} n’est pas un nom valide ; utilisez des lettres, des chiffres et le trait de soulignement</translation>
+    </message>
+    <message>
+        <source>A step {0} already exists</source>
+        <translation>Une étape {0} existe déjà</translation>
+    </message>
+    <message>
+        <source>This edit would change the same text twice</source>
+        <translation>Cette modification changerait deux fois le même texte</translation>
+    </message>
+    <message>
+        <source>This transition does not lead to a step yet</source>
+        <translation>Cette transition ne mène encore à aucune étape</translation>
+    </message>
+    <message>
+        <source>Nothing would lead to the join after this step</source>
+        <translation>Rien ne mènerait à la convergence après cette étape</translation>
+    </message>
+    <message>
+        <source>The initial step stays at the top</source>
+        <translation>L’étape initiale reste en haut</translation>
+    </message>
+    <message>
+        <source>Only a step with a single transition of its own can be moved</source>
+        <translation>Seule une étape dotée d’une seule transition propre peut être déplacée</translation>
+    </message>
+    <message>
+        <source>The step is already there</source>
+        <translation>L’étape s’y trouve déjà</translation>
+    </message>
+    <message>
+        <source>A step can be placed after a transition that leads to one step</source>
+        <translation>Une étape se place après une transition qui mène à une seule étape</translation>
+    </message>
+    <message>
+        <source>This step only leads to itself</source>
+        <translation>Cette étape ne mène qu’à elle-même</translation>
+    </message>
+    <message>
+        <source>There is no branch here</source>
+        <translation>Il n’y a pas de branche ici</translation>
+    </message>
+    <message>
+        <source>A transition needs a condition</source>
+        <translation>Une transition demande une condition</translation>
+    </message>
+    <message>
+        <source>A priority must be a positive number</source>
+        <translation>Une priorité doit être un nombre positif</translation>
+    </message>
+    <message>
+        <source>Nothing follows this step yet; insert a step after it first</source>
+        <translation>Rien ne suit encore cette étape ; insérez d’abord une étape après elle</translation>
+    </message>
+    <message>
+        <source>The last branch does not lead to a step</source>
+        <translation>La dernière branche ne mène à aucune étape</translation>
+    </message>
+    <message>
+        <source>There is no such action</source>
+        <translation>Cette action n’existe pas</translation>
+    </message>
+    <message>
+        <source>There is no chart yet</source>
+        <translation>Il n’y a pas encore de grafcet</translation>
+    </message>
+    <message>
+        <source>The initial step cannot be deleted; make another step the initial step first</source>
+        <translation>L’étape initiale ne peut pas être supprimée ; définissez d’abord une autre étape comme étape initiale</translation>
+    </message>
+    <message>
+        <source>Several transitions leave this step; delete its branches first</source>
+        <translation>Plusieurs transitions quittent cette étape ; supprimez d’abord ses branches</translation>
+    </message>
+    <message>
+        <source>The condition of this transition cannot be read; edit it in the text</source>
+        <translation>La condition de cette transition n’est pas lisible ; modifiez-la dans le texte</translation>
+    </message>
+    <message>
+        <source>The branches after this transition do not join; connect them in the text first</source>
+        <translation>Les branches après cette transition ne convergent pas ; reliez-les d’abord dans le texte</translation>
+    </message>
+    <message>
+        <source>The panel is not valid JSON</source>
+        <translation>La vue n’est pas du JSON valide</translation>
+    </message>
+    <message>
+        <source>A panel must be a JSON object</source>
+        <translation>Une vue doit être un objet JSON</translation>
+    </message>
+    <message>
+        <source>The panel was written by a newer version of Stepwise</source>
+        <translation>La vue a été écrite par une version plus récente de Stepwise</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be a list</source>
+        <translation>« {0} » doit être une liste</translation>
+    </message>
+    <message>
+        <source>Element {0} is not an object</source>
+        <translation>L’élément {0} n’est pas un objet</translation>
+    </message>
+    <message>
+        <source>The kind of element {0} is not a text</source>
+        <translation>Le genre de l’élément {0} n’est pas un texte</translation>
+    </message>
+    <message>
+        <source>Two elements have the id &quot;{0}&quot;; change one of them</source>
+        <translation>Deux éléments ont l’identifiant « {0} » ; modifiez l’un des deux</translation>
+    </message>
+    <message>
+        <source>The alarms are not valid JSON</source>
+        <translation>Les alarmes ne sont pas du JSON valide</translation>
+    </message>
+    <message>
+        <source>Every alarm and every alarm class must be a JSON object</source>
+        <translation>Chaque alarme et chaque classe d’alarme doit être un objet JSON</translation>
+    </message>
+    <message>
+        <source>An alarm has no id</source>
+        <translation>Une alarme n’a pas d’identifiant</translation>
+    </message>
+    <message>
+        <source>Two alarms have the id &quot;{0}&quot;</source>
+        <translation>Deux alarmes ont l’identifiant « {0} »</translation>
+    </message>
+    <message>
+        <source>This line is not valid UTF-8; save the file as UTF-8</source>
+        <translation>Cette ligne n’est pas de l’UTF-8 valide ; enregistrez le fichier en UTF-8</translation>
+    </message>
+    <message>
+        <source>There is text after a closing quote; double a quote that belongs to the text</source>
+        <translation>Du texte suit un guillemet fermant ; doublez un guillemet qui appartient au texte</translation>
+    </message>
+    <message>
+        <source>The quote that opens here is never closed</source>
+        <translation>Le guillemet ouvert ici n’est jamais fermé</translation>
+    </message>
+    <message>
+        <source>The first line must be {0} and one language tag per column</source>
+        <translation>La première ligne doit être {0} suivi d’une étiquette de langue par colonne</translation>
+    </message>
+    <message>
+        <source>Column {0} has no language tag</source>
+        <translation>La colonne {0} n’a pas d’étiquette de langue</translation>
+    </message>
+    <message>
+        <source>The language {0} has two columns</source>
+        <translation>La langue {0} a deux colonnes</translation>
+    </message>
+    <message>
+        <source>This line has {0} {0:field|fields}, the header has {1}</source>
+        <translation>Cette ligne a {0} {0:champ|champs}, l’en-tête en a {1}</translation>
+    </message>
+    <message>
+        <source>This line has no key</source>
+        <translation>Cette ligne n’a pas de clé</translation>
+    </message>
+    <message>
+        <source>The key {0} is already on line {1}</source>
+        <translation>La clé {0} figure déjà à la ligne {1}</translation>
+    </message>
+    <message>
+        <source>The alarm history cannot be opened: {0}</source>
+        <translation>L’historique des alarmes ne peut pas être ouvert : {0}</translation>
+    </message>
+    <message>
+        <source>The alarm history cannot be used: {0}</source>
+        <translation>L’historique des alarmes ne peut pas être utilisé : {0}</translation>
+    </message>
+    <message>
+        <source>The alarm history cannot be written: {0}</source>
+        <translation>L’historique des alarmes ne peut pas être écrit : {0}</translation>
+    </message>
+    <message>
+        <source>{0} does not fit into {1}</source>
+        <translation>{0} dépasse la plage de {1}</translation>
+    </message>
+    <message>
+        <source>STRING holds Latin-1 only; declare the variable as WSTRING</source>
+        <translation>STRING ne contient que du Latin-1 ; déclarez la variable en WSTRING</translation>
+    </message>
+    <message>
+        <source>A {0} cannot be written from a panel</source>
+        <translation>Un {0} ne peut pas être écrit depuis une vue</translation>
+    </message>
+    <message>
+        <source>The folder for the pictures cannot be created</source>
+        <translation>Le dossier des images ne peut pas être créé</translation>
+    </message>
+    <message>
+        <source>The picture cannot be written</source>
+        <translation>L’image ne peut pas être écrite</translation>
+    </message>
+    <message>
+        <source>The project has no such panel</source>
+        <translation>Le projet n’a pas cette vue</translation>
+    </message>
+    <message>
+        <source>The text &quot;{0}&quot; has no key, so it cannot be translated</source>
+        <translation>Le texte « {0} » n’a pas de clé et ne peut donc pas être traduit</translation>
+    </message>
+    <message>
+        <source>The key {0} is not in the text table</source>
+        <translation>La clé {0} n’est pas dans la table des textes</translation>
+    </message>
+    <message>
+        <source>The text needs a value for {0}; specify it in &quot;Values in texts&quot;</source>
+        <translation>Le texte demande une valeur pour {0} ; indiquez-la dans « Valeurs des textes »</translation>
+    </message>
+    <message>
+        <source>The text list {0} is empty: there is no key {1}</source>
+        <translation>La liste de textes {0} est vide : la clé {1} n’existe pas</translation>
+    </message>
+    <message>
+        <source>This version does not know the element kind &quot;{0}&quot;; it is kept as it is</source>
+        <translation>Cette version ne connaît pas le genre d’élément « {0} » ; il est conservé tel quel</translation>
+    </message>
+    <message>
+        <source>The project has no language {0}</source>
+        <translation>Le projet n’a pas la langue {0}</translation>
+    </message>
+    <message>
+        <source>The element is outside the panel</source>
+        <translation>L’élément est en dehors de la vue</translation>
+    </message>
+    <message>
+        <source>The file {0} does not exist</source>
+        <translation>Le fichier {0} n’existe pas</translation>
+    </message>
+    <message>
+        <source>There is no panel {0}</source>
+        <translation>La vue {0} n’existe pas</translation>
+    </message>
+    <message>
+        <source>The format {0} is not known; use for example {1} or {2}</source>
+        <translation>Le format {0} est inconnu ; utilisez par exemple {1} ou {2}</translation>
+    </message>
+    <message>
+        <source>The alarm has no condition</source>
+        <translation>L’alarme n’a pas de condition</translation>
+    </message>
+    <message>
+        <source>There is no alarm class {0}</source>
+        <translation>La classe d’alarme {0} n’existe pas</translation>
+    </message>
+    <message>
+        <source>No panel and no alarm uses the key {0}</source>
+        <translation>Aucune vue ni alarme n’utilise la clé {0}</translation>
+    </message>
+    <message>
+        <source>The placeholders differ: {0} has {1}, {2} has {3}</source>
+        <translation>Les espaces réservés diffèrent : {0} a {1}, {2} a {3}</translation>
+    </message>
+    <message>
+        <source>The key {0} has no text in {1}</source>
+        <translation>La clé {0} n’a pas de texte en {1}</translation>
+    </message>
+    <message>
+        <source>The font {0} is not installed here, so texts cannot be measured</source>
+        <translation>La police {0} n’est pas installée ici, les textes ne peuvent donc pas être mesurés</translation>
+    </message>
+    <message>
+        <source>No font has the character {0}</source>
+        <translation>Aucune police n’a le caractère {0}</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; does not fit: it needs {1} px, the maximum is {2}</source>
+        <translation>« {0} » ne tient pas : il faut {1} px, le maximum est {2}</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}</source>
+        <translation>« {0} » ne tient pas : il faut une hauteur de {1} px, le maximum est {2}</translation>
+    </message>
+    <message>
+        <source>{0}; did you mean {1}?</source>
+        <translation>{0} ; vouliez-vous dire {1} ?</translation>
+    </message>
+    <message>
+        <source>{0} is not a variable, so it cannot be written</source>
+        <translation>{0} n’est pas une variable et ne peut donc pas être écrit</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; a BOOL is needed here</source>
+        <translation>{0} est {1} ; il faut ici un BOOL</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; a number is needed here</source>
+        <translation>{0} est {1} ; il faut ici un nombre</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; a STRING is needed here</source>
+        <translation>{0} est {1} ; il faut ici une STRING</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; an array is needed here</source>
+        <translation>{0} est {1} ; il faut ici un tableau</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; a single value is needed here</source>
+        <translation>{0} est {1} ; il faut ici une valeur simple</translation>
+    </message>
+    <message>
+        <source>A placeholder is not closed with {0}</source>
+        <translation>Un espace réservé n’est pas fermé par {0}</translation>
+    </message>
+    <message>
+        <source>The format {0} is not known</source>
+        <translation>Le format {0} est inconnu</translation>
+    </message>
+    <message>
+        <source>The trace configuration is not valid JSON (see line {0})</source>
+        <translation>La configuration de trace n’est pas du JSON valide (voir la ligne {0})</translation>
+    </message>
+    <message>
+        <source>A trace configuration must be a JSON object</source>
+        <translation>Une configuration de trace doit être un objet JSON</translation>
+    </message>
+    <message>
+        <source>This trace configuration was written by a newer version of Stepwise (version {0})</source>
+        <translation>Cette configuration de trace a été écrite par une version plus récente de Stepwise (version {0})</translation>
+    </message>
+    <message>
+        <source>The trace configuration is invalid: {0}</source>
+        <translation>La configuration de trace n’est pas valide : {0}</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be {1}</source>
+        <translation>« {0} » doit être {1}</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; is missing</source>
+        <translation>« {0} » manque</translation>
+    </message>
+    <message>
+        <source>A picture&apos;s name must end in one of {0}</source>
+        <translation>Le nom d’une image doit se terminer par {0}</translation>
+    </message>
+    <message>
+        <source>no longer recorded</source>
+        <translation>n’est plus enregistré</translation>
+    </message>
+    <message>
+        <source>A recording from a file cannot be written; go back to the running controller first</source>
+        <translation>Un enregistrement ouvert depuis un fichier ne peut pas être écrit ; revenez d’abord à l’automate en marche</translation>
+    </message>
+    <message>
+        <source>Recorded values cannot be written; resume from here first</source>
+        <translation>Des valeurs enregistrées ne peuvent pas être écrites ; reprenez d’abord ici</translation>
+    </message>
+    <message>
+        <source>Recorded values cannot be forced; resume from here or go back to live first</source>
+        <translation>Des valeurs enregistrées ne peuvent pas être forcées ; reprenez ici ou revenez d’abord au direct</translation>
+    </message>
+    <message>
+        <source>A recording from a file cannot be resumed, only what the controller itself recorded</source>
+        <translation>Un enregistrement ouvert depuis un fichier ne peut pas être repris, seulement ce que l’automate a lui-même enregistré</translation>
+    </message>
+    <message>
+        <source>A priority is a number; 0 removes it</source>
+        <translation>Une priorité est un nombre ; 0 la supprime</translation>
+    </message>
+    <message>
+        <source>The file was changed by another program and was not overwritten</source>
+        <translation>Le fichier a été modifié par un autre programme et n’a pas été écrasé</translation>
+    </message>
+    <message>
+        <source>This is no file that can be imported: PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
+        <translation>Ce fichier ne peut pas être importé : PLCopen XML (.xml), TwinCAT (.TcPOU, etc.), texte de CODESYS (.EXP, .export) et texte structuré (.st) peuvent être lus</translation>
+    </message>
+    <message>
+        <source>This XML is neither PLCopen XML nor of TwinCAT or CODESYS; export the project as PLCopen XML and import that file</source>
+        <translation>Ce XML n’est ni du PLCopen XML ni de TwinCAT ou CODESYS ; exportez le projet en PLCopen XML et importez ce fichier</translation>
+    </message>
+    <message>
+        <source>There is nothing in it that can be imported</source>
+        <translation>Il ne contient rien qui puisse être importé</translation>
+    </message>
+    <message>
+        <source>The folder exists and is not empty; name a new one</source>
+        <translation>Le dossier existe et n’est pas vide ; indiquez-en un nouveau</translation>
+    </message>
+    <message>
+        <source>The sources have errors of syntax; stepwise check lists them</source>
+        <translation>Les sources ont des erreurs de syntaxe ; stepwise check les énumère</translation>
+    </message>
+    <message>
+        <source>The file is too large to be read</source>
+        <translation>Le fichier est trop grand pour être lu</translation>
+    </message>
+    <message>
+        <source>The file is in the encoding {0}, which is not read; save it as UTF-8</source>
+        <translation>Le fichier a le codage {0}, qui n’est pas pris en charge ; enregistrez-le en UTF-8</translation>
+    </message>
+    <message>
+        <source>The file declares a document type or entities of its own, which is not read; export it again without them</source>
+        <translation>Le fichier déclare un type de document ou des entités propres, qui ne sont pas lus ; exportez-le de nouveau sans eux</translation>
+    </message>
+    <message>
+        <source>The elements of the file are nested too deeply</source>
+        <translation>Les éléments du fichier sont imbriqués trop profondément</translation>
+    </message>
+    <message>
+        <source>This is not well-formed XML: {0}</source>
+        <translation>Ce XML n’est pas bien formé : {0}</translation>
+    </message>
+    <message>
+        <source>The file has no elements</source>
+        <translation>Le fichier n’a pas d’éléments</translation>
+    </message>
+    <message>
+        <source>This is XML, not structured text; import it (stepwise import --help)</source>
+        <translation>C’est du XML, pas du texte structuré ; importez-le (stepwise import --help)</translation>
+    </message>
+    <message>
+        <source>Windows-1252 does not have the character {0}; write the file as UTF-8</source>
+        <translation>Windows-1252 n’a pas le caractère {0} ; écrivez le fichier en UTF-8</translation>
+    </message>
+    <message>
+        <source>The first input and the first output of {0} must be BOOL for it to be part of a rung.</source>
+        <translation>La première entrée et la première sortie de {0} doivent être de type BOOL pour qu’il fasse partie d’un réseau.</translation>
+    </message>
+    <message>
+        <source>Type a name and a block: T1 : TON</source>
+        <translation>Saisissez un nom et un bloc : T1 : TON</translation>
+    </message>
+    <message>
+        <source>the local variables of {0} and of what it calls need {1} bytes; the maximum is {2}</source>
+        <translation>les variables locales de {0} et de ce qu’il appelle demandent {1} octets ; le maximum est {2}</translation>
+    </message>
+    <message>
+        <source>{0} is too large for the stack; divide it into several functions</source>
+        <translation>{0} est trop grand pour la pile ; répartissez-le en plusieurs fonctions</translation>
+    </message>
+    <message>
+        <source>more than {0} units of work (loop passes, calls, copies) in one run of the task; check for an endless loop</source>
+        <translation>plus de {0} unités de travail (passages de boucle, appels, copies) en une exécution de la tâche ; recherchez une boucle sans fin</translation>
+    </message>
+    <message>
+        <source>{0} is not a whole number</source>
+        <translation>{0} n’est pas un nombre entier</translation>
+    </message>
+    <message>
+        <source>{0} is not a number of scans</source>
+        <translation>{0} n’est pas un nombre de cycles</translation>
+    </message>
+    <message>
+        <source>{0} is not a time</source>
+        <translation>{0} n’est pas un temps</translation>
+        <source>This is no file that can be imported: PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
+        <translation>{0} n’est pas un temps</translation>
+    </message>
+    <message>
+        <source>{0} is not a name: use letters, digits and underscores.</source>
+        <translation>{0} n’est pas un nom : utilisez des lettres, des chiffres et le trait de soulignement.</translation>
+    </message>
+</context>
+<context>
+    <name>Hmi</name>
+    <message>
+        <source>as it is</source>
+        <translation>tel quel</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <source>Other…</source>
+        <translation>Autre…</translation>
+    </message>
+    <message>
+        <source>A variable that is written</source>
+        <translation>Une variable qui est écrite</translation>
+    </message>
+    <message>
+        <source>An ST expression</source>
+        <translation>Une expression ST</translation>
+    </message>
+    <message>
+        <source>Shown to the operator. A typed text gets its key by itself; @key names one.</source>
+        <translation>Affiché à l’opérateur. Un texte saisi reçoit automatiquement sa clé ; @clé en désigne une existante.</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Largeur</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Hauteur</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.svg)</source>
+        <translation>Images (*.png *.jpg *.svg)</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valeur</translation>
+    </message>
+    <message>
+        <source>Unknown element</source>
+        <translation>Élément inconnu</translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation>Vue</translation>
+    </message>
+    <message>
+        <source>Alarm</source>
+        <translation>Alarme</translation>
+    </message>
+    <message>
+        <source>Alarm class</source>
+        <translation>Classe d’alarme</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Ligne</translation>
+    </message>
+    <message>
+        <source>Line width</source>
+        <translation>Épaisseur du trait</translation>
+    </message>
+    <message>
+        <source>Line style</source>
+        <translation>Style du trait</translation>
+    </message>
+    <message>
+        <source>Fill</source>
+        <translation>Remplissage</translation>
+    </message>
+    <message>
+        <source>Fill level</source>
+        <translation>Niveau de remplissage</translation>
+    </message>
+    <message>
+        <source>Full at</source>
+        <translation>Plein à</translation>
+    </message>
+    <message>
+        <source>Level colour</source>
+        <translation>Couleur du niveau</translation>
+    </message>
+    <message>
+        <source>Font size</source>
+        <translation>Taille de la police</translation>
+    </message>
+    <message>
+        <source>Bold</source>
+        <translation>Gras</translation>
+    </message>
+    <message>
+        <source>Alignment</source>
+        <translation>Alignement</translation>
+    </message>
+    <message>
+        <source>Text colour</source>
+        <translation>Couleur du texte</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unité</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Limit low-low</source>
+        <translation>Limite très basse (LL)</translation>
+    </message>
+    <message>
+        <source>Limit low</source>
+        <translation>Limite basse (L)</translation>
+    </message>
+    <message>
+        <source>Limit high</source>
+        <translation>Limite haute (H)</translation>
+    </message>
+    <message>
+        <source>Limit high-high</source>
+        <translation>Limite très haute (HH)</translation>
+    </message>
+    <message>
+        <source>Choices</source>
+        <translation>Choix</translation>
+    </message>
+    <message>
+        <source>Text list</source>
+        <translation>Liste de textes</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titre</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Thème</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Arrière-plan</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Grille</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>Identifiant</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Condition</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>Classe</translation>
+    </message>
+    <message>
+        <source>Priority</source>
+        <translation>Priorité</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Texte</translation>
+    </message>
+    <message>
+        <source>Values in texts</source>
+        <translation>Valeurs des textes</translation>
+    </message>
+    <message>
+        <source>On delay in seconds</source>
+        <translation>Retard à l’apparition en secondes</translation>
+    </message>
+    <message>
+        <source>Off delay in seconds</source>
+        <translation>Retard à la disparition en secondes</translation>
+    </message>
+    <message>
+        <source>Must be acknowledged</source>
+        <translation>À acquitter</translation>
+    </message>
+    <message>
+        <source>Suppressed if</source>
+        <translation>Supprimée si</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Couleur</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Genre</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Groupe</translation>
+    </message>
+    <message>
+        <source>Tab page</source>
+        <translation>Page d’onglet</translation>
+    </message>
+    <message>
+        <source>Place and size</source>
+        <translation>Position et taille</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Angle</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Verrouillé</translation>
+    </message>
+    <message>
+        <source>Visible if</source>
+        <translation>Visible si</translation>
+    </message>
+    <message>
+        <source>Enabled if</source>
+        <translation>Utilisable si</translation>
+    </message>
+    <message>
+        <source>Appearance by condition</source>
+        <translation>Apparence selon condition</translation>
+    </message>
+    <message>
+        <source>Move right by</source>
+        <translation>Déplacer à droite de</translation>
+    </message>
+    <message>
+        <source>Move down by</source>
+        <translation>Déplacer vers le bas de</translation>
+    </message>
+    <message>
+        <source>Rotate by</source>
+        <translation>Tourner de</translation>
+    </message>
+    <message>
+        <source>Fixed language</source>
+        <translation>Langue fixe</translation>
+    </message>
+    <message>
+        <source>If</source>
+        <translation>Si</translation>
+    </message>
+    <message>
+        <source>Blinks</source>
+        <translation>Clignote</translation>
+    </message>
+    <message>
+        <source>Visible</source>
+        <translation>Visible</translation>
+    </message>
+    <message>
+        <source>Enabled</source>
+        <translation>Utilisable</translation>
+    </message>
+    <message>
+        <source>On if</source>
+        <translation>Allumé si</translation>
+    </message>
+    <message>
+        <source>Blinks if</source>
+        <translation>Clignote si</translation>
+    </message>
+    <message>
+        <source>Variable with [#] as index</source>
+        <translation>Variable avec [#] comme indice</translation>
+    </message>
+    <message>
+        <source>Editable</source>
+        <translation>Modifiable</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Pas</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Points</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Début</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Fin</translation>
+    </message>
+    <message>
+        <source>Polyline</source>
+        <translation>Polyligne</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>Rectangle</translation>
+    </message>
+    <message>
+        <source>Rounded rectangle</source>
+        <translation>Rectangle arrondi</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Rayon</translation>
+    </message>
+    <message>
+        <source>Ellipse</source>
+        <translation>Ellipse</translation>
+    </message>
+    <message>
+        <source>Polygon</source>
+        <translation>Polygone</translation>
+    </message>
+    <message>
+        <source>Arc</source>
+        <translation>Arc</translation>
+    </message>
+    <message>
+        <source>Start angle</source>
+        <translation>Angle de départ</translation>
+    </message>
+    <message>
+        <source>Span</source>
+        <translation>Ouverture</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Forme</translation>
+    </message>
+    <message>
+        <source>Pipe</source>
+        <translation>Conduite</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Épaisseur</translation>
+    </message>
+    <message>
+        <source>Flow (sign gives the direction)</source>
+        <translation>Débit (le signe donne le sens)</translation>
+    </message>
+    <message>
+        <source>Flow colour</source>
+        <translation>Couleur du débit</translation>
+    </message>
+    <message>
+        <source>Wraps</source>
+        <translation>Retour à la ligne</translation>
+    </message>
+    <message>
+        <source>Image</source>
+        <translation>Image</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Ajustement</translation>
+    </message>
+    <message>
+        <source>Symbol</source>
+        <translation>Symbole</translation>
+    </message>
+    <message>
+        <source>Running if</source>
+        <translation>En marche si</translation>
+    </message>
+    <message>
+        <source>Warning if</source>
+        <translation>Avertissement si</translation>
+    </message>
+    <message>
+        <source>Fault if</source>
+        <translation>Défaut si</translation>
+    </message>
+    <message>
+        <source>Colour off</source>
+        <translation>Couleur à l’arrêt</translation>
+    </message>
+    <message>
+        <source>Colour running</source>
+        <translation>Couleur en marche</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Direction</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Libellé</translation>
+    </message>
+    <message>
+        <source>Button</source>
+        <translation>Bouton</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>Action</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Value to write</source>
+        <translation>Valeur à écrire</translation>
+    </message>
+    <message>
+        <source>Go to panel</source>
+        <translation>Aller à la vue</translation>
+    </message>
+    <message>
+        <source>Language tag</source>
+        <translation>Étiquette de langue</translation>
+    </message>
+    <message>
+        <source>Question to confirm</source>
+        <translation>Question de confirmation</translation>
+    </message>
+    <message>
+        <source>Lit if</source>
+        <translation>Allumé si</translation>
+    </message>
+    <message>
+        <source>Colour lit</source>
+        <translation>Couleur allumé</translation>
+    </message>
+    <message>
+        <source>Icon</source>
+        <translation>Icône</translation>
+    </message>
+    <message>
+        <source>Switch</source>
+        <translation>Commutateur</translation>
+    </message>
+    <message>
+        <source>Text on</source>
+        <translation>Texte à l’état 1</translation>
+    </message>
+    <message>
+        <source>Text off</source>
+        <translation>Texte à l’état 0</translation>
+    </message>
+    <message>
+        <source>Colour on</source>
+        <translation>Couleur à l’état 1</translation>
+    </message>
+    <message>
+        <source>Rotary selector</source>
+        <translation>Sélecteur rotatif</translation>
+    </message>
+    <message>
+        <source>Check box</source>
+        <translation>Case à cocher</translation>
+    </message>
+    <message>
+        <source>Radio group</source>
+        <translation>Groupe d’options</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Colonnes</translation>
+    </message>
+    <message>
+        <source>Combo box</source>
+        <translation>Liste déroulante</translation>
+    </message>
+    <message>
+        <source>Slider</source>
+        <translation>Curseur</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Pas</translation>
+    </message>
+    <message>
+        <source>Orientation</source>
+        <translation>Orientation</translation>
+    </message>
+    <message>
+        <source>Shows the value</source>
+        <translation>Afficher la valeur</translation>
+    </message>
+    <message>
+        <source>Turning knob</source>
+        <translation>Bouton rotatif</translation>
+    </message>
+    <message>
+        <source>Numeric entry</source>
+        <translation>Saisie numérique</translation>
+    </message>
+    <message>
+        <source>Lowest value</source>
+        <translation>Valeur minimale</translation>
+    </message>
+    <message>
+        <source>Highest value</source>
+        <translation>Valeur maximale</translation>
+    </message>
+    <message>
+        <source>Title of the keypad</source>
+        <translation>Titre du clavier</translation>
+    </message>
+    <message>
+        <source>Text entry</source>
+        <translation>Saisie de texte</translation>
+    </message>
+    <message>
+        <source>Longest text</source>
+        <translation>Longueur maximale</translation>
+    </message>
+    <message>
+        <source>Masked entry</source>
+        <translation>Saisie masquée</translation>
+    </message>
+    <message>
+        <source>Mask (# digit, A letter, * any)</source>
+        <translation>Masque (# chiffre, A lettre, * quelconque)</translation>
+    </message>
+    <message>
+        <source>Hides the value</source>
+        <translation>Masquer la valeur</translation>
+    </message>
+    <message>
+        <source>Numeric display</source>
+        <translation>Afficheur numérique</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Cadre</translation>
+    </message>
+    <message>
+        <source>Date and time</source>
+        <translation>Date et heure</translation>
+    </message>
+    <message>
+        <source>Value (empty: the controller&apos;s clock)</source>
+        <translation>Valeur (vide : l’horloge de l’automate)</translation>
+    </message>
+    <message>
+        <source>Shows</source>
+        <translation>Affichage</translation>
+    </message>
+    <message>
+        <source>Seconds</source>
+        <translation>Secondes</translation>
+    </message>
+    <message>
+        <source>Lamp</source>
+        <translation>Voyant</translation>
+    </message>
+    <message>
+        <source>Blinks when on</source>
+        <translation>Clignote à l’état 1</translation>
+    </message>
+    <message>
+        <source>Multi-state indicator</source>
+        <translation>Indicateur multi-états</translation>
+    </message>
+    <message>
+        <source>States</source>
+        <translation>États</translation>
+    </message>
+    <message>
+        <source>Bar</source>
+        <translation>Bargraphe</translation>
+    </message>
+    <message>
+        <source>Set point</source>
+        <translation>Consigne</translation>
+    </message>
+    <message>
+        <source>Tank level</source>
+        <translation>Niveau de cuve</translation>
+    </message>
+    <message>
+        <source>Gauge</source>
+        <translation>Cadran</translation>
+    </message>
+    <message>
+        <source>Span of the scale</source>
+        <translation>Ouverture de l’échelle</translation>
+    </message>
+    <message>
+        <source>Divisions</source>
+        <translation>Graduations</translation>
+    </message>
+    <message>
+        <source>7-segment display</source>
+        <translation>Afficheur à 7 segments</translation>
+    </message>
+    <message>
+        <source>Digits</source>
+        <translation>Chiffres</translation>
+    </message>
+    <message>
+        <source>Decimals</source>
+        <translation>Décimales</translation>
+    </message>
+    <message>
+        <source>Leading zeros</source>
+        <translation>Zéros en tête</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Progression</translation>
+    </message>
+    <message>
+        <source>Light tower</source>
+        <translation>Colonne lumineuse</translation>
+    </message>
+    <message>
+        <source>Lights</source>
+        <translation>Feux</translation>
+    </message>
+    <message>
+        <source>Siren if</source>
+        <translation>Sirène si</translation>
+    </message>
+    <message>
+        <source>Float switch</source>
+        <translation>Contact à flotteur</translation>
+    </message>
+    <message>
+        <source>Raised if</source>
+        <translation>Levé si</translation>
+    </message>
+    <message>
+        <source>Colour raised</source>
+        <translation>Couleur levé</translation>
+    </message>
+    <message>
+        <source>Colour hanging</source>
+        <translation>Couleur pendant</translation>
+    </message>
+    <message>
+        <source>Cell grid</source>
+        <translation>Grille de cellules</translation>
+    </message>
+    <message>
+        <source>Array</source>
+        <translation>Tableau</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Lignes</translation>
+    </message>
+    <message>
+        <source>Variable of a cell with [#]</source>
+        <translation>Variable d’une cellule avec [#]</translation>
+    </message>
+    <message>
+        <source>On press</source>
+        <translation>À l’appui</translation>
+    </message>
+    <message>
+        <source>First index</source>
+        <translation>Premier indice</translation>
+    </message>
+    <message>
+        <source>Shows the numbers</source>
+        <translation>Afficher les numéros</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tableau de valeurs</translation>
+    </message>
+    <message>
+        <source>Index of the selected row</source>
+        <translation>Indice de la ligne sélectionnée</translation>
+    </message>
+    <message>
+        <source>Bar chart</source>
+        <translation>Graphique à barres</translation>
+    </message>
+    <message>
+        <source>Text list of the bars</source>
+        <translation>Liste de textes des barres</translation>
+    </message>
+    <message>
+        <source>XY chart</source>
+        <translation>Graphique XY</translation>
+    </message>
+    <message>
+        <source>Array of x</source>
+        <translation>Tableau des valeurs x</translation>
+    </message>
+    <message>
+        <source>Array of y</source>
+        <translation>Tableau des valeurs y</translation>
+    </message>
+    <message>
+        <source>Operating point x</source>
+        <translation>Point de fonctionnement x</translation>
+    </message>
+    <message>
+        <source>Operating point y</source>
+        <translation>Point de fonctionnement y</translation>
+    </message>
+    <message>
+        <source>X from</source>
+        <translation>X de</translation>
+    </message>
+    <message>
+        <source>X to</source>
+        <translation>X à</translation>
+    </message>
+    <message>
+        <source>Y from</source>
+        <translation>Y de</translation>
+    </message>
+    <message>
+        <source>Y to</source>
+        <translation>Y à</translation>
+    </message>
+    <message>
+        <source>Title of x</source>
+        <translation>Titre de l’axe x</translation>
+    </message>
+    <message>
+        <source>Title of y</source>
+        <translation>Titre de l’axe y</translation>
+    </message>
+    <message>
+        <source>Trend chart</source>
+        <translation>Courbe de tendance</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Courbes</translation>
+    </message>
+    <message>
+        <source>Time span in seconds</source>
+        <translation>Durée affichée en secondes</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>À</translation>
+    </message>
+    <message>
+        <source>Legend</source>
+        <translation>Légende</translation>
+    </message>
+    <message>
+        <source>Alarm list</source>
+        <translation>Liste des alarmes</translation>
+    </message>
+    <message>
+        <source>Only these classes</source>
+        <translation>Ces classes seulement</translation>
+    </message>
+    <message>
+        <source>Sorted by</source>
+        <translation>Tri</translation>
+    </message>
+    <message>
+        <source>Acknowledge buttons</source>
+        <translation>Boutons d’acquittement</translation>
+    </message>
+    <message>
+        <source>Alarm banner</source>
+        <translation>Bandeau d’alarme</translation>
+    </message>
+    <message>
+        <source>Language selector</source>
+        <translation>Sélecteur de langue</translation>
+    </message>
+    <message>
+        <source>Style</source>
+        <translation>Style</translation>
+    </message>
+    <message>
+        <source>Names</source>
+        <translation>Noms</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Onglets</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Pages</translation>
+    </message>
+    <message>
+        <source>Index of the page</source>
+        <translation>Indice de la page</translation>
+    </message>
+    <message>
+        <source>Shapes</source>
+        <translation>Formes</translation>
+    </message>
+    <message>
+        <source>Text and pictures</source>
+        <translation>Texte et images</translation>
+    </message>
+    <message>
+        <source>Symbols</source>
+        <translation>Symboles</translation>
+    </message>
+    <message>
+        <source>Operation</source>
+        <translation>Éléments de commande</translation>
+    </message>
+    <message>
+        <source>Display</source>
+        <translation>Éléments d’affichage</translation>
+    </message>
+    <message>
+        <source>Arrays and charts</source>
+        <translation>Tableaux et graphiques</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmes</translation>
+    </message>
+    <message>
+        <source>Containers</source>
+        <translation>Conteneurs</translation>
+    </message>
+    <message>
+        <source>Geometry</source>
+        <translation>Géométrie</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Apparence</translation>
+    </message>
+    <message>
+        <source>Behaviour</source>
+        <translation>Comportement</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Mouvement</translation>
+    </message>
+</context>
+<context>
+    <name>LongTask</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+</context>
+<context>
+    <name>MarkText</name>
+    <message>
+        <source>Started</source>
+        <translation>Démarré</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Arrêté</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>En pause</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>Erreur</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Réinitialisation</translation>
+    </message>
+    <message>
+        <source>Written</source>
+        <translation>Écrit</translation>
+    </message>
+    <message>
+        <source>Forced</source>
+        <translation>Forcé</translation>
+    </message>
+    <message>
+        <source>All forces released</source>
+        <translation>Tous les forçages levés</translation>
+    </message>
+    <message>
+        <source>Released</source>
+        <translation>Forçage levé</translation>
+    </message>
+    <message>
+        <source>Online change</source>
+        <translation>Modification en ligne</translation>
+    </message>
+    <message>
+        <source>Breakpoint</source>
+        <translation>Point d’arrêt</translation>
+    </message>
+    <message>
+        <source>Retained values saved</source>
+        <translation>Valeurs rémanentes enregistrées</translation>
+    </message>
+    <message>
+        <source>Retained values restored</source>
+        <translation>Valeurs rémanentes restaurées</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n scan(s) skipped: the machine was late</source>
+        <translation>
+            <numerusform>%n cycle sauté : l’ordinateur était en retard</numerusform>
+            <numerusform>%n cycles sautés : l’ordinateur était en retard</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Resumed from this scan</source>
+        <translation>Repris à partir de ce cycle</translation>
+    </message>
+</context>
+<context>
+    <name>PlotText</name>
+    <message>
+        <source>no longer kept</source>
+        <translation>n’est plus conservé</translation>
+    </message>
+    <message>
+        <source>did not exist</source>
+        <translation>n’existait pas</translation>
+    </message>
+    <message>
+        <source>scans skipped</source>
+        <translation>cycles sautés</translation>
+    </message>
+    <message>
+        <source>not recorded</source>
+        <translation>non enregistré</translation>
+    </message>
+    <message>
+        <source>Time [%1]</source>
+        <translation>Temps [%1]</translation>
+    </message>
+    <message>
+        <source>Time from the trigger [%1]</source>
+        <translation>Temps depuis le déclenchement [%1]</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Voie</translation>
+    </message>
+    <message>
+        <source>At A</source>
+        <translation>En A</translation>
+    </message>
+    <message>
+        <source>At B</source>
+        <translation>En B</translation>
+    </message>
+    <message>
+        <source>Min</source>
+        <translation>Min</translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation>Max</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Moyenne</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>Valeur efficace</translation>
+    </message>
+    <message>
+        <source>Rise time</source>
+        <translation>Temps de montée</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>Dépassement</translation>
+    </message>
+    <message>
+        <source>Settling</source>
+        <translation>Temps de stabilisation</translation>
+    </message>
+</context>
+<context>
+    <name>TraceText</name>
+    <message>
+        <source>Triggered at %1.</source>
+        <translation>Déclenchement à %1.</translation>
+    </message>
+    <message>
+        <source>The trigger did not fire.</source>
+        <translation>Le déclenchement n’a pas eu lieu.</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::ConversionDialog</name>
+    <message>
+        <source>%1 as ST</source>
+        <translation>%1 en ST</translation>
+    </message>
+    <message>
+        <source>%1 as an Instruction List</source>
+        <translation>%1 en liste d’instructions</translation>
+    </message>
+    <message>
+        <source>Instruction list, as it stands</source>
+        <translation>Liste d’instructions (texte actuel)</translation>
+    </message>
+    <message>
+        <source>ST, as it stands</source>
+        <translation>ST (texte actuel)</translation>
+    </message>
+    <message>
+        <source>The same as ST</source>
+        <translation>La même chose en ST</translation>
+    </message>
+    <message>
+        <source>The same as an instruction list</source>
+        <translation>La même chose en liste d’instructions</translation>
+    </message>
+    <message>
+        <source>Both give the same results. Replacing is one step of undo; comments stay, each above its statement.</source>
+        <translation>Les deux donnent les mêmes résultats. Le remplacement peut être annulé en une seule étape ; les commentaires restent, chacun au-dessus de son instruction.</translation>
+    </message>
+    <message>
+        <source>Replace the Text</source>
+        <translation>Remplacer le texte</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copier</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::EditorTabs</name>
+    <message>
+        <source>Documents</source>
+        <translation>Documents</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Close Others</source>
+        <translation>Fermer les autres</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Modifications non enregistrées</translation>
+    </message>
+    <message>
+        <source>%1 was changed. Save it?</source>
+        <translation>%1 a été modifié. L’enregistrer ?</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) were changed: %1. Save them?</source>
+        <translation>
+            <numerusform>%n fichier a été modifié : %1. L’enregistrer ?</numerusform>
+            <numerusform>%n fichiers ont été modifiés : %1. Les enregistrer ?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Changed outside</source>
+        <translation>Modifié à l’extérieur</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program, and here too. Load the file from disk and lose the changes made here?</source>
+        <translation>%1 a été modifié par un autre programme, et ici aussi. Charger le fichier du disque et perdre les modifications faites ici ?</translation>
+    </message>
+    <message numerus="yes">
+        <source>Changed in %n file(s); those edited since stay as they are</source>
+        <translation>
+            <numerusform>Modifié dans %n fichier ; ceux modifiés depuis restent tels quels</numerusform>
+            <numerusform>Modifié dans %n fichiers ; ceux modifiés depuis restent tels quels</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Changed in %n file(s)</source>
+        <translation>
+            <numerusform>Modifié dans %n fichier</numerusform>
+            <numerusform>Modifié dans %n fichiers</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Read-only file</source>
+        <translation>Fichier en lecture seule</translation>
+    </message>
+    <message>
+        <source>%1 is read-only. Replace it all the same? It stays read-only.</source>
+        <translation>%1 est en lecture seule. Le remplacer quand même ? Il reste en lecture seule.</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Remplacer</translation>
+    </message>
+    <message>
+        <source>%1 was not saved</source>
+        <translation>%1 n’a pas été enregistré</translation>
+    </message>
+    <message>
+        <source>%1 is no variable of the running program</source>
+        <translation>%1 n’est pas une variable du programme en cours</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Forcer</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>Écrire</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::LiveViews</name>
+    <message>
+        <source>Panel shown</source>
+        <translation>Vue affichée</translation>
+    </message>
+    <message>
+        <source>Full screen (Esc ends it)</source>
+        <translation>Plein écran (Échap pour quitter)</translation>
+    </message>
+    <message>
+        <source>This project has no panel yet.
+New panels are drawn in the designer: Project, Panels, New…</source>
+        <translation>Ce projet n’a pas encore de vue.
+Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouveau…</translation>
+    </message>
+    <message>
+        <source>The alarm history is kept in memory only: %1</source>
+        <translation>L’historique des alarmes n’est conservé qu’en mémoire : %1</translation>
+    </message>
+    <message>
+        <source>Saving the recording…</source>
+        <translation>Écriture de l’enregistrement…</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::MainWindow</name>
+    <message>
+        <source>A panel&apos;s name is a file name: no / and no \</source>
+        <translation>Le nom d’une vue est un nom de fichier : ni / ni \</translation>
+    </message>
+    <message>
+        <source>Name of the panel:</source>
+        <translation>Nom de la vue :</translation>
+    </message>
+    <message>
+        <source>New Panel</source>
+        <translation>Nouvelle vue</translation>
+    </message>
+    <message>
+        <source>overview</source>
+        <translation>vue_generale</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>Projet</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>Surveillance</translation>
+    </message>
+    <message>
+        <source>Forces</source>
+        <translation>Forçages</translation>
+    </message>
+    <message>
+        <source>Call Path</source>
+        <translation>Pile d’appels</translation>
+    </message>
+    <message>
+        <source>Breakpoints</source>
+        <translation>Points d’arrêt</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Problèmes</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Recherche</translation>
+    </message>
+    <message>
+        <source>Tasks</source>
+        <translation>Tâches</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Journal</translation>
+    </message>
+    <message>
+        <source>Trace</source>
+        <translation>Trace</translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation>Vue</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Recent Projects</source>
+        <translation>Projets récents</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Affichage</translation>
+    </message>
+    <message>
+        <source>Main</source>
+        <translation>Barre d’outils</translation>
+    </message>
+    <message>
+        <source>State of the controller</source>
+        <translation>État de l’automate</translation>
+    </message>
+    <message>
+        <source>%1 : %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>OFFLINE</source>
+        <translation>HORS LIGNE</translation>
+    </message>
+    <message>
+        <source>RUN</source>
+        <translation>RUN</translation>
+    </message>
+    <message>
+        <source>PAUSE</source>
+        <translation>PAUSE</translation>
+    </message>
+    <message>
+        <source>HALT</source>
+        <translation>HALTE</translation>
+    </message>
+    <message>
+        <source>FAULT</source>
+        <translation>ERREUR</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>STOP</translation>
+    </message>
+    <message>
+        <source>PAST</source>
+        <translation>PASSÉ</translation>
+    </message>
+    <message>
+        <source>%1 · scan %2</source>
+        <translation>%1 · cycle %2</translation>
+    </message>
+    <message>
+        <source>%1 µs · %2 % load</source>
+        <translation>%1 µs · charge %2 %</translation>
+    </message>
+    <message>
+        <source>%1 MB recorded</source>
+        <translation>%1 Mo enregistrés</translation>
+    </message>
+    <message>
+        <source>%1 scans of %2 MB at most</source>
+        <translation>%1 cycles, %2 Mo au maximum</translation>
+    </message>
+    <message>
+        <source>Go to the line</source>
+        <translation>Aller à la ligne</translation>
+    </message>
+    <message>
+        <source>no problems</source>
+        <translation>aucun problème</translation>
+    </message>
+    <message>
+        <source>Open Project</source>
+        <translation>Ouvrir un projet</translation>
+    </message>
+    <message>
+        <source>%1 – Stepwise</source>
+        <translation>%1 – Stepwise</translation>
+    </message>
+    <message>
+        <source>Recovery</source>
+        <translation>Récupération</translation>
+    </message>
+    <message>
+        <source>The studio ended without saving. Unsaved changes of %1 were kept. Restore them?</source>
+        <translation>Le studio s’est terminé sans enregistrer. Les modifications non enregistrées de %1 ont été conservées. Les restaurer ?</translation>
+    </message>
+    <message>
+        <source>Go to Line</source>
+        <translation>Aller à la ligne</translation>
+    </message>
+    <message>
+        <source>Line (1 to %1)</source>
+        <translation>Ligne (1 à %1)</translation>
+    </message>
+    <message>
+        <source>Nothing is declared under this name</source>
+        <translation>Rien n’est déclaré sous ce nom</translation>
+    </message>
+    <message>
+        <source>There is no name at the cursor</source>
+        <translation>Il n’y a pas de nom sous le curseur</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Renommer</translation>
+    </message>
+    <message>
+        <source>New name of %1, in the whole project:</source>
+        <translation>Nouveau nom de %1, dans tout le projet :</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 is now %2 in %n place(s)</source>
+        <translation>
+            <numerusform>%1 s’appelle maintenant %2, à %n endroit</numerusform>
+            <numerusform>%1 s’appelle maintenant %2, à %n endroits</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Delete %1?</source>
+        <translation>Supprimer %1 ?</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Libraries</source>
+        <translation>Bibliothèques</translation>
+    </message>
+    <message>
+        <source>The tests run…</source>
+        <translation>Les tests sont en cours…</translation>
+    </message>
+    <message>
+        <source>passed: %1</source>
+        <translation>réussi : %1</translation>
+    </message>
+    <message>
+        <source>FAILED: %1</source>
+        <translation>ÉCHEC : %1</translation>
+    </message>
+    <message>
+        <source>%1 passed, %2 failed</source>
+        <translation>%1 réussis, %2 en échec</translation>
+    </message>
+    <message>
+        <source>Real time</source>
+        <translation>Temps réel</translation>
+    </message>
+    <message>
+        <source>As fast as possible</source>
+        <translation>Aussi vite que possible</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Enregistrement</translation>
+    </message>
+    <message>
+        <source>Memory for the recording of every scan [MB]:</source>
+        <translation>Mémoire pour l’enregistrement de chaque cycle [Mo] :</translation>
+    </message>
+    <message>
+        <source>Save the Recording</source>
+        <translation>Sauvegarder l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Recordings (*.rec)</source>
+        <translation>Enregistrements (*.rec)</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Enregistré : %1</translation>
+    </message>
+    <message>
+        <source>About Stepwise</source>
+        <translation>À propos de Stepwise</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Stepwise 0.1&lt;/h3&gt;&lt;p&gt;An open PLC studio: IEC 61131-3 programs as native code, every scan recorded, operator panels in many languages.&lt;/p&gt;&lt;p&gt;Licence: GPL-3.0&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Stepwise 0.1&lt;/h3&gt;&lt;p&gt;Un studio ouvert pour automates (API) : programmes CEI 61131-3 en code natif, chaque cycle enregistré, vues opérateur en plusieurs langues.&lt;/p&gt;&lt;p&gt;Licence : GPL-3.0&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Welcome</source>
+        <translation>Bienvenue</translation>
+    </message>
+    <message>
+        <source>This is a PID controller working on a simulated process: the program above, its trace below, its operator panel at the right. Nothing can break: the plant is only numbers. Press Next to look around for a minute, or F5 to run it at once.</source>
+        <translation>Voici un régulateur PID sur un procédé simulé : le programme en haut, sa trace en bas, sa vue opérateur à droite. Rien ne peut être endommagé : l’installation n’est faite que de nombres. Cliquez sur Suivant pour une courte visite, ou appuyez sur F5 pour démarrer tout de suite.</translation>
+    </message>
+    <message>
+        <source>The project</source>
+        <translation>Le projet</translation>
+    </message>
+    <message>
+        <source>Programs, blocks, tasks, panels, traces and tests, made from the text files in the folder.</source>
+        <translation>Programmes, blocs, tâches, vues, traces et tests, issus des fichiers texte du dossier.</translation>
+    </message>
+    <message>
+        <source>The program</source>
+        <translation>Le programme</translation>
+    </message>
+    <message>
+        <source>Structured Text with colours by meaning. Errors are underlined while you type; Alt+Enter mends what it can; Ctrl+Space completes.</source>
+        <translation>Texte structuré coloré selon le sens. Les erreurs sont soulignées pendant la saisie ; Alt+Entrée corrige ce qui peut l’être ; Ctrl+Espace complète.</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Exécution</translation>
+    </message>
+    <message>
+        <source>F5 compiles to native code and runs it. Values then stand beside each line.</source>
+        <translation>F5 compile en code natif et exécute. Les valeurs s’affichent alors à côté de chaque ligne.</translation>
+    </message>
+    <message>
+        <source>Any expression, at any moment. Prepare a value and write or force it with one click.</source>
+        <translation>N’importe quelle expression, à tout moment. Préparez une valeur, puis écrivez-la ou forcez-la d’un clic.</translation>
+    </message>
+    <message>
+        <source>The trace</source>
+        <translation>La trace</translation>
+    </message>
+    <message>
+        <source>Nothing had to be chosen before it happened: every scan is recorded, and a chart can be made of any expression afterwards.</source>
+        <translation>Rien n’était à choisir à l’avance : chaque cycle est enregistré, et une courbe de n’importe quelle expression peut être tracée après coup.</translation>
+    </message>
+    <message>
+        <source>The panel</source>
+        <translation>La vue</translation>
+    </message>
+    <message>
+        <source>What the operator sees, in the languages of the machine. It works here as it will on the machine.</source>
+        <translation>Ce que voit l’opérateur, dans les langues de la machine. Elle fonctionne ici comme sur la machine.</translation>
+    </message>
+    <message>
+        <source>Time runs backwards, too</source>
+        <translation>Le temps s’écoule aussi à rebours</translation>
+    </message>
+    <message>
+        <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume From Here” goes on from there.</source>
+        <translation>Faites glisser le curseur temporel, ou appuyez sur Ctrl+Alt+Gauche : le code, les courbes et la vue affichent le passé. « Reprendre ici » repart de là.</translation>
+    </message>
+    <message>
+        <source>That is it</source>
+        <translation>C’est tout</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+P finds every command. The start page has more machines to play with.</source>
+        <translation>Ctrl+Maj+P trouve chaque commande. La page de démarrage propose d’autres machines à essayer.</translation>
+    </message>
+    <message>
+        <source>Texts</source>
+        <translation>Textes</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmes</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>New Project…</source>
+        <translation>Nouveau projet…</translation>
+    </message>
+    <message>
+        <source>Open Project…</source>
+        <translation>Ouvrir un projet…</translation>
+    </message>
+    <message>
+        <source>Close Project</source>
+        <translation>Fermer le projet</translation>
+    </message>
+    <message>
+        <source>New Program, Block, Type…</source>
+        <translation>Ajouter un programme, un bloc, un type…</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>New Panel…</source>
+        <translation>Nouvelle vue…</translation>
+    </message>
+    <message>
+        <source>Panel Texts</source>
+        <translation>Textes des vues</translation>
+    </message>
+    <message>
+        <source>Save All</source>
+        <translation>Enregistrer tout</translation>
+    </message>
+    <message>
+        <source>Close Document</source>
+        <translation>Fermer le document</translation>
+    </message>
+    <message>
+        <source>Libraries…</source>
+        <translation>Bibliothèques…</translation>
+    </message>
+    <message>
+        <source>Settings…</source>
+        <translation>Paramètres…</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Quitter</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Édition</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rétablir</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Couper</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copier</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Coller</translation>
+    </message>
+    <message>
+        <source>Find…</source>
+        <translation>Rechercher…</translation>
+    </message>
+    <message>
+        <source>Replace…</source>
+        <translation>Remplacer…</translation>
+    </message>
+    <message>
+        <source>Find Next</source>
+        <translation>Rechercher le suivant</translation>
+    </message>
+    <message>
+        <source>Find Previous</source>
+        <translation>Rechercher le précédent</translation>
+    </message>
+    <message>
+        <source>Find in All Files…</source>
+        <translation>Rechercher dans tous les fichiers…</translation>
+    </message>
+    <message>
+        <source>Go to Line…</source>
+        <translation>Aller à la ligne…</translation>
+    </message>
+    <message>
+        <source>Go to Definition</source>
+        <translation>Aller à la définition</translation>
+    </message>
+    <message>
+        <source>Find All Uses</source>
+        <translation>Rechercher les utilisations</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Renommer…</translation>
+    </message>
+    <message>
+        <source>Complete</source>
+        <translation>Compléter</translation>
+    </message>
+    <message>
+        <source>Apply a Fix (Alt+Enter)</source>
+        <translation>Appliquer une correction (Alt+Entrée)</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Mettre en forme</translation>
+    </message>
+    <message>
+        <source>Comment In or Out (Ctrl+/)</source>
+        <translation>Commenter ou décommenter (Ctrl+/)</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Dupliquer la ligne</translation>
+    </message>
+    <message>
+        <source>Select the Block Around</source>
+        <translation>Sélectionner le bloc englobant</translation>
+    </message>
+    <message>
+        <source>Go to the Matching Word</source>
+        <translation>Aller au mot-clé correspondant</translation>
+    </message>
+    <message>
+        <source>Next Problem</source>
+        <translation>Problème suivant</translation>
+    </message>
+    <message>
+        <source>Previous Problem</source>
+        <translation>Problème précédent</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Précédent</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Suivant</translation>
+    </message>
+    <message>
+        <source>Build</source>
+        <translation>Compiler</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêter</translation>
+    </message>
+    <message>
+        <source>Single Scan</source>
+        <translation>Un seul cycle</translation>
+    </message>
+    <message>
+        <source>Step In</source>
+        <translation>Pas à pas détaillé</translation>
+    </message>
+    <message>
+        <source>Step Over</source>
+        <translation>Pas à pas principal</translation>
+    </message>
+    <message>
+        <source>Step Out</source>
+        <translation>Pas à pas sortant</translation>
+    </message>
+    <message>
+        <source>Run to Cursor</source>
+        <translation>Exécuter jusqu’au curseur</translation>
+    </message>
+    <message>
+        <source>Toggle Breakpoint</source>
+        <translation>Basculer le point d’arrêt</translation>
+    </message>
+    <message>
+        <source>Reset Warm</source>
+        <translation>Reset à chaud</translation>
+    </message>
+    <message>
+        <source>Reset Cold</source>
+        <translation>Reset à froid</translation>
+    </message>
+    <message>
+        <source>Reset Origin</source>
+        <translation>Reset d’origine</translation>
+    </message>
+    <message>
+        <source>Online Change</source>
+        <translation>Modification en ligne</translation>
+    </message>
+    <message>
+        <source>Speed…</source>
+        <translation>Vitesse…</translation>
+    </message>
+    <message>
+        <source>Memory for the Recording…</source>
+        <translation>Mémoire pour l’enregistrement…</translation>
+    </message>
+    <message>
+        <source>Save the Recording…</source>
+        <translation>Sauvegarder l’enregistrement…</translation>
+    </message>
+    <message>
+        <source>Write Prepared Values</source>
+        <translation>Écrire les valeurs préparées</translation>
+    </message>
+    <message>
+        <source>Force Prepared Values</source>
+        <translation>Forcer les valeurs préparées</translation>
+    </message>
+    <message>
+        <source>Release All Forces</source>
+        <translation>Lever tous les forçages</translation>
+    </message>
+    <message>
+        <source>Run the Tests</source>
+        <translation>Exécuter les tests</translation>
+    </message>
+    <message>
+        <source>One Scan Back</source>
+        <translation>Un cycle en arrière</translation>
+    </message>
+    <message>
+        <source>One Scan Forward</source>
+        <translation>Un cycle en avant</translation>
+    </message>
+    <message>
+        <source>Back to Live</source>
+        <translation>Retour au direct</translation>
+    </message>
+    <message>
+        <source>Resume From Here</source>
+        <translation>Reprendre ici</translation>
+    </message>
+    <message>
+        <source>Command Palette</source>
+        <translation>Palette de commandes</translation>
+    </message>
+    <message>
+        <source>Split the Editor</source>
+        <translation>Fractionner l’éditeur</translation>
+    </message>
+    <message>
+        <source>Declarations as a Table</source>
+        <translation>Déclarations en tableau</translation>
+    </message>
+    <message>
+        <source>Chart Beside the Text</source>
+        <translation>Grafcet à côté du texte</translation>
+    </message>
+    <message>
+        <source>Online Values in the Text</source>
+        <translation>Valeurs en ligne dans le texte</translation>
+    </message>
+    <message>
+        <source>Larger</source>
+        <translation>Agrandir</translation>
+    </message>
+    <message>
+        <source>Smaller</source>
+        <translation>Réduire</translation>
+    </message>
+    <message>
+        <source>Light Theme</source>
+        <translation>Thème clair</translation>
+    </message>
+    <message>
+        <source>Dark Theme</source>
+        <translation>Thème sombre</translation>
+    </message>
+    <message>
+        <source>Theme of the System</source>
+        <translation>Thème du système</translation>
+    </message>
+    <message>
+        <source>Reset the Layout</source>
+        <translation>Réinitialiser la disposition</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Aide</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Visite guidée</translation>
+    </message>
+    <message>
+        <source>Open a Recording…</source>
+        <translation>Ouvrir un enregistrement…</translation>
+    </message>
+    <message>
+        <source>All values are of a recording from a file. A click goes back to the controller.</source>
+        <translation>Toutes les valeurs proviennent d’un enregistrement dans un fichier. Un clic ramène à l’automate.</translation>
+    </message>
+    <message>
+        <source>RECORDING</source>
+        <translation>ENREGISTREMENT</translation>
+    </message>
+    <message>
+        <source>%1 – back to live</source>
+        <translation>%1 – retour au direct</translation>
+    </message>
+    <message>
+        <source>Panel %1</source>
+        <translation>Vue %1</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Modifications non enregistrées</translation>
+    </message>
+    <message>
+        <source>%1 was changed. Save it?</source>
+        <translation>%1 a été modifié. L’enregistrer ?</translation>
+    </message>
+    <message>
+        <source>Open a Recording</source>
+        <translation>Ouvrir un enregistrement</translation>
+    </message>
+    <message>
+        <source>Show as ST…</source>
+        <translation>Afficher en ST…</translation>
+    </message>
+    <message>
+        <source>Show as an Instruction List…</source>
+        <translation>Afficher en liste d’instructions…</translation>
+    </message>
+    <message>
+        <source>Put the cursor into a unit that is written in ST or IL</source>
+        <translation>Placez le curseur dans un POU écrit en ST ou en IL</translation>
+    </message>
+    <message>
+        <source>The text has changed meanwhile</source>
+        <translation>Le texte a changé entre-temps</translation>
+    </message>
+    <message>
+        <source>New Trace…</source>
+        <translation>Nouvelle trace…</translation>
+    </message>
+    <message numerus="yes">
+        <source>It is used in %n other place(s).</source>
+        <translation>
+            <numerusform>Utilisé à %n autre endroit.</numerusform>
+            <numerusform>Utilisé à %n autres endroits.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Delete and Comment Out the Uses</source>
+        <translation>Supprimer et commenter les utilisations</translation>
+    </message>
+    <message>
+        <source>Show the Uses</source>
+        <translation>Afficher les utilisations</translation>
+    </message>
+    <message>
+        <source>New Trace</source>
+        <translation>Nouvelle trace</translation>
+    </message>
+    <message>
+        <source>Name of the trace:</source>
+        <translation>Nom de la trace :</translation>
+    </message>
+    <message>
+        <source>trace</source>
+        <translation>trace</translation>
+    </message>
+    <message>
+        <source>A file name holds no / and no \</source>
+        <translation>Un nom de fichier ne contient ni / ni \</translation>
+    </message>
+    <message>
+        <source>There is a trace %1 already</source>
+        <translation>Une trace %1 existe déjà</translation>
+    </message>
+    <message>
+        <source>New name of %1:</source>
+        <translation>Nouveau nom de %1 :</translation>
+    </message>
+    <message>
+        <source>There is a file %1 already</source>
+        <translation>Un fichier %1 existe déjà</translation>
+    </message>
+    <message>
+        <source>The file can not be renamed; check the permissions of the folder</source>
+        <translation>Le fichier ne peut pas être renommé ; vérifiez les droits du dossier</translation>
+    </message>
+    <message>
+        <source>These panels lead to it; their buttons will be problems: %1</source>
+        <translation>Ces vues y renvoient ; leurs boutons seront signalés comme problèmes : %1</translation>
+    </message>
+    <message>
+        <source>The file can not be removed; check the permissions of the folder</source>
+        <translation>Le fichier ne peut pas être supprimé ; vérifiez les droits du dossier</translation>
+    </message>
+    <message>
+        <source>The build was cancelled; everything is as it was</source>
+        <translation>La compilation a été annulée ; tout est comme avant</translation>
+    </message>
+    <message>
+        <source>Tests</source>
+        <translation>Tests</translation>
+    </message>
+    <message>
+        <source>The tests were cancelled</source>
+        <translation>Les tests ont été annulés</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing was saved</source>
+        <translation>Annulé : rien n’a été enregistré</translation>
+    </message>
+    <message>
+        <source>%1 is written in %2 and is saved as it was found</source>
+        <translation>%1 est écrit en %2 et sera enregistré tel quel</translation>
+    </message>
+    <message>
+        <source>This is a copy of the example, in %1: change what you like</source>
+        <translation>Ceci est une copie de l’exemple, dans %1 : modifiez ce que vous voulez</translation>
+    </message>
+    <message>
+        <source>This is your copy of the example, in %1</source>
+        <translation>Ceci est votre copie de l’exemple, dans %1</translation>
+    </message>
+    <message>
+        <source>The project is still being checked; try again in a moment</source>
+        <translation>Le projet est encore en cours de vérification ; réessayez dans un instant</translation>
+    </message>
+    <message>
+        <source>It holds %1.</source>
+        <translation>Il contient %1.</translation>
+    </message>
+    <message>
+        <source>The language changes when the tests have ended</source>
+        <translation>La langue change quand les tests sont terminés</translation>
+    </message>
+    <message>
+        <source>Fault of the controller</source>
+        <translation>Erreur de l’automate</translation>
+    </message>
+    <message>
+        <source>RUN %1</source>
+        <translation>RUN %1</translation>
+    </message>
+    <message>
+        <source>at full speed</source>
+        <translation>à pleine vitesse</translation>
+    </message>
+    <message>
+        <source>%1 ×</source>
+        <translation>%1 ×</translation>
+    </message>
+    <message>
+        <source>Speed of the controller; any factor can be typed:</source>
+        <translation>Vitesse de l’automate ; tout facteur peut être saisi :</translation>
+    </message>
+    <message>
+        <source>The speed is a factor from 0.001 to 10000</source>
+        <translation>La vitesse est un facteur de 0.001 à 10000</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>Importer…</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exporter…</translation>
+    </message>
+    <message>
+        <source>The project was exported</source>
+        <translation>Le projet a été exporté</translation>
+    </message>
+    <message>
+        <source>%1 is written in %2 and is saved as it was found</source>
+        <translation>%1 est écrit en %2 et sera enregistré tel quel</translation>
+    </message>
+    <message>
+        <source>Select the Next Occurrence Too</source>
+        <translation>Sélectionner aussi l’occurrence suivante</translation>
+    </message>
+    <message>
+        <source>Arrange for Editing</source>
+        <translation>Disposition pour l’édition</translation>
+    </message>
+    <message>
+        <source>Arrange for Debugging</source>
+        <translation>Disposition pour le débogage</translation>
+    </message>
+    <message>
+        <source>Arrange for Drawing Panels</source>
+        <translation>Disposition pour dessiner des vues</translation>
+    </message>
+    <message>
+        <source>Maximise the Editor</source>
+        <translation>Agrandir l’éditeur</translation>
+    </message>
+    <message>
+        <source>Keeping the recording of the last run…</source>
+        <translation>Conservation de l’enregistrement de la dernière exécution…</translation>
+    </message>
+    <message>
+        <source>%1 is not UTF-8 and was read as Windows-1252; saving it writes UTF-8</source>
+        <translation>%1 n’est pas en UTF-8 et a été lu en Windows-1252 ; il sera enregistré en UTF-8</translation>
+    </message>
+    <message>
+        <source>Diagram Beside the Text</source>
+        <translation>Schéma à côté du texte</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::NewProjectDialog</name>
+    <message>
+        <source>Empty</source>
+        <translation>Vide</translation>
+    </message>
+    <message>
+        <source>One program in a task of 10 ms</source>
+        <translation>Un programme dans une tâche de 10 ms</translation>
+    </message>
+    <message>
+        <source>Motor</source>
+        <translation>Moteur</translation>
+    </message>
+    <message>
+        <source>Start, stop, a simulated motor and a test</source>
+        <translation>Marche, arrêt, un moteur simulé et un test</translation>
+    </message>
+    <message>
+        <source>PID loop</source>
+        <translation>Boucle PID</translation>
+    </message>
+    <message>
+        <source>A temperature loop with its plant</source>
+        <translation>Une boucle de température avec son installation</translation>
+    </message>
+    <message>
+        <source>Sequence</source>
+        <translation>Séquence</translation>
+    </message>
+    <message>
+        <source>Fill, mix, empty as a sequential function chart</source>
+        <translation>Remplir, mélanger, vider, en grafcet (SFC)</translation>
+    </message>
+    <message>
+        <source>New Project</source>
+        <translation>Nouveau projet</translation>
+    </message>
+    <message>
+        <source>Template</source>
+        <translation>Modèle</translation>
+    </message>
+    <message>
+        <source>My machine</source>
+        <translation>Ma machine</translation>
+    </message>
+    <message>
+        <source>Choose a folder</source>
+        <translation>Choisir un dossier</translation>
+    </message>
+    <message>
+        <source>Folder of the project</source>
+        <translation>Dossier du projet</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>In folder</source>
+        <translation>Dans le dossier</translation>
+    </message>
+    <message>
+        <source>Create</source>
+        <translation>Créer</translation>
+    </message>
+    <message>
+        <source>The project needs a name</source>
+        <translation>Saisissez un nom de projet</translation>
+    </message>
+    <message>
+        <source>%1 exists already and is not empty</source>
+        <translation>%1 existe déjà et n’est pas vide</translation>
+    </message>
+    <message>
+        <source>Will be made in %1</source>
+        <translation>Sera créé dans %1</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::NewUnitDialog</name>
+    <message>
+        <source>Program</source>
+        <translation>Programme</translation>
+    </message>
+    <message>
+        <source>Function block</source>
+        <translation>Bloc fonctionnel</translation>
+    </message>
+    <message>
+        <source>Function</source>
+        <translation>Fonction</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation>Structure</translation>
+    </message>
+    <message>
+        <source>Enumeration</source>
+        <translation>Énumération</translation>
+    </message>
+    <message>
+        <source>Interface</source>
+        <translation>Interface</translation>
+    </message>
+    <message>
+        <source>Global variables</source>
+        <translation>Variables globales</translation>
+    </message>
+    <message>
+        <source>Sequential function chart</source>
+        <translation>Grafcet (SFC)</translation>
+    </message>
+    <message>
+        <source>Simulation of the plant</source>
+        <translation>Simulation de l’installation</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Test</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Nouveau</translation>
+    </message>
+    <message>
+        <source>a file of its own</source>
+        <translation>un fichier à part</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Genre</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>In</source>
+        <translation>Dans</translation>
+    </message>
+    <message>
+        <source>Create</source>
+        <translation>Créer</translation>
+    </message>
+    <message>
+        <source>Give it a name</source>
+        <translation>Saisissez un nom</translation>
+    </message>
+    <message>
+        <source>A name has letters, digits and _, begins with a letter and is no keyword</source>
+        <translation>Un nom se compose de lettres, de chiffres et de _, commence par une lettre et n’est pas un mot-clé</translation>
+    </message>
+    <message>
+        <source>There is a %1 in the project already</source>
+        <translation>%1 existe déjà dans le projet</translation>
+    </message>
+    <message>
+        <source>There is a file %1 already: choose it, or another name</source>
+        <translation>Le fichier %1 existe déjà : choisissez-le, ou un autre nom</translation>
+    </message>
+    <message>
+        <source>Program as a ladder diagram</source>
+        <translation>Programme en schéma à contacts (LD)</translation>
+    </message>
+    <message>
+        <source>Program as a function block diagram</source>
+        <translation>Programme en diagramme de blocs fonctionnels (FBD)</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::ProblemsView</name>
+    <message>
+        <source>Message</source>
+        <translation>Message</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Code</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Emplacement</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Problèmes</translation>
+    </message>
+    <message>
+        <source>Show errors</source>
+        <translation>Afficher les erreurs</translation>
+    </message>
+    <message>
+        <source>Show warnings</source>
+        <translation>Afficher les avertissements</translation>
+    </message>
+    <message>
+        <source>Show notes</source>
+        <translation>Afficher les remarques</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filtre</translation>
+    </message>
+    <message>
+        <source>Filter of the problem list</source>
+        <translation>Filtre de la liste des problèmes</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::ProjectTree</name>
+    <message>
+        <source>Project</source>
+        <translation>Projet</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filtre</translation>
+    </message>
+    <message>
+        <source>Filter of the project tree</source>
+        <translation>Filtre de l’arborescence du projet</translation>
+    </message>
+    <message>
+        <source>Chart</source>
+        <translation>Grafcet</translation>
+    </message>
+    <message>
+        <source>Programs</source>
+        <translation>Programmes</translation>
+    </message>
+    <message>
+        <source>Blocks</source>
+        <translation>Blocs</translation>
+    </message>
+    <message>
+        <source>Functions</source>
+        <translation>Fonctions</translation>
+    </message>
+    <message>
+        <source>Types</source>
+        <translation>Types</translation>
+    </message>
+    <message>
+        <source>Globals</source>
+        <translation>Variables globales</translation>
+    </message>
+    <message>
+        <source>Tasks</source>
+        <translation>Tâches</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>Simulation</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Vues</translation>
+    </message>
+    <message>
+        <source>Texts</source>
+        <translation>Textes</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmes</translation>
+    </message>
+    <message>
+        <source>Traces</source>
+        <translation>Traces</translation>
+    </message>
+    <message>
+        <source>Tests</source>
+        <translation>Tests</translation>
+    </message>
+    <message>
+        <source>Libraries</source>
+        <translation>Bibliothèques</translation>
+    </message>
+    <message>
+        <source>New…</source>
+        <translation>Nouveau…</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Renommer…</translation>
+    </message>
+    <message>
+        <source>Delete…</source>
+        <translation>Supprimer…</translation>
+    </message>
+    <message>
+        <source>Libraries…</source>
+        <translation>Bibliothèques…</translation>
+    </message>
+    <message>
+        <source>Run Tests</source>
+        <translation>Exécuter les tests</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>Ajouter à la surveillance</translation>
+    </message>
+    <message>
+        <source>Arrange by file</source>
+        <translation>Classer par fichier</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Fichiers</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::SearchView</name>
+    <message>
+        <source>Find in all files</source>
+        <translation>Rechercher dans tous les fichiers</translation>
+    </message>
+    <message>
+        <source>Text to find in all files</source>
+        <translation>Texte à rechercher dans tous les fichiers</translation>
+    </message>
+    <message>
+        <source>Replace by</source>
+        <translation>Remplacer par</translation>
+    </message>
+    <message>
+        <source>Replacement in all files</source>
+        <translation>Texte de remplacement dans tous les fichiers</translation>
+    </message>
+    <message>
+        <source>Regular expression</source>
+        <translation>Expression régulière</translation>
+    </message>
+    <message>
+        <source>Match case</source>
+        <translation>Respecter la casse</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>Rechercher</translation>
+    </message>
+    <message>
+        <source>Replace All</source>
+        <translation>Remplacer tout</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Emplacement</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Utilisation</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Ligne</translation>
+    </message>
+    <message>
+        <source>Search results</source>
+        <translation>Résultats de la recherche</translation>
+    </message>
+    <message>
+        <source>Not a pattern: %1</source>
+        <translation>Expression régulière incorrecte : %1</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 dans %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s)</source>
+        <translation>
+            <numerusform>%n endroit</numerusform>
+            <numerusform>%n endroits</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s)</source>
+        <translation>
+            <numerusform>%n fichier</numerusform>
+            <numerusform>%n fichiers</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) replaced</source>
+        <translation>
+            <numerusform>%n endroit remplacé</numerusform>
+            <numerusform>%n endroits remplacés</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>declared</source>
+        <translation>déclaré</translation>
+    </message>
+    <message>
+        <source>read, write</source>
+        <translation>lecture, écriture</translation>
+    </message>
+    <message>
+        <source>write</source>
+        <translation>écriture</translation>
+    </message>
+    <message>
+        <source>read</source>
+        <translation>lecture</translation>
+    </message>
+    <message>
+        <source>%1: %2 read, %3 written</source>
+        <translation>%1 : %2 lectures, %3 écritures</translation>
+    </message>
+    <message>
+        <source>Searching all files…</source>
+        <translation>Recherche dans tous les fichiers…</translation>
+    </message>
+    <message>
+        <source>Cancelled; so far: %1 in %2</source>
+        <translation>Annulé ; jusqu’ici : %1 dans %2</translation>
+    </message>
+    <message>
+        <source>Replacing in all files…</source>
+        <translation>Remplacement dans tous les fichiers…</translation>
+    </message>
+    <message>
+        <source>Cancelled; nothing was replaced</source>
+        <translation>Annulé ; rien n’a été remplacé</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::SettingsDialog</name>
+    <message>
+        <source>Settings</source>
+        <translation>Paramètres</translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation>Général</translation>
+    </message>
+    <message>
+        <source>Editor</source>
+        <translation>Éditeur</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>Exécution</translation>
+    </message>
+    <message>
+        <source>Shortcuts</source>
+        <translation>Raccourcis</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Comme le système</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Clair</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Sombre</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Thème</translation>
+    </message>
+    <message>
+        <source>Language of the studio</source>
+        <translation>Langue du studio</translation>
+    </message>
+    <message>
+        <source>Indentation</source>
+        <translation>Retrait</translation>
+    </message>
+    <message>
+        <source>Write keywords in capitals while typing</source>
+        <translation>Mettre les mots-clés en majuscules pendant la saisie</translation>
+    </message>
+    <message>
+        <source>Close blocks with Enter (IF … END_IF)</source>
+        <translation>Fermer les blocs avec Entrée (IF … END_IF)</translation>
+    </message>
+    <message>
+        <source>Show online values in the text</source>
+        <translation>Afficher les valeurs en ligne dans le texte</translation>
+    </message>
+    <message>
+        <source>Format when saving</source>
+        <translation>Mettre en forme à l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Saving changes the running controller (online change)</source>
+        <translation>Appliquer une modification en ligne à l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Memory for the recording of every scan</source>
+        <translation>Mémoire pour l’enregistrement de chaque cycle</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filtre</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>Commande</translation>
+    </message>
+    <message>
+        <source>Shortcut</source>
+        <translation>Raccourci</translation>
+    </message>
+    <message>
+        <source>Another action has the same shortcut</source>
+        <translation>Une autre commande a le même raccourci</translation>
+    </message>
+    <message>
+        <source>Shortcut of %1</source>
+        <translation>Raccourci de %1</translation>
+    </message>
+    <message>
+        <source>Filter of the actions</source>
+        <translation>Filtre des commandes</translation>
+    </message>
+    <message>
+        <source>All Defaults</source>
+        <translation>Valeurs par défaut</translation>
+    </message>
+    <message>
+        <source>%1 now belongs to “%2”; “%3” loses it.</source>
+        <translation>%1 appartient maintenant à « %2 » ; « %3 » le perd.</translation>
+    </message>
+    <message>
+        <source>none is kept</source>
+        <translation>aucun n’est conservé</translation>
+    </message>
+    <message>
+        <source>Disk space for the recordings of earlier runs, per project</source>
+        <translation>Espace disque pour les enregistrements des exécutions précédentes, par projet</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::StPage</name>
+    <message>
+        <source>This file is read-only on disk. Saving asks before it replaces it.</source>
+        <translation>Ce fichier est en lecture seule sur le disque. L’enregistrement demande confirmation avant de le remplacer.</translation>
+    </message>
+    <message>
+        <source>Make Writable</source>
+        <translation>Rendre modifiable</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::StartPage</name>
+    <message>
+        <source>Write, run and watch PLC programs. Every scan is recorded; time runs backwards, too.</source>
+        <translation>Écrivez, exécutez et surveillez des programmes d’automate. Chaque cycle est enregistré ; le temps s’écoule aussi à rebours.</translation>
+    </message>
+    <message>
+        <source>Recent projects</source>
+        <translation>Projets récents</translation>
+    </message>
+    <message>
+        <source>Examples</source>
+        <translation>Exemples</translation>
+    </message>
+    <message>
+        <source>New Project…</source>
+        <translation>Nouveau projet…</translation>
+    </message>
+    <message>
+        <source>Open Project…</source>
+        <translation>Ouvrir un projet…</translation>
+    </message>
+    <message>
+        <source>Take the Tour</source>
+        <translation>Suivre la visite guidée</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Récents</translation>
+    </message>
+    <message>
+        <source>Examples: open one and press Run</source>
+        <translation>Exemples : ouvrez-en un et lancez l’exécution</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Open a Fresh Copy</source>
+        <translation>Ouvrir une nouvelle copie</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::Tour</name>
+    <message>
+        <source>Back</source>
+        <translation>Précédent</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Suivant</translation>
+    </message>
+    <message>
+        <source>End the tour</source>
+        <translation>Terminer la visite</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Terminé</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::BreakpointView</name>
+    <message>
+        <source>Place</source>
+        <translation>Emplacement</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Condition</translation>
+    </message>
+    <message>
+        <source>Hit count</source>
+        <translation>Nombre de passages</translation>
+    </message>
+    <message>
+        <source>Instance</source>
+        <translation>Instance</translation>
+    </message>
+    <message>
+        <source>Breakpoints</source>
+        <translation>Points d’arrêt</translation>
+    </message>
+    <message>
+        <source>Remove selected</source>
+        <translation>Supprimer la sélection</translation>
+    </message>
+    <message>
+        <source>Remove all</source>
+        <translation>Tout supprimer</translation>
+    </message>
+    <message>
+        <source>The program that runs has no code at this line or below it</source>
+        <translation>Le programme en cours n’a pas de code à cette ligne ni plus bas</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::CallPathView</name>
+    <message>
+        <source>Unit</source>
+        <translation>POU</translation>
+    </message>
+    <message>
+        <source>Instance</source>
+        <translation>Instance</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Ligne</translation>
+    </message>
+    <message>
+        <source>Call path</source>
+        <translation>Pile d’appels</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valeur</translation>
+    </message>
+    <message>
+        <source>Values of the frame</source>
+        <translation>Valeurs du niveau d’appel</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::ChartView</name>
+    <message>
+        <source>Sequential function chart</source>
+        <translation>Grafcet (SFC)</translation>
+    </message>
+    <message>
+        <source>Insert a step behind (Ins)</source>
+        <translation>Insérer une étape après (Inser)</translation>
+    </message>
+    <message>
+        <source>Insert a branch beside</source>
+        <translation>Insérer une branche alternative</translation>
+    </message>
+    <message>
+        <source>Insert a simultaneous branch</source>
+        <translation>Insérer une divergence simultanée</translation>
+    </message>
+    <message>
+        <source>Add an action</source>
+        <translation>Ajouter une action</translation>
+    </message>
+    <message>
+        <source>Edit name or condition (F2)</source>
+        <translation>Modifier le nom ou la condition (F2)</translation>
+    </message>
+    <message>
+        <source>Delete (Del)</source>
+        <translation>Supprimer (Suppr)</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Tout afficher</translation>
+    </message>
+    <message>
+        <source>Export the chart</source>
+        <translation>Exporter le grafcet</translation>
+    </message>
+    <message>
+        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
+        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>%1 can not be written</source>
+        <translation>%1 ne peut pas être écrit</translation>
+    </message>
+    <message>
+        <source>Print…</source>
+        <translation>Imprimer…</translation>
+    </message>
+    <message>
+        <source>The unit %1 is not in the text any more</source>
+        <translation>Le POU %1 n’est plus dans le texte</translation>
+    </message>
+    <message>
+        <source>The text has errors: this is the last good drawing</source>
+        <translation>Le texte contient des erreurs : ceci est le dernier tracé correct</translation>
+    </message>
+    <message>
+        <source>%1 is not a chart</source>
+        <translation>%1 n’est pas un grafcet</translation>
+    </message>
+    <message>
+        <source>Mend the text first: this is the last good drawing</source>
+        <translation>Corrigez d’abord le texte : ceci est le dernier tracé correct</translation>
+    </message>
+    <message>
+        <source>Select the step from which the branch goes out</source>
+        <translation>Sélectionnez l’étape d’où part la branche</translation>
+    </message>
+    <message>
+        <source>Select the transition behind which the steps run at the same time</source>
+        <translation>Sélectionnez la transition après laquelle les étapes sont simultanées</translation>
+    </message>
+    <message>
+        <source>Select the step that gets the action</source>
+        <translation>Sélectionnez l’étape qui reçoit l’action</translation>
+    </message>
+    <message>
+        <source>Insert a Step Behind</source>
+        <translation>Insérer une étape après</translation>
+    </message>
+    <message>
+        <source>Insert a Branch Beside</source>
+        <translation>Insérer une branche alternative</translation>
+    </message>
+    <message>
+        <source>Insert a Simultaneous Branch</source>
+        <translation>Insérer une divergence simultanée</translation>
+    </message>
+    <message>
+        <source>Add an Action</source>
+        <translation>Ajouter une action</translation>
+    </message>
+    <message>
+        <source>Make It the Initial Step</source>
+        <translation>Définir comme étape initiale</translation>
+    </message>
+    <message>
+        <source>Force the Step On</source>
+        <translation>Forcer l’étape active</translation>
+    </message>
+    <message>
+        <source>Release the Step</source>
+        <translation>Lever le forçage de l’étape</translation>
+    </message>
+    <message>
+        <source>Toggle Breakpoint</source>
+        <translation>Basculer le point d’arrêt</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Édition</translation>
+    </message>
+    <message>
+        <source>Move Left</source>
+        <translation>Déplacer à gauche</translation>
+    </message>
+    <message>
+        <source>Move Right</source>
+        <translation>Déplacer à droite</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Branch to the left</source>
+        <translation>Branche à gauche</translation>
+    </message>
+    <message>
+        <source>Branch to the right</source>
+        <translation>Branche à droite</translation>
+    </message>
+    <message>
+        <source>%1 behind this transition</source>
+        <translation>%1 après cette transition</translation>
+    </message>
+    <message>
+        <source>leads to %1</source>
+        <translation>mène à %1</translation>
+    </message>
+    <message>
+        <source>further up</source>
+        <translation>plus haut</translation>
+    </message>
+    <message>
+        <source>further down</source>
+        <translation>plus bas</translation>
+    </message>
+    <message>
+        <source>%1 in step %2</source>
+        <translation>%1 dans l’étape %2</translation>
+    </message>
+    <message>
+        <source>A condition is a BOOL</source>
+        <translation>Une condition est un BOOL</translation>
+    </message>
+    <message>
+        <source>qualifier</source>
+        <translation>qualificatif</translation>
+    </message>
+    <message>
+        <source>action</source>
+        <translation>action</translation>
+    </message>
+    <message>
+        <source>To the chart around (Backspace)</source>
+        <translation>Vers le grafcet supérieur (Retour arrière)</translation>
+    </message>
+    <message>
+        <source>Breakpoint: stops when the step becomes active, when the transition is taken (F9)</source>
+        <translation>Point d’arrêt : arrêt quand l’étape devient active ou quand la transition est franchie (F9)</translation>
+    </message>
+    <message>
+        <source>Force the step on</source>
+        <translation>Forcer l’étape active</translation>
+    </message>
+    <message>
+        <source>Release the step</source>
+        <translation>Lever le forçage de l’étape</translation>
+    </message>
+    <message>
+        <source>Export as SVG, PNG or PDF…</source>
+        <translation>Exporter en SVG, PNG ou PDF…</translation>
+    </message>
+    <message>
+        <source>%1 is a variable: it has no body</source>
+        <translation>%1 est une variable : elle n’a pas de corps</translation>
+    </message>
+    <message>
+        <source>Select a step or a transition</source>
+        <translation>Sélectionnez une étape ou une transition</translation>
+    </message>
+    <message>
+        <source>Select a step</source>
+        <translation>Sélectionnez une étape</translation>
+    </message>
+    <message>
+        <source>Open Its Chart or Text</source>
+        <translation>Ouvrir son grafcet ou son texte</translation>
+    </message>
+    <message>
+        <source>Priority…</source>
+        <translation>Priorité…</translation>
+    </message>
+    <message>
+        <source>Move Up</source>
+        <translation>Déplacer vers le haut</translation>
+    </message>
+    <message>
+        <source>Move Down</source>
+        <translation>Déplacer vers le bas</translation>
+    </message>
+    <message>
+        <source>Delete the Whole Branch</source>
+        <translation>Supprimer toute la branche</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::DeclarationTable</name>
+    <message>
+        <source>Section</source>
+        <translation>Section</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Initial value</source>
+        <translation>Valeur initiale</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Commentaire</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valeur</translation>
+    </message>
+    <message>
+        <source>Declarations</source>
+        <translation>Déclarations</translation>
+    </message>
+    <message>
+        <source>Add a variable</source>
+        <translation>Ajouter une variable</translation>
+    </message>
+    <message>
+        <source>Remove the selected variables</source>
+        <translation>Supprimer les variables sélectionnées</translation>
+    </message>
+    <message>
+        <source>Move up</source>
+        <translation>Déplacer vers le haut</translation>
+    </message>
+    <message>
+        <source>Move down</source>
+        <translation>Déplacer vers le bas</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::EventLog</name>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>PLC time</source>
+        <translation>Temps API</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>Cycle</translation>
+    </message>
+    <message>
+        <source>Event</source>
+        <translation>Événement</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Événements</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Effacer</translation>
+    </message>
+    <message>
+        <source>Copy the selected rows, else all</source>
+        <translation>Copier les lignes sélectionnées, sinon toutes</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copier</translation>
+    </message>
+    <message>
+        <source>Only faults and refusals</source>
+        <translation>Erreurs et refus seulement</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filtre</translation>
+    </message>
+    <message>
+        <source>Filter of the events</source>
+        <translation>Filtre des événements</translation>
+    </message>
+    <message>
+        <source>Step: %1</source>
+        <translation>Étape : %1</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <comment>event at file:line</comment>
+        <translation>%1 à %2</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::FindBar</name>
+    <message>
+        <source>Find</source>
+        <translation>Rechercher</translation>
+    </message>
+    <message>
+        <source>Text to find</source>
+        <translation>Texte à rechercher</translation>
+    </message>
+    <message>
+        <source>Replace by</source>
+        <translation>Remplacer par</translation>
+    </message>
+    <message>
+        <source>Replacement</source>
+        <translation>Texte de remplacement</translation>
+    </message>
+    <message>
+        <source>Match case</source>
+        <translation>Respecter la casse</translation>
+    </message>
+    <message>
+        <source>Whole words</source>
+        <translation>Mots entiers</translation>
+    </message>
+    <message>
+        <source>Regular expression</source>
+        <translation>Expression régulière</translation>
+    </message>
+    <message>
+        <source>Previous (Shift+Enter)</source>
+        <translation>Précédent (Maj+Entrée)</translation>
+    </message>
+    <message>
+        <source>Next (Enter)</source>
+        <translation>Suivant (Entrée)</translation>
+    </message>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>Fermer (Échap)</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Remplacer</translation>
+    </message>
+    <message>
+        <source>Replace All</source>
+        <translation>Remplacer tout</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n replaced</source>
+        <translation>
+            <numerusform>%n remplacé</numerusform>
+            <numerusform>%n remplacés</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not a pattern</source>
+        <translation>expression régulière incorrecte</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n found</source>
+        <translation>
+            <numerusform>%n trouvé</numerusform>
+            <numerusform>%n trouvés</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not found</source>
+        <translation>introuvable</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::ForceView</name>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Forced value</source>
+        <translation>Valeur forcée</translation>
+    </message>
+    <message>
+        <source>Forced variables</source>
+        <translation>Variables forcées</translation>
+    </message>
+    <message>
+        <source>Release selected</source>
+        <translation>Lever le forçage de la sélection</translation>
+    </message>
+    <message>
+        <source>Release all</source>
+        <translation>Lever tous les forçages</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::RunControl</name>
+    <message>
+        <source>Built in %1 ms</source>
+        <translation>Compilé en %1 ms</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n error(s): the program was not built</source>
+        <translation>
+            <numerusform>%n erreur : le programme n’a pas été compilé</numerusform>
+            <numerusform>%n erreurs : le programme n’a pas été compilé</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Online change: %1 kept, %2 new, %3 lost</source>
+        <translation>Modification en ligne : %1 variables conservées, %2 nouvelles, %3 supprimées</translation>
+    </message>
+    <message>
+        <source>The change waits for the end of the scan</source>
+        <translation>La modification attend la fin du cycle</translation>
+    </message>
+    <message>
+        <source>The program has errors; the controller goes on with the old one</source>
+        <translation>Le programme contient des erreurs ; l’automate continue avec l’ancien</translation>
+    </message>
+    <message>
+        <source>did not exist in this scan</source>
+        <translation>n’existait pas dans ce cycle</translation>
+    </message>
+    <message>
+        <source>Building</source>
+        <translation>Compilation</translation>
+    </message>
+    <message>
+        <source>Not optimised: the quick code goes on</source>
+        <translation>Non optimisé : le code compilé rapidement continue</translation>
+    </message>
+    <message>
+        <source>Optimising</source>
+        <translation>Optimisation</translation>
+    </message>
+    <message>
+        <source>There is no code at or below line %1 of %2</source>
+        <translation>Il n’y a pas de code à la ligne %1 de %2 ni plus bas</translation>
+    </message>
+    <message>
+        <source>The condition of the breakpoint: %1</source>
+        <translation>La condition du point d’arrêt : %1</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::StEditor</name>
+    <message>
+        <source>Structured Text editor</source>
+        <translation>Éditeur de texte structuré</translation>
+    </message>
+    <message>
+        <source>Declare %1</source>
+        <translation>Déclarer %1</translation>
+    </message>
+    <message>
+        <source>There is no fix for this line</source>
+        <translation>Il n’y a pas de correction pour cette ligne</translation>
+    </message>
+    <message>
+        <source>Go to Definition</source>
+        <translation>Aller à la définition</translation>
+    </message>
+    <message>
+        <source>Find All Uses</source>
+        <translation>Rechercher les utilisations</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Renommer…</translation>
+    </message>
+    <message>
+        <source>Add to Watch</source>
+        <translation>Ajouter à la surveillance</translation>
+    </message>
+    <message>
+        <source>Toggle Breakpoint</source>
+        <translation>Basculer le point d’arrêt</translation>
+    </message>
+    <message>
+        <source>CR</source>
+        <comment>current result of an instruction list</comment>
+        <translation>RC</translation>
+    </message>
+    <message>
+        <source>Declare %1 as an input</source>
+        <translation>Déclarer %1 comme entrée</translation>
+    </message>
+    <message>
+        <source>Declare %1 as an output</source>
+        <translation>Déclarer %1 comme sortie</translation>
+    </message>
+    <message>
+        <source>Declare %1 as a global variable</source>
+        <translation>Déclarer %1 comme variable globale</translation>
+    </message>
+    <message>
+        <source>Declare %1 in %2</source>
+        <translation>Déclarer %1 dans %2</translation>
+    </message>
+    <message>
+        <source>Write a Value…</source>
+        <translation>Écrire une valeur…</translation>
+    </message>
+    <message>
+        <source>Force…</source>
+        <translation>Forcer…</translation>
+    </message>
+    <message>
+        <source>Release the Force</source>
+        <translation>Lever le forçage</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::TaskMonitor</name>
+    <message>
+        <source>Histogram of execution times</source>
+        <translation>Histogramme des temps d’exécution</translation>
+    </message>
+    <message>
+        <source>Execution times appear here while the controller runs</source>
+        <translation>Les temps d’exécution s’affichent ici quand l’automate est en marche</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Tâche</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Exécutions</translation>
+    </message>
+    <message>
+        <source>Last</source>
+        <translation>Dernier</translation>
+    </message>
+    <message>
+        <source>Min</source>
+        <translation>Min</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Moyenne</translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation>Max</translation>
+    </message>
+    <message>
+        <source>Jitter</source>
+        <translation>Gigue</translation>
+    </message>
+    <message>
+        <source>Overruns</source>
+        <translation>Dépassements</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>Charge</translation>
+    </message>
+    <message>
+        <source>Tasks</source>
+        <translation>Tâches</translation>
+    </message>
+    <message>
+        <source>Reset the statistics</source>
+        <translation>Réinitialiser les statistiques</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::WatchView</name>
+    <message>
+        <source>Expression</source>
+        <translation>Expression</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valeur</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Prepared</source>
+        <translation>Préparée</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Commentaire</translation>
+    </message>
+    <message>
+        <source>Watch list</source>
+        <translation>Liste de surveillance</translation>
+    </message>
+    <message>
+        <source>Add an expression: Main.x, a[i] * 2, fb.Q AND NOT done</source>
+        <translation>Ajouter une expression : Main.x, a[i] * 2, fb.Q AND NOT done</translation>
+    </message>
+    <message>
+        <source>New watch expression</source>
+        <translation>Nouvelle expression de surveillance</translation>
+    </message>
+    <message>
+        <source>Write prepared values</source>
+        <translation>Écrire les valeurs préparées</translation>
+    </message>
+    <message>
+        <source>Force prepared values</source>
+        <translation>Forcer les valeurs préparées</translation>
+    </message>
+    <message>
+        <source>Release the selected forces</source>
+        <translation>Lever les forçages sélectionnés</translation>
+    </message>
+    <message>
+        <source>Decimal</source>
+        <translation>Décimal</translation>
+    </message>
+    <message>
+        <source>Hexadecimal</source>
+        <translation>Hexadécimal</translation>
+    </message>
+    <message>
+        <source>Binary</source>
+        <translation>Binaire</translation>
+    </message>
+    <message>
+        <source>Number format</source>
+        <translation>Format des nombres</translation>
+    </message>
+    <message>
+        <source>Toggle</source>
+        <translation>Inverser</translation>
+    </message>
+    <message>
+        <source>Force to %1</source>
+        <translation>Forcer à %1</translation>
+    </message>
+    <message>
+        <source>Release force</source>
+        <translation>Lever le forçage</translation>
+    </message>
+    <message>
+        <source>Show in trace</source>
+        <translation>Afficher dans la trace</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Remove all</source>
+        <translation>Tout supprimer</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <comment>number format</comment>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Numbers as decimals, in hexadecimal or binary, or milliseconds as a time</source>
+        <translation>Nombres en décimal, en hexadécimal ou en binaire, ou millisecondes sous forme de temps</translation>
+    </message>
+    <message>
+        <source>%1 … %2</source>
+        <comment>stretch of an array</comment>
+        <translation>%1 … %2</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>Surveillance</translation>
+    </message>
+    <message>
+        <source>Add, rename or remove a list</source>
+        <translation>Ajouter, renommer ou supprimer une liste</translation>
+    </message>
+    <message>
+        <source>Name of the list:</source>
+        <translation>Nom de la liste :</translation>
+    </message>
+    <message>
+        <source>New List…</source>
+        <translation>Nouvelle liste…</translation>
+    </message>
+    <message>
+        <source>New List</source>
+        <translation>Nouvelle liste</translation>
+    </message>
+    <message>
+        <source>Rename the List…</source>
+        <translation>Renommer la liste…</translation>
+    </message>
+    <message>
+        <source>Rename the List</source>
+        <translation>Renommer la liste</translation>
+    </message>
+    <message>
+        <source>Remove the List</source>
+        <translation>Supprimer la liste</translation>
+    </message>
+    <message>
+        <source>Number Format</source>
+        <translation>Format des nombres</translation>
+    </message>
+    <message>
+        <source>As the list</source>
+        <translation>Comme la liste</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::AlarmEditor</name>
+    <message>
+        <source>Alarm</source>
+        <translation>Alarme</translation>
+    </message>
+    <message>
+        <source>Priority</source>
+        <translation>Priorité</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Condition</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Texte</translation>
+    </message>
+    <message>
+        <source>Add an alarm</source>
+        <translation>Ajouter une alarme</translation>
+    </message>
+    <message>
+        <source>Add a class</source>
+        <translation>Ajouter une classe</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Valeurs</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmes</translation>
+    </message>
+    <message>
+        <source>Classes</source>
+        <translation>Classes</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucune</translation>
+    </message>
+    <message>
+        <source>Add alarm</source>
+        <translation>Ajouter une alarme</translation>
+    </message>
+    <message>
+        <source>Add class</source>
+        <translation>Ajouter une classe</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::ArrayDialog</name>
+    <message>
+        <source>Duplicate as array</source>
+        <translation>Dupliquer en tableau</translation>
+    </message>
+    <message>
+        <source>Number of elements</source>
+        <translation>Nombre d’éléments</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Colonnes</translation>
+    </message>
+    <message>
+        <source>Gap across</source>
+        <translation>Écart horizontal</translation>
+        <source>The unit %1 is not in the text any more</source>
+        <translation>Écart horizontal</translation>
+    </message>
+    <message>
+        <source>Gap down</source>
+        <translation>Écart vertical</translation>
+    </message>
+    <message>
+        <source>Index step</source>
+        <translation>Pas d’indice</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::DesignCanvas</name>
+    <message>
+        <source>Move</source>
+        <translation>Déplacer</translation>
+    </message>
+    <message>
+        <source>Resize</source>
+        <translation>Redimensionner</translation>
+        <source>Select the step from which the branch goes out</source>
+        <translation>Redimensionner</translation>
+    </message>
+    <message>
+        <source>Move point</source>
+        <translation>Déplacer le point</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Points</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Insert</source>
+        <translation>Insérer</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::DesignContext</name>
+    <message>
+        <source>Text</source>
+        <translation>Texte</translation>
+    </message>
+    <message>
+        <source>Rename %1</source>
+        <translation>Renommer %1</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmes</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::Outline</name>
+    <message>
+        <source>Lock</source>
+        <translation>Verrouiller</translation>
+    </message>
+    <message>
+        <source>Reorder</source>
+        <translation>Changer l’ordre</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::Palette</name>
+    <message>
+        <source>Search elements</source>
+        <translation>Rechercher des éléments</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::PanelDesigner</name>
+    <message>
+        <source>Finding</source>
+        <translation>Message</translation>
+    </message>
+    <message>
+        <source>Element</source>
+        <translation>Élément</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Langue</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Couper</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copier</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Coller</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Dupliquer</translation>
+    </message>
+    <message>
+        <source>Duplicate as array…</source>
+        <translation>Dupliquer en tableau…</translation>
+    </message>
+    <message>
+        <source>Select all</source>
+        <translation>Tout sélectionner</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Align left</source>
+        <translation>Aligner à gauche</translation>
+    </message>
+    <message>
+        <source>Align centres</source>
+        <translation>Centrer verticalement l’alignement</translation>
+    </message>
+    <message>
+        <source>Align right</source>
+        <translation>Aligner à droite</translation>
+    </message>
+    <message>
+        <source>Align top</source>
+        <translation>Aligner en haut</translation>
+    </message>
+    <message>
+        <source>Align middles</source>
+        <translation>Aligner les milieux</translation>
+    </message>
+    <message>
+        <source>Align bottom</source>
+        <translation>Aligner en bas</translation>
+    </message>
+    <message>
+        <source>Equal gaps across</source>
+        <translation>Répartir horizontalement</translation>
+    </message>
+    <message>
+        <source>Equal gaps down</source>
+        <translation>Répartir verticalement</translation>
+    </message>
+    <message>
+        <source>Same width</source>
+        <translation>Même largeur</translation>
+    </message>
+    <message>
+        <source>Same height</source>
+        <translation>Même hauteur</translation>
+    </message>
+    <message>
+        <source>Same size</source>
+        <translation>Même taille</translation>
+        <source>%1 is a variable: it has no body</source>
+        <translation>Même taille</translation>
+    </message>
+    <message>
+        <source>Bring to front</source>
+        <translation>Mettre au premier plan</translation>
+    </message>
+    <message>
+        <source>Bring forward</source>
+        <translation>Avancer</translation>
+    </message>
+    <message>
+        <source>Send backward</source>
+        <translation>Reculer</translation>
+    </message>
+    <message>
+        <source>Send to back</source>
+        <translation>Mettre à l’arrière-plan</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Grouper</translation>
+    </message>
+    <message>
+        <source>Ungroup</source>
+        <translation>Dissocier</translation>
+    </message>
+    <message>
+        <source>Lock</source>
+        <translation>Verrouiller</translation>
+    </message>
+    <message>
+        <source>Show the grid</source>
+        <translation>Afficher la grille</translation>
+    </message>
+    <message>
+        <source>Snap (Alt: not now)</source>
+        <translation>Aimanter (Alt : pas maintenant)</translation>
+    </message>
+    <message>
+        <source>Live preview</source>
+        <translation>Aperçu en direct</translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation>Zoom avant</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>Zoom arrière</translation>
+    </message>
+    <message>
+        <source>Zoom 100 %</source>
+        <translation>Zoom 100 %</translation>
+    </message>
+    <message>
+        <source>Zoom to fit</source>
+        <translation>Ajuster à la fenêtre</translation>
+    </message>
+    <message>
+        <source>Language shown</source>
+        <translation>Langue affichée</translation>
+    </message>
+    <message>
+        <source>Theme of the panel</source>
+        <translation>Thème de la vue</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Clair</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Sombre</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>Contraste élevé</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Thème</translation>
+    </message>
+    <message>
+        <source>Duplicate as array</source>
+        <translation>Dupliquer en tableau</translation>
+    </message>
+    <message>
+        <source>Elements</source>
+        <translation>Éléments</translation>
+    </message>
+    <message>
+        <source>Variables</source>
+        <translation>Variables</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::PropertySheet</name>
+    <message>
+        <source>Search properties</source>
+        <translation>Rechercher des propriétés</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Réinitialiser</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n elements</source>
+        <translation>
+            <numerusform>%n élément</numerusform>
+            <numerusform>%n éléments</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::RecordsDialog</name>
+    <message>
+        <source>Add</source>
+        <translation>Ajouter</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Vers le haut</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Vers le bas</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::TextEditor</name>
+    <message>
+        <source>Only incomplete</source>
+        <translation>Incomplets seulement</translation>
+    </message>
+    <message>
+        <source>Search texts</source>
+        <translation>Rechercher des textes</translation>
+    </message>
+    <message>
+        <source>Add a key</source>
+        <translation>Ajouter une clé</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Clé</translation>
+    </message>
+    <message>
+        <source>Remove the selected keys</source>
+        <translation>Supprimer les clés sélectionnées</translation>
+    </message>
+    <message>
+        <source>Add a language</source>
+        <translation>Ajouter une langue</translation>
+    </message>
+    <message>
+        <source>Language tag, for example de or zh-CN</source>
+        <translation>Étiquette de langue, par exemple de ou zh-CN</translation>
+    </message>
+    <message>
+        <source>Import CSV</source>
+        <translation>Importer un CSV</translation>
+    </message>
+    <message>
+        <source>Text tables (*.csv *.txt)</source>
+        <translation>Tables de textes (*.csv *.txt)</translation>
+    </message>
+    <message>
+        <source>Export CSV</source>
+        <translation>Exporter en CSV</translation>
+    </message>
+    <message>
+        <source>Text tables (*.csv)</source>
+        <translation>Tables de textes (*.csv)</translation>
+    </message>
+    <message>
+        <source>Add key</source>
+        <translation>Ajouter une clé</translation>
+    </message>
+    <message>
+        <source>Remove keys</source>
+        <translation>Supprimer les clés</translation>
+    </message>
+    <message>
+        <source>Add language</source>
+        <translation>Ajouter une langue</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n text(s)</source>
+        <translation>
+            <numerusform>%n texte</numerusform>
+            <numerusform>%n textes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 is not used.</source>
+        <translation>%1 n’est pas utilisé.</translation>
+    </message>
+    <message>
+        <source>%1 is used by %2</source>
+        <translation>%1 est utilisé par %2</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::TextModel</name>
+    <message>
+        <source>Key</source>
+        <translation>Clé</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Commentaire</translation>
+    </message>
+    <message>
+        <source>Rename key</source>
+        <translation>Renommer la clé</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Texte</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::Canvas</name>
+    <message>
+        <source>Overview</source>
+        <translation>Vue d’ensemble</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::ColorPopup</name>
+    <message>
+        <source>Colours</source>
+        <translation>Couleurs</translation>
+    </message>
+    <message>
+        <source>More colours…</source>
+        <translation>Autres couleurs…</translation>
+    </message>
+    <message>
+        <source>No colour</source>
+        <translation>Aucune couleur</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::CommandPalette</name>
+    <message>
+        <source>Command palette</source>
+        <translation>Palette de commandes</translation>
+    </message>
+    <message>
+        <source>Type to find a command</source>
+        <translation>Tapez pour trouver une commande</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Commande</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Commandes</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>menu and command</comment>
+        <translation>%1 : %2</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::PlotView</name>
+    <message>
+        <source>Chart</source>
+        <translation>Courbe</translation>
+    </message>
+    <message>
+        <source>%1
+Click selects, Ctrl+click shows or hides.</source>
+        <translation>%1
+Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::PropertyGrid</name>
+    <message>
+        <source>Choose a variable</source>
+        <translation>Choisir une variable</translation>
+    </message>
+    <message>
+        <source>Choose a file</source>
+        <translation>Choisir un fichier</translation>
+    </message>
+    <message>
+        <source>Edit in a window</source>
+        <translation>Modifier dans une fenêtre</translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation>Oui</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>Non</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucun</translation>
+    </message>
+    <message>
+        <source>Property</source>
+        <translation>Propriété</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valeur</translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation>Propriétés</translation>
+    </message>
+    <message>
+        <source>various</source>
+        <translation>différents</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Réinitialiser</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::VariablePicker</name>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Commentaire</translation>
+    </message>
+    <message>
+        <source>Search variables</source>
+        <translation>Rechercher des variables</translation>
+    </message>
+    <message>
+        <source>Variables</source>
+        <translation>Variables</translation>
+    </message>
+    <message>
+        <source>Found variables</source>
+        <translation>Variables trouvées</translation>
+    </message>
+    <message>
+        <source>Choose a variable</source>
+        <translation>Choisir une variable</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::WorkStrip</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>%1 is being cancelled…</source>
+        <translation>Annulation en cours : %1…</translation>
+    </message>
+    <message>
+        <source>Cancel: %1</source>
+        <translation>Annuler : %1</translation>
+    </message>
+</context>
+<context>
+    <name>plc::trace::ChannelPanel</name>
+    <message>
+        <source>Variable or expression</source>
+        <translation>Variable ou expression</translation>
+    </message>
+    <message>
+        <source>Add a channel</source>
+        <translation>Ajouter une voie</translation>
+    </message>
+    <message>
+        <source>Add as a channel</source>
+        <translation>Ajouter comme voie</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Voie</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valeur</translation>
+    </message>
+    <message>
+        <source>Channels</source>
+        <translation>Voies</translation>
+    </message>
+    <message>
+        <source>Show channel</source>
+        <translation>Afficher la voie</translation>
+    </message>
+    <message>
+        <source>Hide channel</source>
+        <translation>Masquer la voie</translation>
+    </message>
+    <message>
+        <source>Chart %1</source>
+        <translation>Graphique %1</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>erreur</translation>
+    </message>
+    <message>
+        <source>Expression</source>
+        <translation>Expression</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unité</translation>
+    </message>
+    <message>
+        <source>Style</source>
+        <translation>Style</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatique</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Ligne</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Palier</translation>
+    </message>
+    <message>
+        <source>Digital</source>
+        <translation>Numérique</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Couleur</translation>
+    </message>
+    <message>
+        <source>Line width</source>
+        <translation>Épaisseur du trait</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Facteur</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Décalage</translation>
+    </message>
+    <message>
+        <source>Chart</source>
+        <translation>Courbe</translation>
+    </message>
+    <message>
+        <source>New chart</source>
+        <translation>Nouveau graphique</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Axe</translation>
+    </message>
+    <message>
+        <source>Axis %1</source>
+        <translation>Axe %1</translation>
+    </message>
+    <message>
+        <source>New axis</source>
+        <translation>Nouvel axe</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titre</translation>
+    </message>
+    <message>
+        <source>Share of height</source>
+        <translation>Part de la hauteur</translation>
+    </message>
+    <message>
+        <source>Scaling</source>
+        <translation>Échelle</translation>
+    </message>
+    <message>
+        <source>Fit to view</source>
+        <translation>Ajuster à l’affichage</translation>
+    </message>
+    <message>
+        <source>Fixed</source>
+        <translation>Fixe</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>On the right</source>
+        <translation>À droite</translation>
+    </message>
+    <message>
+        <source>Trace</source>
+        <translation>Trace</translation>
+    </message>
+    <message>
+        <source>Every n-th scan</source>
+        <translation>Tous les n cycles</translation>
+    </message>
+    <message>
+        <source>Record while</source>
+        <translation>Condition d’enregistrement</translation>
+    </message>
+    <message>
+        <source>Trigger</source>
+        <translation>Déclencheur</translation>
+    </message>
+    <message>
+        <source>Edge</source>
+        <translation>Front</translation>
+    </message>
+    <message>
+        <source>Rising</source>
+        <translation>Montant</translation>
+    </message>
+    <message>
+        <source>Falling</source>
+        <translation>Descendant</translation>
+    </message>
+    <message>
+        <source>Both</source>
+        <translation>Les deux</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Niveau</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Mode</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Désactivé</translation>
+    </message>
+    <message>
+        <source>Single</source>
+        <translation>Unique</translation>
+    </message>
+    <message>
+        <source>Repeated</source>
+        <translation>Répété</translation>
+    </message>
+    <message>
+        <source>Shown before</source>
+        <translation>Affiché avant le déclenchement</translation>
+    </message>
+    <message>
+        <source>Shown after</source>
+        <translation>Affiché après le déclenchement</translation>
+    </message>
+    <message>
+        <source>Change channel</source>
+        <translation>Modifier la voie</translation>
+    </message>
+    <message>
+        <source>Change chart</source>
+        <translation>Modifier le graphique</translation>
+    </message>
+    <message>
+        <source>Change trace</source>
+        <translation>Modifier la trace</translation>
+    </message>
+    <message>
+        <source>Remove channel</source>
+        <translation>Supprimer la voie</translation>
+    </message>
+    <message>
+        <source>Remove chart</source>
+        <translation>Supprimer le graphique</translation>
+    </message>
+    <message>
+        <source>Move channel</source>
+        <translation>Déplacer la voie</translation>
+    </message>
+</context>
+<context>
+    <name>plc::trace::TimeBar</name>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Resumed from here
+%1</source>
+        <translation>Repris ici
+%1</translation>
+    </message>
+</context>
+<context>
+    <name>plc::trace::TimeSlider</name>
+    <message>
+        <source>Time slider</source>
+        <translation>Curseur temporel</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Variable whose changes to step to</source>
+        <translation>Variable dont on parcourt les changements</translation>
+    </message>
+    <message>
+        <source>The arrows beside step to its previous and next change</source>
+        <translation>Les flèches à côté vont à son changement précédent et suivant</translation>
+    </message>
+    <message>
+        <source>One scan back (Left)</source>
+        <translation>Un cycle en arrière (Gauche)</translation>
+    </message>
+    <message>
+        <source>One scan forth (Right)</source>
+        <translation>Un cycle en avant (Droite)</translation>
+    </message>
+    <message>
+        <source>Previous change of the variable (Ctrl+Left)</source>
+        <translation>Changement précédent de la variable (Ctrl+Gauche)</translation>
+    </message>
+    <message>
+        <source>Next change of the variable (Ctrl+Right)</source>
+        <translation>Changement suivant de la variable (Ctrl+Droite)</translation>
+    </message>
+    <message>
+        <source>Resume the controller from this scan</source>
+        <translation>Reprendre l’automate à partir de ce cycle</translation>
+    </message>
+    <message>
+        <source>Back to the newest scan (End)</source>
+        <translation>Retour au cycle le plus récent (Fin)</translation>
+    </message>
+    <message>
+        <source>Older scans are no longer kept.</source>
+        <translation>Les cycles plus anciens ne sont plus conservés.</translation>
+    </message>
+    <message>
+        <source>%1 does not change before this scan.</source>
+        <translation>%1 ne change pas avant ce cycle.</translation>
+    </message>
+    <message>
+        <source>%1 does not change after this scan.</source>
+        <translation>%1 ne change pas après ce cycle.</translation>
+    </message>
+    <message>
+        <source>No recording</source>
+        <translation>Pas d’enregistrement</translation>
+    </message>
+    <message>
+        <source>no longer kept</source>
+        <translation>n’est plus conservé</translation>
+    </message>
+    <message>
+        <source>scan %1  %2</source>
+        <translation>cycle %1  %2</translation>
+    </message>
+</context>
+<context>
+    <name>plc::trace::TraceView</name>
+    <message>
+        <source>Trace</source>
+        <translation>Trace</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Mesures</translation>
+    </message>
+    <message>
+        <source>Show channel</source>
+        <translation>Afficher la voie</translation>
+    </message>
+    <message>
+        <source>Hide channel</source>
+        <translation>Masquer la voie</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Suivre</translation>
+    </message>
+    <message>
+        <source>Follow the newest scan (End)</source>
+        <translation>Suivre le cycle le plus récent (Fin)</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Ajuster</translation>
+    </message>
+    <message>
+        <source>Show everything recorded (Home)</source>
+        <translation>Afficher tout ce qui est enregistré (Début)</translation>
+    </message>
+    <message>
+        <source>Fit values</source>
+        <translation>Ajuster les valeurs</translation>
+    </message>
+    <message>
+        <source>Let the value axes fit again</source>
+        <translation>Réajuster les axes des valeurs</translation>
+    </message>
+    <message>
+        <source>Zoom back</source>
+        <translation>Zoom précédent</translation>
+    </message>
+    <message>
+        <source>Back to the view before (Backspace)</source>
+        <translation>Revenir à l’affichage précédent (Retour arrière)</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoom</translation>
+    </message>
+    <message>
+        <source>Drag a box to zoom: flat for time, upright for values</source>
+        <translation>Tracez un cadre pour zoomer : plat pour le temps, haut pour les valeurs</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>Déplacer l’affichage</translation>
+    </message>
+    <message>
+        <source>Drag to pan (middle button always does)</source>
+        <translation>Faites glisser pour déplacer l’affichage (toujours avec le bouton central)</translation>
+    </message>
+    <message>
+        <source>Cursors</source>
+        <translation>Curseurs</translation>
+    </message>
+    <message>
+        <source>Two cursors (Ctrl+click sets A, Shift+click sets B)</source>
+        <translation>Deux curseurs (Ctrl+clic place A, Maj+clic place B)</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Mesurer</translation>
+    </message>
+    <message>
+        <source>Table of values and statistics between the cursors</source>
+        <translation>Tableau des valeurs et statistiques entre les curseurs</translation>
+    </message>
+    <message>
+        <source>Measuring table</source>
+        <translation>Tableau de mesure</translation>
+    </message>
+    <message>
+        <source>Trigger</source>
+        <translation>Déclencheur</translation>
+    </message>
+    <message>
+        <source>Arm the trigger set in the properties of the trace</source>
+        <translation>Armer le déclencheur défini dans les propriétés de la trace</translation>
+    </message>
+    <message>
+        <source>Previous trigger</source>
+        <translation>Déclenchement précédent</translation>
+    </message>
+    <message>
+        <source>Where the trigger would have fired before</source>
+        <translation>Où le déclencheur aurait agi auparavant</translation>
+    </message>
+    <message>
+        <source>Next trigger</source>
+        <translation>Déclenchement suivant</translation>
+    </message>
+    <message>
+        <source>Where the trigger would have fired next</source>
+        <translation>Où le déclencheur aurait agi ensuite</translation>
+    </message>
+    <message>
+        <source>Add chart</source>
+        <translation>Ajouter un graphique</translation>
+    </message>
+    <message>
+        <source>Another chart over the same time</source>
+        <translation>Un autre graphique sur la même durée</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Comparer</translation>
+    </message>
+    <message>
+        <source>Load an older recording beneath the present one</source>
+        <translation>Charger un enregistrement plus ancien sous l’actuel</translation>
+    </message>
+    <message>
+        <source>Recording to draw beneath</source>
+        <translation>Enregistrement à tracer en dessous</translation>
+    </message>
+    <message>
+        <source>Recordings (*.rec);;All files (*)</source>
+        <translation>Enregistrements (*.rec);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Trace set-up</source>
+        <translation>Configuration de trace</translation>
+    </message>
+    <message>
+        <source>Open set-up…</source>
+        <translation>Ouvrir une configuration…</translation>
+    </message>
+    <message>
+        <source>Open trace set-up</source>
+        <translation>Ouvrir une configuration de trace</translation>
+    </message>
+    <message>
+        <source>Trace set-ups (*.trace.json)</source>
+        <translation>Configurations de trace (*.trace.json)</translation>
+    </message>
+    <message>
+        <source>Save trace set-up</source>
+        <translation>Enregistrer la configuration de trace</translation>
+    </message>
+    <message>
+        <source>Save set-up</source>
+        <translation>Enregistrer la configuration</translation>
+    </message>
+    <message>
+        <source>Save set-up as…</source>
+        <translation>Enregistrer la configuration sous…</translation>
+    </message>
+    <message>
+        <source>Open recording…</source>
+        <translation>Ouvrir un enregistrement…</translation>
+    </message>
+    <message>
+        <source>Open recording</source>
+        <translation>Ouvrir un enregistrement</translation>
+    </message>
+    <message>
+        <source>Back to the running PLC</source>
+        <translation>Retour au direct de l’automate</translation>
+    </message>
+    <message>
+        <source>Save recording…</source>
+        <translation>Sauvegarder l’enregistrement…</translation>
+    </message>
+    <message>
+        <source>Save recording</source>
+        <translation>Sauvegarder l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Recordings (*.rec)</source>
+        <translation>Enregistrements (*.rec)</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exporter</translation>
+    </message>
+    <message>
+        <source>Copy as picture</source>
+        <translation>Copier comme image</translation>
+    </message>
+    <message>
+        <source>Save samples in view as CSV…</source>
+        <translation>Enregistrer les valeurs visibles en CSV…</translation>
+    </message>
+    <message>
+        <source>Save as %1…</source>
+        <translation>Enregistrer en %1…</translation>
+    </message>
+    <message>
+        <source>Print…</source>
+        <translation>Imprimer…</translation>
+    </message>
+    <message>
+        <source>Save as %1</source>
+        <translation>Enregistrer en %1</translation>
+    </message>
+    <message>
+        <source>Add channel</source>
+        <translation>Ajouter une voie</translation>
+    </message>
+    <message>
+        <source>Arm trigger</source>
+        <translation>Armer le déclencheur</translation>
+    </message>
+    <message>
+        <source>The trigger has no expression yet: enter one in the properties of the trace.</source>
+        <translation>Le déclencheur n’a pas encore d’expression : saisissez-en une dans les propriétés de la trace.</translation>
+    </message>
+    <message>
+        <source>Trigger armed</source>
+        <translation>Déclencheur armé</translation>
+    </message>
+    <message>
+        <source>Triggered, collecting</source>
+        <translation>Déclenché, acquisition en cours</translation>
+    </message>
+    <message>
+        <source>Triggered</source>
+        <translation>Déclenché</translation>
+    </message>
+    <message numerus="yes">
+        <source>(%n shot(s))</source>
+        <translation>
+            <numerusform>(%n déclenchement)</numerusform>
+            <numerusform>(%n déclenchements)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not running</source>
+        <translation>Arrêté</translation>
+    </message>
+    <message>
+        <source>%L1 scans kept  ·  history %2 of %3 MB  ·  channels %4 of %5 MB</source>
+        <translation>%L1 cycles conservés  ·  historique %2 sur %3 Mo  ·  voies %4 sur %5 Mo</translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation>Propriétés</translation>
+    </message>
+    <message>
+        <source>Remove channel</source>
+        <translation>Supprimer la voie</translation>
+    </message>
+    <message>
+        <source>Add channel…</source>
+        <translation>Ajouter une voie…</translation>
+    </message>
+    <message>
+        <source>Trigger off</source>
+        <translation>Désactiver le déclencheur</translation>
+    </message>
+    <message>
+        <source>Saving the samples…</source>
+        <translation>Enregistrement des valeurs…</translation>
+    </message>
+    <message>
+        <source>Opening %1…</source>
+        <translation>Ouverture de %1…</translation>
+    </message>
+    <message>
+        <source>Saving the recording…</source>
+        <translation>Écriture de l’enregistrement…</translation>
+    </message>
+</context>
+<context>
+    <name>Phrases</name>
+    <message>
+        <source>a name</source>
+        <translation>un nom</translation>
+    </message>
+    <message>
+        <source>a label</source>
+        <translation>une étiquette</translation>
+    </message>
+    <message>
+        <source>an operand</source>
+        <translation>un opérande</translation>
+    </message>
+    <message>
+        <source>an expression</source>
+        <translation>une expression</translation>
+    </message>
+    <message>
+        <source>a value</source>
+        <translation>une valeur</translation>
+    </message>
+    <message>
+        <source>a type</source>
+        <translation>un type</translation>
+    </message>
+    <message>
+        <source>an index</source>
+        <translation>un indice</translation>
+    </message>
+    <message>
+        <source>an argument</source>
+        <translation>un argument</translation>
+    </message>
+    <message>
+        <source>an address</source>
+        <translation>une adresse</translation>
+    </message>
+    <message>
+        <source>an action</source>
+        <translation>une action</translation>
+    </message>
+    <message>
+        <source>a CASE label</source>
+        <translation>une étiquette CASE</translation>
+    </message>
+    <message>
+        <source>a block&apos;s name</source>
+        <translation>le nom d’un bloc</translation>
+    </message>
+    <message>
+        <source>a processor&apos;s name</source>
+        <translation>le nom d’un processeur</translation>
+    </message>
+    <message>
+        <source>a task&apos;s name</source>
+        <translation>le nom d’une tâche</translation>
+    </message>
+    <message>
+        <source>a program instance&apos;s name</source>
+        <translation>le nom d’une instance de programme</translation>
+    </message>
+    <message>
+        <source>an input or output</source>
+        <translation>une entrée ou une sortie</translation>
+    </message>
+    <message>
+        <source>a variable&apos;s name</source>
+        <translation>le nom d’une variable</translation>
+    </message>
+    <message>
+        <source>a variable&apos;s path</source>
+        <translation>le chemin d’une variable</translation>
+    </message>
+    <message>
+        <source>a step&apos;s name</source>
+        <translation>le nom d’une étape</translation>
+    </message>
+    <message>
+        <source>a type&apos;s name</source>
+        <translation>le nom d’un type</translation>
+    </message>
+    <message>
+        <source>a member&apos;s name</source>
+        <translation>le nom d’un membre</translation>
+    </message>
+    <message>
+        <source>an access name</source>
+        <translation>un nom d’accès</translation>
+    </message>
+    <message>
+        <source>an enumeration value</source>
+        <translation>une valeur d’énumération</translation>
+    </message>
+    <message>
+        <source>the end of the line</source>
+        <translation>la fin de la ligne</translation>
+    </message>
+    <message>
+        <source>the end of the file</source>
+        <translation>la fin du fichier</translation>
+    </message>
+    <message>
+        <source>{0} or {1}</source>
+        <translation>{0} ou {1}</translation>
+    </message>
+    <message>
+        <source>FOR and a time</source>
+        <translation>FOR et un temps</translation>
+    </message>
+    <message>
+        <source>:= or instructions</source>
+        <translation>:= ou des instructions</translation>
+    </message>
+    <message>
+        <source>a subrange</source>
+        <translation>une plage</translation>
+    </message>
+    <message>
+        <source>an enumeration</source>
+        <translation>une énumération</translation>
+    </message>
+    <message>
+        <source>in parentheses</source>
+        <translation>entre parenthèses</translation>
+    </message>
+    <message>
+        <source>a chart</source>
+        <translation>un grafcet</translation>
+    </message>
+    <message>
+        <source>a body</source>
+        <translation>un corps</translation>
+    </message>
+    <message>
+        <source>in a CLASS</source>
+        <translation>dans une CLASS</translation>
+    </message>
+    <message>
+        <source>in a FUNCTION</source>
+        <translation>dans une FUNCTION</translation>
+    </message>
+    <message>
+        <source>in a METHOD</source>
+        <translation>dans une METHOD</translation>
+    </message>
+    <message>
+        <source>in a PROGRAM</source>
+        <translation>dans un PROGRAM</translation>
+    </message>
+    <message>
+        <source>in a FUNCTION_BLOCK</source>
+        <translation>dans un FUNCTION_BLOCK</translation>
+    </message>
+    <message>
+        <source>here</source>
+        <translation>ici</translation>
+    </message>
+    <message>
+        <source>in {0}</source>
+        <translation>dans {0}</translation>
+    </message>
+    <message>
+        <source>in an expression</source>
+        <translation>dans une expression</translation>
+    </message>
+    <message>
+        <source>in an initial value</source>
+        <translation>dans une valeur initiale</translation>
+    </message>
+    <message>
+        <source>in this section</source>
+        <translation>dans cette section</translation>
+    </message>
+    <message>
+        <source>an initial value</source>
+        <translation>une valeur initiale</translation>
+    </message>
+    <message>
+        <source>RETURN with a value</source>
+        <translation>RETURN avec une valeur</translation>
+    </message>
+    <message>
+        <source>in a declaration that calls FB_Init</source>
+        <translation>dans une déclaration qui appelle FB_Init</translation>
+    </message>
+    <message>
+        <source>{0} (VAR_IN_OUT)</source>
+        <translation>{0} (VAR_IN_OUT)</translation>
+    </message>
+    <message>
+        <source>in {0}, which is not abstract itself</source>
+        <translation>dans {0}, qui n’est pas lui-même abstrait</translation>
+    </message>
+    <message>
+        <source>address</source>
+        <translation>adresse</translation>
+    </message>
+    <message>
+        <source>duration</source>
+        <translation>durée</translation>
+    </message>
+    <message>
+        <source>date</source>
+        <translation>date</translation>
+    </message>
+    <message>
+        <source>time of day</source>
+        <translation>heure du jour</translation>
+    </message>
+    <message>
+        <source>date and time</source>
+        <translation>date et heure</translation>
+    </message>
+    <message>
+        <source>integer</source>
+        <translation>entier</translation>
+    </message>
+    <message>
+        <source>string</source>
+        <translation>chaîne</translation>
+    </message>
+    <message>
+        <source>{0} (a constant)</source>
+        <translation>{0} (une constante)</translation>
+    </message>
+    <message>
+        <source>{0} (an output)</source>
+        <translation>{0} (une sortie)</translation>
+    </message>
+    <message>
+        <source>{0} (a local variable of {1})</source>
+        <translation>{0} (une variable locale de {1})</translation>
+    </message>
+    <message>
+        <source>{0} (an input)</source>
+        <translation>{0} (une entrée)</translation>
+    </message>
+    <message>
+        <source>{0} (an input; the next scan overwrites it)</source>
+        <translation>{0} (une entrée ; le prochain cycle l’écrase)</translation>
+    </message>
+    <message>
+        <source>{0} (a property without SET)</source>
+        <translation>{0} (une propriété sans SET)</translation>
+    </message>
+    <message>
+        <source>{0} (no instance, or several)</source>
+        <translation>{0} (aucune instance, ou plusieurs)</translation>
+    </message>
+    <message>
+        <source>{0} (a type; declare an instance of it)</source>
+        <translation>{0} (un type ; en déclarer une instance)</translation>
+    </message>
+    <message>
+        <source>{0} (a variable, which hides the function of this name)</source>
+        <translation>{0} (une variable, qui masque la fonction de ce nom)</translation>
+    </message>
+    <message>
+        <source>an output</source>
+        <translation>une sortie</translation>
+    </message>
+    <message>
+        <source>an input</source>
+        <translation>une entrée</translation>
+    </message>
+    <message>
+        <source>an IN_OUT parameter</source>
+        <translation>un paramètre IN_OUT</translation>
+    </message>
+    <message>
+        <source>a power of a computed number</source>
+        <translation>une puissance d’un nombre calculé</translation>
+    </message>
+    <message>
+        <source>a call of {0}</source>
+        <translation>un appel de {0}</translation>
+    </message>
+    <message>
+        <source>a call without arguments</source>
+        <translation>un appel sans arguments</translation>
+    </message>
+    <message>
+        <source>a computed second argument of {0}</source>
+        <translation>un second argument calculé de {0}</translation>
+    </message>
+    <message>
+        <source>{0} outside a loop</source>
+        <translation>{0} en dehors d’une boucle</translation>
+    </message>
+    <message>
+        <source>this statement</source>
+        <translation>cette instruction</translation>
+    </message>
+    <message>
+        <source>FOR with this end or step</source>
+        <translation>FOR avec cette fin ou ce pas</translation>
+    </message>
+    <message>
+        <source>an assignment of several variables</source>
+        <translation>une affectation de plusieurs variables</translation>
+    </message>
+    <message>
+        <source>CASE of a computed value</source>
+        <translation>CASE d’une valeur calculée</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>un texte</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>un nombre</translation>
+    </message>
+    <message>
+        <source>an integer</source>
+        <translation>un entier</translation>
+    </message>
+    <message>
+        <source>a number of seconds</source>
+        <translation>un nombre de secondes</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>une liste</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>un objet</translation>
+    </message>
+    <message>
+        <source>one of {0}</source>
+        <translation>un élément de {0}</translation>
+    </message>
+</context>
+<context>
+    <name>Fixes</name>
+    <message>
+        <source>Replace with {0}</source>
+        <translation>Remplacer par {0}</translation>
+    </message>
+    <message>
+        <source>Insert {0}</source>
+        <translation>Insérer {0}</translation>
+    </message>
+    <message>
+        <source>Did you mean {0}?</source>
+        <translation>Vouliez-vous dire {0} ?</translation>
+    </message>
+    <message>
+        <source>Convert with {0}</source>
+        <translation>Convertir avec {0}</translation>
+    </message>
+    <message>
+        <source>Move {0} to {1}</source>
+        <translation>Déplacer {0} vers {1}</translation>
+    </message>
+    <message>
+        <source>Add the property {0}</source>
+        <translation>Ajouter la propriété {0}</translation>
+    </message>
+    <message>
+        <source>Add the method {0}</source>
+        <translation>Ajouter la méthode {0}</translation>
+    </message>
+    <message>
+        <source>Add the missing branches</source>
+        <translation>Ajouter les branches manquantes</translation>
+    </message>
+    <message>
+        <source>Add ELSE</source>
+        <translation>Ajouter ELSE</translation>
+    </message>
+    <message>
+        <source>Add () to call it</source>
+        <translation>Ajouter () pour l’appeler</translation>
+    </message>
+    <message>
+        <source>Compare with 0</source>
+        <translation>Comparer avec 0</translation>
+    </message>
+    <message>
+        <source>Remove the unused declaration</source>
+        <translation>Supprimer la déclaration inutilisée</translation>
+    </message>
+    <message>
+        <source>Replace with IF and ELSIF</source>
+        <translation>Remplacer par IF et ELSIF</translation>
+    </message>
+    <message>
+        <source>Change to a WSTRING literal</source>
+        <translation>Transformer en littéral WSTRING</translation>
+    </message>
+    <message>
+        <source>Replace with straight quotes</source>
+        <translation>Remplacer par des guillemets droits</translation>
+    </message>
+    <message>
+        <source>Make {0} the initial step</source>
+        <translation>Faire de {0} l’étape initiale</translation>
+    </message>
+    <message>
+        <source>Dereference the pointer with ^</source>
+        <translation>Déréférencer le pointeur avec ^</translation>
+    </message>
+</context>
+<context>
+    <name>Notes</name>
+    <message>
+        <source>first declared here</source>
+        <translation>première déclaration ici</translation>
+    </message>
+    <message>
+        <source>declared here</source>
+        <translation>déclaré ici</translation>
+    </message>
+    <message>
+        <source>the variable</source>
+        <translation>la variable</translation>
+    </message>
+    <message>
+        <source>the first program</source>
+        <translation>le premier programme</translation>
+    </message>
+    <message>
+        <source>overridden here</source>
+        <translation>redéfini ici</translation>
+    </message>
+    <message>
+        <source>the first one</source>
+        <translation>le premier</translation>
+    </message>
+    <message>
+        <source>by this transition, while it is active</source>
+        <translation>par cette transition, tant qu’elle est active</translation>
+    </message>
+</context>
+<context>
+    <name>Exchange</name>
+    <message>
+        <source>The file is written in {0}</source>
+        <translation>Le fichier est codé en {0}</translation>
+    </message>
+    <message>
+        <source>The file was not read: {0}</source>
+        <translation>Le fichier n’a pas été lu : {0}</translation>
+    </message>
+    <message>
+        <source>The element {0} was not read</source>
+        <translation>L’élément {0} n’a pas été lu</translation>
+    </message>
+    <message>
+        <source>The vendor&apos;s data {0} is kept in exchange.json</source>
+        <translation>Les données {0} de l’éditeur d’origine sont conservées dans exchange.json</translation>
+    </message>
+    <message>
+        <source>The body in {0} became structured text; the diagram is kept in exchange.json</source>
+        <translation>Le corps dans {0} est devenu du texte structuré ; le schéma est conservé dans exchange.json</translation>
+    </message>
+    <message>
+        <source>The body in {0} is stored in a form that only its own editor reads; export it there as PLCopen XML</source>
+        <translation>Le corps dans {0} est stocké sous une forme que seul son propre éditeur lit ; exportez-le là-bas en PLCopen XML</translation>
+    </message>
+    <message>
+        <source>A jump leads to the step {0}, which does not exist</source>
+        <translation>Un saut mène à l’étape {0}, qui n’existe pas</translation>
+    </message>
+    <message>
+        <source>The element {0} of the chart is not connected and was left out</source>
+        <translation>L’élément {0} du grafcet n’est pas relié et a été omis</translation>
+    </message>
+    <message>
+        <source>The transition from {0} has no condition; it is written as FALSE</source>
+        <translation>La transition depuis {0} n’a pas de condition ; elle est écrite comme FALSE</translation>
+    </message>
+    <message>
+        <source>The element {0} takes part in a loop without a block that stores a value; its last value is not kept</source>
+        <translation>L’élément {0} fait partie d’une boucle sans bloc qui mémorise une valeur ; sa dernière valeur n’est pas conservée</translation>
+    </message>
+    <message>
+        <source>The element {0} is not connected and was left out</source>
+        <translation>L’élément {0} n’est pas relié et a été omis</translation>
+    </message>
+    <message>
+        <source>An edge in a function needs the value of the last call, which a function does not store</source>
+        <translation>Un front dans une fonction demande la valeur du dernier appel, qu’une fonction ne mémorise pas</translation>
+    </message>
+    <message>
+        <source>The result of {0} is used in several places and is computed in each</source>
+        <translation>Le résultat de {0} est utilisé à plusieurs endroits et est calculé à chacun</translation>
+    </message>
+    <message>
+        <source>The type of the result of {0} is not known; it is computed although EN is FALSE</source>
+        <translation>Le type du résultat de {0} est inconnu ; il est calculé même si EN est FALSE</translation>
+    </message>
+    <message>
+        <source>The library {0} is not part of Stepwise; uses of it are reported by the check</source>
+        <translation>La bibliothèque {0} ne fait pas partie de Stepwise ; ses utilisations sont signalées par la vérification</translation>
+    </message>
+    <message>
+        <source>Code in C is kept as a comment and is not executed</source>
+        <translation>Le code en C est conservé en commentaire et n’est pas exécuté</translation>
+    </message>
+    <message>
+        <source>There are two units named {0}; the second is in {1}</source>
+        <translation>Deux POU s’appellent {0} ; le second est dans {1}</translation>
+    </message>
+    <message>
+        <source>The configuration of the devices was not read; assign the inputs and outputs again</source>
+        <translation>La configuration des appareils n’a pas été lue ; affectez de nouveau les entrées et les sorties</translation>
+    </message>
+    <message>
+        <source>The task {0} is started by the event {1}, which does not exist here; give it an INTERVAL or a SINGLE</source>
+        <translation>La tâche {0} est lancée par l’événement {1}, qui n’existe pas ici ; donnez-lui un INTERVAL ou un SINGLE</translation>
+    </message>
+    <message>
+        <source>{0} counts %MW1 in words, here it is counted in bytes; check that the addresses do not overlap</source>
+        <translation>{0} compte %MW1 en mots, ici le compte est en octets ; vérifiez que les adresses ne se chevauchent pas</translation>
+    </message>
+    <message>
+        <source>A comment outside of the elements was left out: {0}</source>
+        <translation>Un commentaire hors des éléments a été omis : {0}</translation>
+    </message>
+    <message>
+        <source>The diagram in {0} was not read: an expression repeats itself without end</source>
+        <translation>Le schéma dans {0} n’a pas été lu : une expression se répète sans fin</translation>
+    </message>
+    <message>
+        <source>A condition in {0} needs the call of a block, which a condition cannot make</source>
+        <translation>Une condition dans {0} demande l’appel d’un bloc, ce qu’une condition ne peut pas faire</translation>
+    </message>
+    <message>
+        <source>The transition {0} is not a single expression and was not read</source>
+        <translation>La transition {0} n’est pas une expression unique et n’a pas été lue</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for panels; they were left out</source>
+        <translation>PLCopen XML n’a pas de place pour les vues ; elles ont été omises</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for traces; they were left out</source>
+        <translation>PLCopen XML n’a pas de place pour les traces ; elles ont été omises</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for tests; they were left out</source>
+        <translation>PLCopen XML n’a pas de place pour les tests ; ils ont été omis</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for tests; the TEST &apos;{0}&apos; was left out</source>
+        <translation>PLCopen XML n’a pas de place pour les tests ; le TEST « {0} » a été omis</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for namespaces; a NAMESPACE was left out with its units</source>
+        <translation>PLCopen XML n’a pas de place pour les espaces de noms ; un NAMESPACE a été omis avec ses POU</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for USING; it was left out</source>
+        <translation>PLCopen XML n’a pas de place pour USING ; il a été omis</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for the name of the transition {0}; it was left out</source>
+        <translation>PLCopen XML n’a pas de place pour le nom de la transition {0} ; il a été omis</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has one indicator per action; {0} was left out</source>
+        <translation>PLCopen XML a un indicateur par action ; {0} a été omis</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no methods; {0} was left out</source>
+        <translation>La version 0201 n’a pas de méthodes ; {0} a été omis</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no properties; {0} was left out</source>
+        <translation>La version 0201 n’a pas de propriétés ; {0} a été omis</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no interfaces; {0} was left out</source>
+        <translation>La version 0201 n’a pas d’interfaces ; {0} a été omis</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no unions; {0} was left out</source>
+        <translation>La version 0201 n’a pas d’unions ; {0} a été omis</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no inheritance; EXTENDS or IMPLEMENTS of {0} was left out</source>
+        <translation>La version 0201 n’a pas d’héritage ; EXTENDS ou IMPLEMENTS de {0} a été omis</translation>
+    </message>
+    <message>
+        <source>Version 0201 does not have the type {0}; other tools will not know it</source>
+        <translation>La version 0201 n’a pas le type {0} ; les autres outils ne le connaîtront pas</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for the pragma {0} of a step; it was left out</source>
+        <translation>La version 0201 n’a pas de place pour le pragma {0} d’une étape ; il a été omis</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for {0} of a task; it was left out</source>
+        <translation>La version 0201 n’a pas de place pour {0} d’une tâche ; il a été omis</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for the connections of the program {0}; they were left out</source>
+        <translation>La version 0201 n’a pas de place pour les connexions du programme {0} ; elles ont été omises</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for libraries; {0} was left out</source>
+        <translation>La version 0201 n’a pas de place pour les bibliothèques ; {0} a été omis</translation>
+    </message>
+    <message>
+        <source>The file is no program source and was left out</source>
+        <translation>Le fichier n’est pas une source de programme et a été omis</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::ImportDialog</name>
+    <message>
+        <source>Place</source>
+        <translation>Emplacement</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Remarque</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Rapport</translation>
+    </message>
+    <message>
+        <source>Units: %1
+Bodies: %2
+Not kept: %3</source>
+        <translation>POU : %1
+Corps : %2
+Non conservés : %3</translation>
+    </message>
+    <message>
+        <source>Import a Project</source>
+        <translation>Importer un projet</translation>
+    </message>
+    <message>
+        <source>PLCopen XML, TwinCAT or CODESYS files, structured text</source>
+        <translation>PLCopen XML, fichiers TwinCAT ou CODESYS, texte structuré</translation>
+    </message>
+    <message>
+        <source>File…</source>
+        <translation>Fichier…</translation>
+    </message>
+    <message>
+        <source>Folder…</source>
+        <translation>Dossier…</translation>
+    </message>
+    <message>
+        <source>Source files</source>
+        <translation>Fichiers sources</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Aperçu</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importer</translation>
+    </message>
+    <message>
+        <source>From:</source>
+        <translation>Depuis :</translation>
+    </message>
+    <message>
+        <source>New project in:</source>
+        <translation>Nouveau projet dans :</translation>
+    </message>
+    <message>
+        <source>Projects of other tools (%1)</source>
+        <translation>Projets d’autres outils (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>This folder is not empty; name a new one</source>
+        <translation>Ce dossier n’est pas vide ; indiquez-en un nouveau</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::ExportDialog</name>
+    <message>
+        <source>Export the Project</source>
+        <translation>Exporter le projet</translation>
+    </message>
+    <message>
+        <source>PLCopen XML 0200, for CODESYS and TwinCAT</source>
+        <translation>PLCopen XML 0200, pour CODESYS et TwinCAT</translation>
+    </message>
+    <message>
+        <source>PLCopen XML 0201, for Beremiz and OpenPLC</source>
+        <translation>PLCopen XML 0201, pour Beremiz et OpenPLC</translation>
+    </message>
+    <message>
+        <source>File…</source>
+        <translation>Fichier…</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exporter</translation>
+    </message>
+    <message>
+        <source>Format:</source>
+        <translation>Format :</translation>
+    </message>
+    <message>
+        <source>To:</source>
+        <translation>Vers :</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::GraphView</name>
+    <message>
+        <source>Show all</source>
+        <translation>Tout afficher</translation>
+    </message>
+    <message>
+        <source>Export as SVG, PNG or PDF…</source>
+        <translation>Exporter en SVG, PNG ou PDF…</translation>
+    </message>
+    <message>
+        <source>Export the Drawing</source>
+        <translation>Exporter le tracé</translation>
+    </message>
+    <message>
+        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
+        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written</source>
+        <translation>%1 ne peut pas être écrit</translation>
+    </message>
+    <message>
+        <source>Print…</source>
+        <translation>Imprimer…</translation>
+    </message>
+    <message>
+        <source>Fix the text first: this is the last good drawing</source>
+        <translation>Corrigez d’abord le texte : ceci est le dernier tracé correct</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::RenameDialog</name>
+    <message>
+        <source>Rename</source>
+        <translation>Renommer</translation>
+    </message>
+    <message>
+        <source>New name of %1, in the whole project:</source>
+        <translation>Nouveau nom de %1, dans tout le projet :</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Emplacement</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Texte</translation>
+    </message>
+    <message>
+        <source>Places that change</source>
+        <translation>Endroits modifiés</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) change:</source>
+        <translation>
+            <numerusform>%n endroit change :</numerusform>
+            <numerusform>%n endroits changent :</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>DiskChange</name>
+    <message>
+        <source>Changed outside</source>
+        <translation>Modifié à l’extérieur</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program, and here too.</source>
+        <translation>%1 a été modifié par un autre programme, et ici aussi.</translation>
+    </message>
+    <message>
+        <source>Compare both side by side, load the file from disk and lose the changes made here, or keep what is here and replace the file with the next save?</source>
+        <translation>Comparer les deux côte à côte, charger le fichier du disque et perdre les modifications faites ici, ou garder ce qui est ici et remplacer le fichier au prochain enregistrement ?</translation>
+    </message>
+    <message>
+        <source>Compare…</source>
+        <translation>Comparer…</translation>
+    </message>
+    <message>
+        <source>Load from Disk</source>
+        <translation>Charger du disque</translation>
+    </message>
+    <message>
+        <source>Keep Mine</source>
+        <translation>Garder ma version</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::InstanceBar</name>
+    <message>
+        <source>Instance whose values are shown</source>
+        <translation>Instance dont les valeurs sont affichées</translation>
+    </message>
+    <message>
+        <source>Values of the instance of %1:</source>
+        <translation>Valeurs de l’instance de %1 :</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::MergeDialog</name>
+    <message>
+        <source>Compare %1</source>
+        <translation>Comparer %1</translation>
+    </message>
+    <message>
+        <source>Previous</source>
+        <translation>Précédente</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Suivante</translation>
+    </message>
+    <message>
+        <source>Take Over</source>
+        <translation>Reprendre</translation>
+    </message>
+    <message>
+        <source>Take Over All</source>
+        <translation>Tout reprendre</translation>
+    </message>
+    <message>
+        <source>Here (this text is kept)</source>
+        <translation>Ici (ce texte est conservé)</translation>
+    </message>
+    <message>
+        <source>On disk</source>
+        <translation>Sur le disque</translation>
+    </message>
+    <message>
+        <source>Use the Text on the Left</source>
+        <translation>Utiliser le texte de gauche</translation>
+    </message>
+    <message>
+        <source>No differences</source>
+        <translation>Aucune différence</translation>
+    </message>
+    <message>
+        <source>Difference %1 of %2</source>
+        <translation>Différence %1 sur %2</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::PanelFiles</name>
+    <message>
+        <source>Texts</source>
+        <translation>Textes</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmes</translation>
+    </message>
+    <message>
+        <source>Panel %1</source>
+        <translation>Vue %1</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::RunsMenu</name>
+    <message>
+        <source>Earlier Runs</source>
+        <translation>Exécutions précédentes</translation>
+    </message>
+    <message>
+        <source>%1, ended by a fault, %2</source>
+        <translation>%1, terminée par une erreur, %2</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>The last run is being written…</source>
+        <translation>Écriture de la dernière exécution…</translation>
+    </message>
+    <message>
+        <source>No run has ended yet</source>
+        <translation>Aucune exécution n’est encore terminée</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::TestView</name>
+    <message>
+        <source>Run all tests</source>
+        <translation>Exécuter tous les tests</translation>
+    </message>
+    <message>
+        <source>Run the selected tests</source>
+        <translation>Exécuter les tests sélectionnés</translation>
+    </message>
+    <message>
+        <source>Run the failed tests</source>
+        <translation>Exécuter les tests en échec</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Test</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Résultat</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Tests</source>
+        <translation>Tests</translation>
+    </message>
+    <message>
+        <source>%1 passed, %2 failed</source>
+        <translation>%1 réussis, %2 en échec</translation>
+    </message>
+    <message>
+        <source>not run yet</source>
+        <translation>pas encore exécuté</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>réussi</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>échec</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Show the Recording of the Failure</source>
+        <translation>Afficher l’enregistrement de l’échec</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::TextPage</name>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>Ligne %1 : %2</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::RunArchive</name>
+    <message>
+        <source>The recording of the last run was not kept: %1</source>
+        <translation>L’enregistrement de la dernière exécution n’a pas été conservé : %1</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::LadderView</name>
+    <message>
+        <source>Ladder or function block diagram</source>
+        <translation>Schéma à contacts ou diagramme de blocs fonctionnels</translation>
+    </message>
+    <message>
+        <source>Insert a rung below (Ctrl+T)</source>
+        <translation>Insérer un réseau en dessous (Ctrl+T)</translation>
+    </message>
+    <message>
+        <source>Insert a contact on the left (Ctrl+K)</source>
+        <translation>Insérer un contact à gauche (Ctrl+K)</translation>
+    </message>
+    <message>
+        <source>Insert a contact on the right (Ctrl+D)</source>
+        <translation>Insérer un contact à droite (Ctrl+D)</translation>
+    </message>
+    <message>
+        <source>Insert a parallel contact (Ctrl+R)</source>
+        <translation>Insérer un contact en parallèle (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>Insert a coil (Ctrl+A)</source>
+        <translation>Insérer une bobine (Ctrl+A)</translation>
+    </message>
+    <message>
+        <source>Insert a function block (Ctrl+B)</source>
+        <translation>Insérer un bloc fonctionnel (Ctrl+B)</translation>
+    </message>
+    <message>
+        <source>Edit (F2)</source>
+        <translation>Modifier (F2)</translation>
+    </message>
+    <message>
+        <source>Delete (Del)</source>
+        <translation>Supprimer (Suppr)</translation>
+    </message>
+    <message>
+        <source>Breakpoint on the rung (F9)</source>
+        <translation>Point d’arrêt sur le réseau (F9)</translation>
+    </message>
+    <message>
+        <source>Show as a function block diagram</source>
+        <translation>Afficher en diagramme de blocs fonctionnels</translation>
+    </message>
+    <message>
+        <source>Show as a ladder diagram</source>
+        <translation>Afficher en schéma à contacts</translation>
+    </message>
+    <message>
+        <source>%1 is not in the text any more</source>
+        <translation>%1 n’est plus dans le texte</translation>
+    </message>
+    <message>
+        <source>The text has errors: this is the last good drawing</source>
+        <translation>Le texte contient des erreurs : ceci est le dernier tracé correct</translation>
+    </message>
+    <message>
+        <source>Fix the text first: this is the last good drawing</source>
+        <translation>Corrigez d’abord le texte : ceci est le dernier tracé correct</translation>
+    </message>
+    <message>
+        <source>Select a rung</source>
+        <translation>Sélectionnez un réseau</translation>
+    </message>
+    <message>
+        <source>Select a coil</source>
+        <translation>Sélectionnez une bobine</translation>
+    </message>
+    <message>
+        <source>Select a contact, a coil or a pin with a variable</source>
+        <translation>Sélectionnez un contact, une bobine ou une broche avec une variable</translation>
+    </message>
+    <message>
+        <source>The rung has no contact yet</source>
+        <translation>Le réseau n’a pas encore de contact</translation>
+    </message>
+    <message>
+        <source>Select the rung that gets the block</source>
+        <translation>Sélectionnez le réseau qui reçoit le bloc</translation>
+    </message>
+    <message>
+        <source>block</source>
+        <translation>bloc</translation>
+    </message>
+    <message>
+        <source>Contact on the left; at a coil, the last contact</source>
+        <translation>Contact à gauche ; sur une bobine, le dernier contact</translation>
+    </message>
+    <message>
+        <source>Contact on the right</source>
+        <translation>Contact à droite</translation>
+    </message>
+    <message>
+        <source>Parallel contact</source>
+        <translation>Contact en parallèle</translation>
+    </message>
+    <message>
+        <source>Coil</source>
+        <translation>Bobine</translation>
+    </message>
+    <message>
+        <source>Function block in the rung</source>
+        <translation>Bloc fonctionnel dans le réseau</translation>
+    </message>
+    <message>
+        <source>Rung above</source>
+        <translation>Réseau au-dessus</translation>
+    </message>
+    <message>
+        <source>Rung below</source>
+        <translation>Réseau en dessous</translation>
+    </message>
+    <message>
+        <source>Negate a contact, a coil or a pin</source>
+        <translation>Inverser un contact, une bobine ou une broche</translation>
+    </message>
+    <message>
+        <source>Coil: normal, set, reset</source>
+        <translation>Bobine : normale, mise à 1, mise à 0</translation>
+    </message>
+    <message>
+        <source>Comment of the rung</source>
+        <translation>Commentaire du réseau</translation>
+    </message>
+    <message>
+        <source>Edit what is selected (or Enter)</source>
+        <translation>Modifier la sélection (ou Entrée)</translation>
+    </message>
+    <message>
+        <source>Delete what is selected</source>
+        <translation>Supprimer la sélection</translation>
+    </message>
+    <message>
+        <source>Breakpoint on the rung</source>
+        <translation>Point d’arrêt sur le réseau</translation>
+    </message>
+    <message>
+        <source>This list</source>
+        <translation>Cette liste</translation>
+    </message>
+    <message>
+        <source>Arrows</source>
+        <translation>Flèches</translation>
+    </message>
+    <message>
+        <source>Select the next part; Up and Down also the next rung</source>
+        <translation>Sélectionner l’élément suivant ; Haut et Bas aussi le réseau suivant</translation>
+    </message>
+    <message>
+        <source>Move the rung up; with Down, down</source>
+        <translation>Déplacer le réseau vers le haut ; avec Bas, vers le bas</translation>
+    </message>
+    <message>
+        <source>Typed before a name: a negated contact</source>
+        <translation>Tapé avant un nom : un contact inversé</translation>
+    </message>
+    <message>
+        <source>Keys in Ladder and Function Block Diagrams</source>
+        <translation>Touches des schémas à contacts et diagrammes de blocs fonctionnels</translation>
+    </message>
+    <message>
+        <source>Insert a Rung Above</source>
+        <translation>Insérer un réseau au-dessus</translation>
+    </message>
+    <message>
+        <source>Insert a Rung Below</source>
+        <translation>Insérer un réseau en dessous</translation>
+    </message>
+    <message>
+        <source>Insert a Contact</source>
+        <translation>Insérer un contact</translation>
+    </message>
+    <message>
+        <source>Insert a Parallel Contact</source>
+        <translation>Insérer un contact en parallèle</translation>
+    </message>
+    <message>
+        <source>Insert a Coil</source>
+        <translation>Insérer une bobine</translation>
+    </message>
+    <message>
+        <source>Insert a Function Block…</source>
+        <translation>Insérer un bloc fonctionnel…</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Édition</translation>
+    </message>
+    <message>
+        <source>Comment…</source>
+        <translation>Commentaire…</translation>
+    </message>
+    <message>
+        <source>Negate</source>
+        <translation>Inverser</translation>
+    </message>
+    <message>
+        <source>Set or Reset</source>
+        <translation>Mettre à 1 ou à 0</translation>
+    </message>
+    <message>
+        <source>Move the Rung Up</source>
+        <translation>Déplacer le réseau vers le haut</translation>
+    </message>
+    <message>
+        <source>Move the Rung Down</source>
+        <translation>Déplacer le réseau vers le bas</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Force TRUE</source>
+        <translation>Forcer à TRUE</translation>
+    </message>
+    <message>
+        <source>Force FALSE</source>
+        <translation>Forcer à FALSE</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>Lever le forçage</translation>
+    </message>
+    <message>
+        <source>Toggle Breakpoint</source>
+        <translation>Basculer le point d’arrêt</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,7672 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="zh_CN" sourcelanguage="en">
+<context>
+    <name>Diagnostics</name>
+    <message>
+        <source>The character {0} has no meaning here</source>
+        <translation>字符 {0} 在此处没有意义</translation>
+    </message>
+    <message>
+        <source>Unterminated comment; close it with *)</source>
+        <translation>注释未结束；请用 *) 结束</translation>
+    </message>
+    <message>
+        <source>Unterminated string; add the closing quote</source>
+        <translation>字符串未结束；请补上结束引号</translation>
+    </message>
+    <message>
+        <source>This is not valid UTF-8; save the file as UTF-8</source>
+        <translation>不是有效的 UTF-8；请将文件保存为 UTF-8</translation>
+    </message>
+    <message>
+        <source>{0} is not a valid {1} literal</source>
+        <translation>{0} 不是有效的字面量（{1}）</translation>
+    </message>
+    <message>
+        <source>Expected {0} before {1}</source>
+        <translation>{1} 之前应为 {0}</translation>
+    </message>
+    <message>
+        <source>A semicolon is missing here</source>
+        <translation>此处缺少分号</translation>
+    </message>
+    <message>
+        <source>{0} is missing for this {1}</source>
+        <translation>此 {1} 缺少 {0}</translation>
+    </message>
+    <message>
+        <source>Unexpected {0}</source>
+        <translation>意外的 {0}</translation>
+    </message>
+    <message>
+        <source>This comparison has no effect; use := to assign</source>
+        <translation>此比较不起作用；赋值请使用 :=</translation>
+    </message>
+    <message>
+        <source>An assignment is not a condition; use = to compare</source>
+        <translation>赋值不是条件；比较请使用 =</translation>
+    </message>
+    <message>
+        <source>A colon is missing between the name and its type</source>
+        <translation>名称与类型之间缺少冒号</translation>
+    </message>
+    <message>
+        <source>Decimal numbers use a point: {0}</source>
+        <translation>小数使用点号：{0}</translation>
+    </message>
+    <message>
+        <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT</source>
+        <translation>开放边界写作 ARRAY[*]，仅允许用于 VAR_IN_OUT</translation>
+    </message>
+    <message>
+        <source>This is nested too deeply to be compiled</source>
+        <translation>嵌套过深，无法编译</translation>
+    </message>
+    <message>
+        <source>The pragma {0} is not known and has no effect</source>
+        <translation>编译指示 {0} 未知，不起作用</translation>
+    </message>
+    <message>
+        <source>{0} is missing; the program unit ends here</source>
+        <translation>缺少 {0}；POU 在此处结束</translation>
+    </message>
+    <message>
+        <source>A semicolon is missing here; the statement ends here</source>
+        <translation>此处缺少分号；语句在此处结束</translation>
+    </message>
+    <message>
+        <source>{0} is not declared</source>
+        <translation>{0} 未声明</translation>
+    </message>
+    <message>
+        <source>{0} has no member {1}</source>
+        <translation>{0} 没有成员 {1}</translation>
+    </message>
+    <message>
+        <source>{0} cannot be converted to {1}</source>
+        <translation>{0} 无法转换为 {1}</translation>
+    </message>
+    <message>
+        <source>Implicit conversion from {0} to {1} may lose data; convert it explicitly</source>
+        <translation>从 {0} 到 {1} 的隐式转换可能丢失数据；请显式转换</translation>
+    </message>
+    <message>
+        <source>{0} cannot be assigned to</source>
+        <translation>无法对 {0} 赋值</translation>
+    </message>
+    <message>
+        <source>{0} cannot be used with {1}</source>
+        <translation>{0} 不能与 {1} 一起使用</translation>
+    </message>
+    <message>
+        <source>{0} cannot combine {1} and {2}</source>
+        <translation>{0} 不能组合 {1} 和 {2}</translation>
+    </message>
+    <message>
+        <source>{0} cannot be called</source>
+        <translation>{0} 不可调用</translation>
+    </message>
+    <message>
+        <source>{0} has no parameter {1}</source>
+        <translation>{0} 没有参数 {1}</translation>
+    </message>
+    <message>
+        <source>The argument for {1} of {0} is missing</source>
+        <translation>缺少 {0} 的实参 {1}</translation>
+    </message>
+    <message>
+        <source>{0} takes {1} {1:argument|arguments}</source>
+        <translation>{0} 需要 {1} 个实参</translation>
+    </message>
+    <message>
+        <source>{0} is specified twice</source>
+        <translation>{0} 指定了两次</translation>
+    </message>
+    <message>
+        <source>{0} is an IN_OUT parameter and needs a variable of type {1}</source>
+        <translation>{0} 是 IN_OUT 参数，需要类型为 {1} 的变量</translation>
+    </message>
+    <message>
+        <source>{0} is not an array or string</source>
+        <translation>{0} 不是数组或字符串</translation>
+    </message>
+    <message>
+        <source>This array has {0} {0:dimension|dimensions}, not {1}</source>
+        <translation>此数组有 {0} 维，而不是 {1} 维</translation>
+    </message>
+    <message>
+        <source>The index {0} is outside {1}..{2}</source>
+        <translation>下标 {0} 超出 {1}..{2}</translation>
+    </message>
+    <message>
+        <source>Division by zero</source>
+        <translation>除以零</translation>
+    </message>
+    <message>
+        <source>{0} does not fit into {1}</source>
+        <translation>{0} 超出 {1} 的范围</translation>
+    </message>
+    <message>
+        <source>A constant is needed here</source>
+        <translation>此处需要常量</translation>
+    </message>
+    <message>
+        <source>{0} is not a pointer or reference</source>
+        <translation>{0} 不是指针或引用</translation>
+    </message>
+    <message>
+        <source>{0} has only the bits 0 to {1}</source>
+        <translation>{0} 只有位 0 到 {1}</translation>
+    </message>
+    <message>
+        <source>The condition must be BOOL, not {0}</source>
+        <translation>条件必须是 BOOL，而不是 {0}</translation>
+    </message>
+    <message>
+        <source>{0} does not return a value</source>
+        <translation>{0} 不返回值</translation>
+    </message>
+    <message>
+        <source>{0} is ambiguous: {1}; write the namespace before it</source>
+        <translation>{0} 不明确：{1}；请在前面写上命名空间</translation>
+    </message>
+    <message>
+        <source>{0} is abstract and cannot be instantiated</source>
+        <translation>{0} 是抽象的，不能实例化</translation>
+    </message>
+    <message>
+        <source>{0} is {1} and cannot be used here</source>
+        <translation>{0} 是 {1}，不能在此处使用</translation>
+    </message>
+    <message>
+        <source>The character {0} is not in STRING (Latin-1); use WSTRING</source>
+        <translation>STRING（Latin-1）中没有字符 {0}；请使用 WSTRING</translation>
+    </message>
+    <message>
+        <source>The text has {0} characters and will be truncated to {1}</source>
+        <translation>文本有 {0} 个字符，将被截断为 {1} 个</translation>
+    </message>
+    <message>
+        <source>This integer division discards the fraction before the conversion to {0}</source>
+        <translation>此整数除法在转换为 {0} 之前会舍去小数部分</translation>
+    </message>
+    <message>
+        <source>{0} is computed as {1} and may overflow before the conversion to {2}</source>
+        <translation>{0} 按 {1} 计算，在转换为 {2} 之前可能溢出</translation>
+    </message>
+    <message>
+        <source>{0} and {1} are compared as {2}; convert one of them</source>
+        <translation>{0} 和 {1} 按 {2} 比较；请转换其中一个</translation>
+    </message>
+    <message>
+        <source>{0} is not checked against the enumeration {1}; use one of its names</source>
+        <translation>{0} 不会按枚举 {1} 检查；请使用其中的名称</translation>
+    </message>
+    <message>
+        <source>The result of {0} is not used</source>
+        <translation>{0} 的结果未使用</translation>
+    </message>
+    <message>
+        <source>The address {0} is outside {1}</source>
+        <translation>地址 {0} 超出 {1}</translation>
+    </message>
+    <message>
+        <source>{0} is not allowed in a watch or binding, which cannot have side effects</source>
+        <translation>监视和变量连接不能有副作用，因此不允许使用 {0}</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; write {2}</source>
+        <translation>{0} 是{1}；请写 {2}</translation>
+    </message>
+    <message>
+        <source>A reference needs a variable that has an address</source>
+        <translation>引用需要具有地址的变量</translation>
+    </message>
+    <message>
+        <source>{0} is declared twice</source>
+        <translation>{0} 声明了两次</translation>
+    </message>
+    <message>
+        <source>There is no type {0}</source>
+        <translation>没有类型 {0}</translation>
+    </message>
+    <message>
+        <source>{0} contains itself; use a REFERENCE TO</source>
+        <translation>{0} 包含自身；请使用 REFERENCE TO</translation>
+    </message>
+    <message>
+        <source>{0} calls itself, which is not allowed: {1}</source>
+        <translation>{0} 调用自身，这是不允许的：{1}</translation>
+    </message>
+    <message>
+        <source>{0} is never used</source>
+        <translation>{0} 从未使用</translation>
+    </message>
+    <message>
+        <source>{0} is read but never written</source>
+        <translation>{0} 被读取，但从未写入</translation>
+    </message>
+    <message>
+        <source>This is never executed</source>
+        <translation>此处永远不会执行</translation>
+    </message>
+    <message>
+        <source>The result of {0} is not set on every path</source>
+        <translation>{0} 的结果未在所有路径上赋值</translation>
+    </message>
+    <message>
+        <source>CASE has no branch for {0} and no ELSE</source>
+        <translation>CASE 没有 {0} 的分支，也没有 ELSE</translation>
+    </message>
+    <message>
+        <source>{0} already has a branch</source>
+        <translation>{0} 已有分支</translation>
+    </message>
+    <message>
+        <source>The task {0} is declared twice</source>
+        <translation>任务 {0} 声明了两次</translation>
+    </message>
+    <message>
+        <source>There is no task {0}</source>
+        <translation>没有任务 {0}</translation>
+    </message>
+    <message>
+        <source>{0} does not implement {1} of {2}</source>
+        <translation>{0} 未实现 {2} 的 {1}</translation>
+    </message>
+    <message>
+        <source>The parameters of {0} must match those of the overridden method</source>
+        <translation>{0} 的参数必须与被重写的方法一致</translation>
+    </message>
+    <message>
+        <source>{0} is FINAL and cannot be extended or overridden</source>
+        <translation>{0} 是 FINAL，不能扩展或重写</translation>
+    </message>
+    <message>
+        <source>{1} cannot extend {0}</source>
+        <translation>{1} 不能扩展 {0}</translation>
+    </message>
+    <message>
+        <source>{0} is not allowed {1}</source>
+        <translation>{1}不允许使用 {0}</translation>
+    </message>
+    <message>
+        <source>There is no label {0}</source>
+        <translation>没有标号 {0}</translation>
+    </message>
+    <message>
+        <source>{0} is only allowed inside a loop</source>
+        <translation>{0} 只能在循环内使用</translation>
+    </message>
+    <message>
+        <source>The loop variable {0} is changed inside its loop</source>
+        <translation>循环变量 {0} 在其循环内被修改</translation>
+    </message>
+    <message>
+        <source>There is no global variable {0} of type {1}</source>
+        <translation>没有类型为 {1} 的全局变量 {0}</translation>
+    </message>
+    <message>
+        <source>The variables need {0} bytes; the maximum is {1}</source>
+        <translation>变量需要 {0} 字节；最大为 {1}</translation>
+    </message>
+    <message>
+        <source>There is no PROGRAM to run</source>
+        <translation>没有可运行的 PROGRAM</translation>
+    </message>
+    <message>
+        <source>There are several programs and no CONFIGURATION; name one of them Main or write a CONFIGURATION</source>
+        <translation>有多个程序但没有 CONFIGURATION；请将其中一个命名为 Main，或编写 CONFIGURATION</translation>
+    </message>
+    <message>
+        <source>There is no namespace {0}</source>
+        <translation>没有命名空间 {0}</translation>
+    </message>
+    <message>
+        <source>The range {0}..{1} is not valid: the lower bound is above the upper bound or there are too many elements</source>
+        <translation>范围 {0}..{1} 无效：下界大于上界，或元素过多</translation>
+    </message>
+    <message>
+        <source>{0} is not a variable of this configuration</source>
+        <translation>{0} 不是此配置的变量</translation>
+    </message>
+    <message>
+        <source>{0} has an incomplete address; complete it in a VAR_CONFIG</source>
+        <translation>{0} 的地址不完整；请在 VAR_CONFIG 中补全</translation>
+    </message>
+    <message>
+        <source>{0} restarts on every call because functions keep no state</source>
+        <translation>{0} 在每次调用时重新开始，因为函数不保存状态</translation>
+    </message>
+    <message>
+        <source>Too many initial values: {0} for {1} {1:element|elements}</source>
+        <translation>初始值过多：{1} 个元素有 {0} 个初始值</translation>
+    </message>
+    <message>
+        <source>{0} may call itself; the depth of recursion is limited at run time</source>
+        <translation>{0} 可能调用自身；运行时会限制递归深度</translation>
+    </message>
+    <message>
+        <source>The chart has no INITIAL_STEP</source>
+        <translation>顺序功能图没有 INITIAL_STEP</translation>
+    </message>
+    <message>
+        <source>The chart has two initial steps: {0} and {1}</source>
+        <translation>顺序功能图有两个初始步：{0} 和 {1}</translation>
+    </message>
+    <message>
+        <source>There is no step {0}</source>
+        <translation>没有步 {0}</translation>
+    </message>
+    <message>
+        <source>No transition leads to step {0}; it can never become active</source>
+        <translation>没有转换通向步 {0}；它永远不会激活</translation>
+    </message>
+    <message>
+        <source>Step {0} can become active twice at the same time: the branches from here do not join</source>
+        <translation>步 {0} 可能同时被激活两次：从这里出发的分支没有汇合</translation>
+    </message>
+    <message>
+        <source>The steps before this transition cannot be active together; start them from one simultaneous branch</source>
+        <translation>此转换之前的步不能同时激活；请从同一个并行分支启动它们</translation>
+    </message>
+    <message>
+        <source>This transition is always true; the step before it lasts one scan</source>
+        <translation>此转换始终为真；其前面的步只持续一个扫描周期</translation>
+    </message>
+    <message>
+        <source>The qualifier {0} needs a time, for example T#2s</source>
+        <translation>限定符 {0} 需要时间，例如 T#2s</translation>
+    </message>
+    <message>
+        <source>{0} is not an action qualifier</source>
+        <translation>{0} 不是动作限定符</translation>
+    </message>
+    <message>
+        <source>There is no action or BOOL variable {0}</source>
+        <translation>没有名为 {0} 的动作或 BOOL 变量</translation>
+    </message>
+    <message>
+        <source>The step {0} is declared twice</source>
+        <translation>步 {0} 声明了两次</translation>
+    </message>
+    <message>
+        <source>{0} is not an IL operator</source>
+        <translation>{0} 不是 IL 操作符</translation>
+    </message>
+    <message>
+        <source>{0} needs a current result; load one with LD</source>
+        <translation>{0} 需要当前结果；请用 LD 装载</translation>
+    </message>
+    <message>
+        <source>The parenthesis of this instruction is not closed</source>
+        <translation>此指令的括号未闭合</translation>
+    </message>
+    <message>
+        <source>The current result is {0} on one path to this label and {1} on another</source>
+        <translation>到达此标号时，当前结果在一条路径上为 {0}，在另一条上为 {1}</translation>
+    </message>
+    <message>
+        <source>{0} is only allowed in a TEST</source>
+        <translation>{0} 只能在 TEST 中使用</translation>
+    </message>
+    <message>
+        <source>{0} is not a value of the strict enumeration {1}; use one of its names</source>
+        <translation>{0} 不是严格枚举 {1} 的值；请使用其中的名称</translation>
+    </message>
+    <message>
+        <source>{0} is a strict enumeration and cannot be used in arithmetic; convert the value with {1}</source>
+        <translation>{0} 是严格枚举，不能用于算术运算；请使用 {1} 转换该值</translation>
+    </message>
+    <message>
+        <source>{0} cannot compare {1} as a whole; compare the members one by one</source>
+        <translation>{0} 不能整体比较 {1}；请逐个比较成员</translation>
+    </message>
+    <message>
+        <source>A CASE selector must be an integer, enumeration or character, not {0}; use IF and ELSIF</source>
+        <translation>CASE 的选择值必须是整数、枚举或字符，而不是 {0}；请使用 IF 和 ELSIF</translation>
+    </message>
+    <message>
+        <source>{0} and {1} share storage at {2}; move one of them or write STRUCT OVERLAP</source>
+        <translation>{0} 和 {1} 在 {2} 处共用存储区；请移动其中一个，或写 STRUCT OVERLAP</translation>
+    </message>
+    <message>
+        <source>A member&apos;s address is relative to the start of its structure (%B4, %X4.1), not {0}</source>
+        <translation>成员地址相对于其结构的起始位置（%B4、%X4.1），而不是 {0}</translation>
+    </message>
+    <message>
+        <source>{0} and {1} share the address {2}; {3} is free</source>
+        <translation>{0} 和 {1} 共用地址 {2}；{3} 空闲</translation>
+    </message>
+    <message>
+        <source>{0} belongs to the chart and must be {1}</source>
+        <translation>{0} 属于顺序功能图，必须是 {1}</translation>
+    </message>
+    <message>
+        <source>{0} has no effect without {1}; declare both</source>
+        <translation>没有 {1} 时 {0} 不起作用；请同时声明两者</translation>
+    </message>
+    <message>
+        <source>A step lists its actions here; write statements in an ACTION</source>
+        <translation>步在此处列出其动作；请将语句写入 ACTION</translation>
+    </message>
+    <message>
+        <source>No transition leads away from step {0}; the chart ends here</source>
+        <translation>没有转换从步 {0} 离开；顺序功能图在此处结束</translation>
+    </message>
+    <message>
+        <source>{0} appears twice in this step with qualifier {1}</source>
+        <translation>{0} 在此步中以限定符 {1} 出现了两次</translation>
+    </message>
+    <message>
+        <source>{0} is also a variable; steps and calls mean the ACTION</source>
+        <translation>{0} 也是变量；步和调用指的是 ACTION</translation>
+    </message>
+    <message>
+        <source>{0} is a keyword and cannot be used as a name</source>
+        <translation>{0} 是关键字，不能用作名称</translation>
+    </message>
+    <message>
+        <source>Use {1} instead of {0} in Structured Text</source>
+        <translation>在结构化文本中请使用 {1} 代替 {0}</translation>
+    </message>
+    <message>
+        <source>This loop never ends and would stop the controller</source>
+        <translation>此循环永不结束，会使控制器停住</translation>
+    </message>
+    <message>
+        <source>{0} is marked OVERRIDE, but no base has a method with this name</source>
+        <translation>{0} 标有 OVERRIDE，但基类中没有同名方法</translation>
+    </message>
+    <message>
+        <source>The task {0} has no INTERVAL above zero and no SINGLE; it runs in every scan</source>
+        <translation>任务 {0} 没有大于零的 INTERVAL，也没有 SINGLE；它在每个扫描周期运行</translation>
+    </message>
+    <message>
+        <source>{0} is read as {1}; write a time with its unit</source>
+        <translation>{0} 按 {1} 读取；请写带单位的时间</translation>
+    </message>
+    <message>
+        <source>The address {0} has {1} {1:bit|bits}, {2} has {3}; write {4}</source>
+        <translation>地址 {0} 有 {1} 位，{2} 有 {3} 位；请写 {4}</translation>
+    </message>
+    <message>
+        <source>An index must be an integer, not {0}</source>
+        <translation>下标必须是整数，而不是 {0}</translation>
+    </message>
+    <message>
+        <source>A block with a task of its own is not supported; call {0} in a program of the task {1}</source>
+        <translation>不支持拥有独立任务的块；请在任务 {1} 的程序中调用 {0}</translation>
+    </message>
+    <message>
+        <source>{0}</source>
+        <translation>{0}</translation>
+    </message>
+    <message>
+        <source>The condition {0} is not one of defined, hasvalue, hasattribute, hastype with NOT, AND, OR</source>
+        <translation>条件 {0} 不是 defined、hasvalue、hasattribute、hastype 与 NOT、AND、OR 的组合</translation>
+    </message>
+    <message>
+        <source>The pragma {0} is missing for this {1}</source>
+        <translation>此 {1} 缺少编译指示 {0}</translation>
+    </message>
+    <message>
+        <source>Code in C is not executed</source>
+        <translation>C 代码不会执行</translation>
+    </message>
+</context>
+<context>
+    <name>EditHistory</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>撤消(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>重做(&amp;R)</translation>
+    </message>
+</context>
+<context>
+    <name>Errors</name>
+    <message>
+        <source>division by zero</source>
+        <translation>除以零</translation>
+    </message>
+    <message>
+        <source>index {0} is used on an empty array</source>
+        <translation>访问了空数组的下标 {0}</translation>
+    </message>
+    <message>
+        <source>index {0} is outside {1}..{2}</source>
+        <translation>下标 {0} 超出 {1}..{2}</translation>
+    </message>
+    <message>
+        <source>the reference is NULL</source>
+        <translation>引用为 NULL</translation>
+    </message>
+    <message>
+        <source>the reference does not point to a variable of its type</source>
+        <translation>引用未指向其类型的变量</translation>
+    </message>
+    <message>
+        <source>a VAR_IN_OUT is not connected to a variable</source>
+        <translation>有 VAR_IN_OUT 未连接变量</translation>
+    </message>
+    <message>
+        <source>character {0} is read from an empty string</source>
+        <translation>读取了空字符串的第 {0} 个字符</translation>
+    </message>
+    <message>
+        <source>character {0} is outside {1}..{2} of the string</source>
+        <translation>第 {0} 个字符超出字符串的 {1}..{2}</translation>
+    </message>
+    <message>
+        <source>the watchdog stopped a task that did not end</source>
+        <translation>看门狗停止了一个未结束的任务</translation>
+    </message>
+    <message>
+        <source>the task ran longer than its watchdog time of {0}</source>
+        <translation>任务运行超过其看门狗时间 {0}</translation>
+    </message>
+    <message>
+        <source>more than {0} loop passes and calls in one run of the task; check for an endless loop</source>
+        <translation>任务的一次执行中循环和调用超过 {0} 次；请检查是否有死循环</translation>
+    </message>
+    <message>
+        <source>calls are nested too deeply; check for endless recursion</source>
+        <translation>调用嵌套过深；请检查是否有无限递归</translation>
+    </message>
+    <message>
+        <source>the called method has no body</source>
+        <translation>被调用的方法没有主体</translation>
+    </message>
+    <message>
+        <source>the scan was aborted</source>
+        <translation>扫描已中止</translation>
+    </message>
+    <message>
+        <source>no expression</source>
+        <translation>没有表达式</translation>
+    </message>
+    <message>
+        <source>not in this image</source>
+        <translation>不在此映像中</translation>
+    </message>
+    <message>
+        <source>has no value here</source>
+        <translation>在此处没有值</translation>
+    </message>
+    <message>
+        <source>{0}: {1}</source>
+        <translation>{0}：{1}</translation>
+    </message>
+    <message>
+        <source>simulation: {0}</source>
+        <translation>仿真：{0}</translation>
+    </message>
+    <message>
+        <source>warm</source>
+        <translation>热复位</translation>
+    </message>
+    <message>
+        <source>cold</source>
+        <translation>冷复位</translation>
+    </message>
+    <message>
+        <source>origin</source>
+        <translation>原始复位</translation>
+    </message>
+    <message>
+        <source>in the middle of a scan</source>
+        <translation>扫描周期中途</translation>
+    </message>
+    <message>
+        <source>{0}</source>
+        <translation>{0}</translation>
+    </message>
+    <message>
+        <source>{0} := {1}</source>
+        <translation>{0} := {1}</translation>
+    </message>
+    <message>
+        <source>no such file or folder</source>
+        <translation>没有这样的文件或文件夹</translation>
+    </message>
+    <message>
+        <source>permission denied</source>
+        <translation>权限不足</translation>
+    </message>
+    <message>
+        <source>no space left on the device</source>
+        <translation>设备上没有剩余空间</translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation>这是文件夹</translation>
+    </message>
+    <message>
+        <source>it is not a folder</source>
+        <translation>这不是文件夹</translation>
+    </message>
+    <message>
+        <source>the file system is read-only</source>
+        <translation>文件系统为只读</translation>
+    </message>
+    <message>
+        <source>the device reports a read or write error</source>
+        <translation>设备报告读写错误</translation>
+    </message>
+    <message>
+        <source>the file name is too long</source>
+        <translation>文件名过长</translation>
+    </message>
+    <message>
+        <source>it already exists</source>
+        <translation>已存在</translation>
+    </message>
+    <message>
+        <source>the folder is not empty</source>
+        <translation>文件夹不为空</translation>
+    </message>
+    <message>
+        <source>too many files are open</source>
+        <translation>打开的文件过多</translation>
+    </message>
+    <message>
+        <source>the file is too large</source>
+        <translation>文件过大</translation>
+    </message>
+    <message>
+        <source>{0}; free some space and save again</source>
+        <translation>{0}；请释放空间后重新保存</translation>
+    </message>
+    <message>
+        <source>{0}; check the permissions of the folder</source>
+        <translation>{0}；请检查文件夹权限</translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation>已取消</translation>
+    </message>
+    <message>
+        <source>This is not a regular file and cannot be replaced; choose another name</source>
+        <translation>这不是普通文件，不能替换；请选择其他名称</translation>
+    </message>
+    <message>
+        <source>The recording cannot be written: {0}</source>
+        <translation>无法写入记录：{0}</translation>
+    </message>
+    <message>
+        <source>The recording cannot be read: {0}</source>
+        <translation>无法读取记录：{0}</translation>
+    </message>
+    <message>
+        <source>The file is damaged or is not a recording</source>
+        <translation>文件已损坏或不是记录</translation>
+    </message>
+    <message>
+        <source>The recorded program can no longer be built</source>
+        <translation>记录的程序已无法编译</translation>
+    </message>
+    <message>
+        <source>This version of Stepwise lays out the program&apos;s variables differently; open the recording with the version that made it</source>
+        <translation>此版本的 Stepwise 对程序变量的布局不同；请用创建该记录的版本打开</translation>
+    </message>
+    <message>
+        <source>The recording cannot be opened: {0}</source>
+        <translation>无法打开记录：{0}</translation>
+    </message>
+    <message>
+        <source>its program has errors</source>
+        <translation>其程序有错误</translation>
+    </message>
+    <message>
+        <source>The recording contains no program</source>
+        <translation>记录中没有程序</translation>
+    </message>
+    <message>
+        <source>Nothing has been recorded yet</source>
+        <translation>尚未记录任何内容</translation>
+    </message>
+    <message>
+        <source>This scan is no longer in the recording</source>
+        <translation>此扫描周期已不在记录中</translation>
+    </message>
+    <message>
+        <source>The program that recorded this scan is no longer available</source>
+        <translation>记录此扫描周期的程序已不可用</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; is ambiguous; write one of {1}</source>
+        <translation>“{0}”不明确；请写 {1} 之一</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; has no variable &apos;{1}&apos;; did you mean &apos;{2}&apos;?</source>
+        <translation>“{0}”没有变量“{1}”；是否指“{2}”？</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; has no variable &apos;{1}&apos;</source>
+        <translation>“{0}”没有变量“{1}”</translation>
+    </message>
+    <message>
+        <source>there is no variable &apos;{0}&apos;; did you mean &apos;{1}&apos;?</source>
+        <translation>没有变量“{0}”；是否指“{1}”？</translation>
+    </message>
+    <message>
+        <source>there is no variable &apos;{0}&apos;</source>
+        <translation>没有变量“{0}”</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; is reached through a reference, which a path cannot follow</source>
+        <translation>“{0}”要经过引用才能到达，路径无法跟随引用</translation>
+    </message>
+    <message>
+        <source>a variable of type {1} has no member &apos;{0}&apos;</source>
+        <translation>类型 {1} 的变量没有成员“{0}”</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; is a VAR_IN_OUT; write the variable that is connected to it</source>
+        <translation>“{0}”是 VAR_IN_OUT；请写与其连接的变量</translation>
+    </message>
+    <message>
+        <source>a string has one index</source>
+        <translation>字符串只有一个下标</translation>
+    </message>
+    <message>
+        <source>a variable of type {0} has no elements</source>
+        <translation>类型 {0} 的变量没有元素</translation>
+    </message>
+    <message>
+        <source>{0} needs {1} {1:index|indices}, not {2}</source>
+        <translation>{0} 需要 {1} 个下标，而不是 {2} 个</translation>
+    </message>
+    <message>
+        <source>a variable of type {0} has no bits</source>
+        <translation>类型 {0} 的变量没有位</translation>
+    </message>
+    <message>
+        <source>bit {0} is outside 0..{1}</source>
+        <translation>位 {0} 超出 0..{1}</translation>
+    </message>
+    <message>
+        <source>part {0} is outside 0..{1}</source>
+        <translation>部分 {0} 超出 0..{1}</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; is not an address; write for example %IX0.0, %QB4 or %MW2</source>
+        <translation>“{0}”不是地址；例如请写 %IX0.0、%QB4 或 %MW2</translation>
+    </message>
+    <message>
+        <source>the program does not use the address &apos;{0}&apos;</source>
+        <translation>程序未使用地址“{0}”</translation>
+    </message>
+    <message>
+        <source>the path is empty</source>
+        <translation>路径为空</translation>
+    </message>
+    <message>
+        <source>the path is incomplete</source>
+        <translation>路径不完整</translation>
+    </message>
+    <message>
+        <source>the path cannot be read from &apos;{0}&apos; on</source>
+        <translation>从“{0}”起无法读取路径</translation>
+    </message>
+    <message>
+        <source>{0} is forced; release the force before writing</source>
+        <translation>{0} 已被强制；写入前请取消强制</translation>
+    </message>
+    <message>
+        <source>a constant cannot be written</source>
+        <translation>常量不能写入</translation>
+    </message>
+    <message>
+        <source>a constant cannot be forced</source>
+        <translation>常量不能强制</translation>
+    </message>
+    <message>
+        <source>the variable is not forced</source>
+        <translation>变量未被强制</translation>
+    </message>
+    <message>
+        <source>the initial values of the new program cause a fault: {0}</source>
+        <translation>新程序的初始值引发错误：{0}</translation>
+    </message>
+    <message>
+        <source>The retain file cannot be written: {0}</source>
+        <translation>无法写入保持值文件：{0}</translation>
+    </message>
+    <message>
+        <source>The retain file cannot be read: {0}</source>
+        <translation>无法读取保持值文件：{0}</translation>
+    </message>
+    <message>
+        <source>The retain file is not a regular file</source>
+        <translation>保持值文件不是普通文件</translation>
+    </message>
+    <message>
+        <source>The retain file is damaged; the program starts with its initial values</source>
+        <translation>保持值文件已损坏；程序以初始值启动</translation>
+    </message>
+    <message>
+        <source>{0}; it is kept as {1}</source>
+        <translation>{0}；已另存为 {1}</translation>
+    </message>
+    <message>
+        <source>{0} retained {0:value does|values do} not fit the program: {1}</source>
+        <translation>{0} 个保持值与程序不符：{1}</translation>
+    </message>
+    <message>
+        <source>{0} does not fit into a variable of type {1}</source>
+        <translation>{0} 超出类型 {1} 的变量范围</translation>
+    </message>
+    <message>
+        <source>the value does not fit into a variable of type {0}</source>
+        <translation>值超出类型 {0} 的变量范围</translation>
+    </message>
+    <message>
+        <source>{0} is outside {1}..{2}</source>
+        <translation>{0} 超出 {1}..{2}</translation>
+    </message>
+    <message>
+        <source>a character of the text does not fit into a STRING; use a WSTRING</source>
+        <translation>文本中有 STRING 不支持的字符；请使用 WSTRING</translation>
+    </message>
+    <message>
+        <source>the text has {0} characters, the maximum is {1}</source>
+        <translation>文本有 {0} 个字符，最多 {1} 个</translation>
+    </message>
+    <message>
+        <source>{0} has {1} {1:part|parts}, the value has {2}</source>
+        <translation>{0} 有 {1} 个部分，值有 {2} 个</translation>
+    </message>
+    <message>
+        <source>there is no value to write</source>
+        <translation>没有要写入的值</translation>
+    </message>
+    <message>
+        <source>a reference can only be set to NULL from outside</source>
+        <translation>从外部只能将引用设为 NULL</translation>
+    </message>
+    <message>
+        <source>{0} is not a value for {1}, which is {2}</source>
+        <translation>{0} 不是 {1}（类型 {2}）的值</translation>
+    </message>
+    <message>
+        <source>{0} does not fit into {1}, which is {2}</source>
+        <translation>{0} 超出 {1}（类型 {2}）的范围</translation>
+    </message>
+    <message>
+        <source>{0}; {1}</source>
+        <translation>{0}；{1}</translation>
+    </message>
+    <message>
+        <source>did you mean {0}?</source>
+        <translation>是否指 {0}？</translation>
+    </message>
+    <message>
+        <source>its values are {0}</source>
+        <translation>可用的值为 {0}</translation>
+    </message>
+    <message>
+        <source>write it in quotes, for example {0}, with Latin-1 characters only</source>
+        <translation>请写在引号内，例如 {0}，且仅用 Latin-1 字符</translation>
+    </message>
+    <message>
+        <source>write it in quotes, for example {0}</source>
+        <translation>请写在引号内，例如 {0}</translation>
+    </message>
+    <message>
+        <source>write one character in quotes, for example {0}</source>
+        <translation>请在引号内写一个字符，例如 {0}</translation>
+    </message>
+    <message>
+        <source>write all elements, for example {0}, or a single one by its index</source>
+        <translation>请写出全部元素，例如 {0}，或用下标写单个元素</translation>
+    </message>
+    <message>
+        <source>write its members, for example {0}, or a single one by its path</source>
+        <translation>请写出其成员，例如 {0}，或用路径写单个成员</translation>
+    </message>
+    <message>
+        <source>write {0} or {1}</source>
+        <translation>请写 {0} 或 {1}</translation>
+    </message>
+    <message>
+        <source>write for example {0}</source>
+        <translation>例如请写 {0}</translation>
+    </message>
+    <message>
+        <source>write a number, for example {0}</source>
+        <translation>请写数字，例如 {0}</translation>
+    </message>
+    <message>
+        <source>write an integer, for example {0}</source>
+        <translation>请写整数，例如 {0}</translation>
+    </message>
+    <message>
+        <source>There is no program to optimise</source>
+        <translation>没有可优化的程序</translation>
+    </message>
+    <message>
+        <source>The expression is nested too deeply</source>
+        <translation>表达式嵌套过深</translation>
+    </message>
+    <message>
+        <source>this is not an expression</source>
+        <translation>这不是表达式</translation>
+    </message>
+    <message>
+        <source>this is local to a running call and has no address of its own</source>
+        <translation>这是正在执行的调用中的局部量，没有自己的地址</translation>
+    </message>
+    <message>
+        <source>this part of a computed value cannot be shown</source>
+        <translation>计算值的这一部分无法显示</translation>
+    </message>
+    <message>
+        <source>a character of a string has no address of its own</source>
+        <translation>字符串中的字符没有自己的地址</translation>
+    </message>
+    <message>
+        <source>this variable cannot be shown</source>
+        <translation>此变量无法显示</translation>
+    </message>
+    <message>
+        <source>this array of variable length has no address here</source>
+        <translation>此长度可变的数组在此处没有地址</translation>
+    </message>
+    <message>
+        <source>this is not an array</source>
+        <translation>这不是数组</translation>
+    </message>
+    <message>
+        <source>the array has no such dimension</source>
+        <translation>数组没有此维</translation>
+    </message>
+    <message>
+        <source>this has no value</source>
+        <translation>这没有值</translation>
+    </message>
+    <message>
+        <source>an expression cannot have side effects</source>
+        <translation>表达式不能有副作用</translation>
+    </message>
+    <message>
+        <source>only standard functions can be called here</source>
+        <translation>此处只能调用标准函数</translation>
+    </message>
+    <message>
+        <source>a cast to an interface cannot be watched</source>
+        <translation>转换为接口的表达式不能监视</translation>
+    </message>
+    <message>
+        <source>this cannot be evaluated</source>
+        <translation>无法求值</translation>
+    </message>
+    <message>
+        <source>The code generator failed: {0}</source>
+        <translation>代码生成器失败：{0}</translation>
+    </message>
+    <message>
+        <source>The code generator produced an invalid module: {0}</source>
+        <translation>代码生成器产生了无效模块：{0}</translation>
+    </message>
+    <message>
+        <source>not compiled</source>
+        <translation>未编译</translation>
+    </message>
+    <message>
+        <source>Code for the thread sanitizer needs a process that runs under it</source>
+        <translation>用于线程检查器的代码需要在其下运行的进程</translation>
+    </message>
+    <message>
+        <source>the program could not be optimised: {0}</source>
+        <translation>程序无法优化：{0}</translation>
+    </message>
+    <message>
+        <source>the program has errors</source>
+        <translation>程序有错误</translation>
+    </message>
+    <message>
+        <source>the online change waits until the scan that is halted at a breakpoint has ended</source>
+        <translation>在线修改等待停在断点处的扫描周期结束</translation>
+    </message>
+    <message>
+        <source>This body is not an instruction list</source>
+        <translation>此主体不是指令表</translation>
+    </message>
+    <message>
+        <source>The type of {0} is not known here</source>
+        <translation>此处不知道 {0} 的类型</translation>
+    </message>
+    <message>
+        <source>This body is not ST</source>
+        <translation>此主体不是 ST</translation>
+    </message>
+    <message>
+        <source>{0} has no equivalent in an instruction list</source>
+        <translation>{0} 在指令表中没有对应形式</translation>
+    </message>
+    <message>
+        <source>There is no body in ST or IL here</source>
+        <translation>此处没有 ST 或 IL 主体</translation>
+    </message>
+    <message>
+        <source>{0} is already written in ST</source>
+        <translation>{0} 已用 ST 编写</translation>
+    </message>
+    <message>
+        <source>{0} is already written in IL</source>
+        <translation>{0} 已用 IL 编写</translation>
+    </message>
+    <message>
+        <source>Fix the text first: {0}</source>
+        <translation>请先修正文本：{0}</translation>
+    </message>
+    <message>
+        <source>There is no equivalent in the other language: {0}</source>
+        <translation>在另一种语言中没有对应形式：{0}</translation>
+    </message>
+    <message>
+        <source>This is a folder; a file is needed</source>
+        <translation>这是文件夹；需要文件</translation>
+    </message>
+    <message>
+        <source>This is a device; a file is needed</source>
+        <translation>这是设备；需要文件</translation>
+    </message>
+    <message>
+        <source>The file cannot be read: {0}</source>
+        <translation>无法读取文件：{0}</translation>
+    </message>
+    <message>
+        <source>The file cannot be replaced: {0}</source>
+        <translation>无法替换文件：{0}</translation>
+    </message>
+    <message>
+        <source>The file cannot be written: {0}</source>
+        <translation>无法写入文件：{0}</translation>
+    </message>
+    <message>
+        <source>project.json is not valid JSON; look for a missing comma, quote or bracket</source>
+        <translation>project.json 不是有效的 JSON；请检查是否缺少逗号、引号或括号</translation>
+    </message>
+    <message>
+        <source>project.json must contain one JSON object</source>
+        <translation>project.json 必须包含一个 JSON 对象</translation>
+    </message>
+    <message>
+        <source>This folder contains neither a project.json nor ST files</source>
+        <translation>此文件夹中既没有 project.json，也没有 ST 文件</translation>
+    </message>
+    <message>
+        <source>There is no library &quot;{0}&quot;; available are {1}</source>
+        <translation>没有库“{0}”；可用的有 {1}</translation>
+    </message>
+    <message>
+        <source>There is no library {0}; did you mean {1}?</source>
+        <translation>没有库 {0}；是否指 {1}？</translation>
+    </message>
+    <message>
+        <source>There is no library {0}</source>
+        <translation>没有库 {0}</translation>
+    </message>
+    <message>
+        <source>Specify a project folder or ST files</source>
+        <translation>请指定项目文件夹或 ST 文件</translation>
+    </message>
+    <message>
+        <source>There is no such file or folder</source>
+        <translation>没有这样的文件或文件夹</translation>
+    </message>
+    <message>
+        <source>Specify one project folder or ST files, not both</source>
+        <translation>请指定一个项目文件夹或若干 ST 文件，不要同时指定</translation>
+    </message>
+    <message>
+        <source>There is no name here that can be renamed</source>
+        <translation>此处没有可重命名的名称</translation>
+    </message>
+    <message>
+        <source>{0} belongs to a library and cannot be renamed</source>
+        <translation>{0} 属于库，不能重命名</translation>
+    </message>
+    <message>
+        <source>{0} is not a valid name; use letters, digits and _, start with a letter and avoid keywords</source>
+        <translation>{0} 不是有效的名称；请使用字母、数字和 _，以字母开头，并避免使用关键字</translation>
+    </message>
+    <message>
+        <source>{0} already exists in the project</source>
+        <translation>{0} 在项目中已存在</translation>
+    </message>
+    <message>
+        <source>{0} already exists in {1}</source>
+        <translation>{0} 在 {1} 中已存在</translation>
+    </message>
+    <message>
+        <source>The folder cannot be created: {0}</source>
+        <translation>无法创建文件夹：{0}</translation>
+    </message>
+    <message>
+        <source>The folder cannot be read: {0}</source>
+        <translation>无法读取文件夹：{0}</translation>
+    </message>
+    <message>
+        <source>The file cannot be copied: {0}</source>
+        <translation>无法复制文件：{0}</translation>
+    </message>
+    <message>
+        <source>The folder already exists and is not empty; choose another name</source>
+        <translation>文件夹已存在且不为空；请选择其他名称</translation>
+    </message>
+    <message>
+        <source>The page cannot be written</source>
+        <translation>无法写入页面</translation>
+    </message>
+    <message>
+        <source>There is no such file in the project</source>
+        <translation>项目中没有此文件</translation>
+    </message>
+    <message>
+        <source>A file with this name already exists</source>
+        <translation>同名文件已存在</translation>
+    </message>
+    <message>
+        <source>The file is read-only and was not overwritten</source>
+        <translation>文件为只读，未被覆盖</translation>
+    </message>
+    <message>
+        <source>The file&apos;s permissions cannot be changed</source>
+        <translation>无法更改文件权限</translation>
+    </message>
+    <message>
+        <source>The file cannot be removed; check the permissions of the folder</source>
+        <translation>无法删除文件；请检查文件夹权限</translation>
+    </message>
+    <message>
+        <source>The file cannot be renamed; check the permissions of the folder</source>
+        <translation>无法重命名文件；请检查文件夹权限</translation>
+    </message>
+    <message>
+        <source>Open a project first</source>
+        <translation>请先打开项目</translation>
+    </message>
+    <message>
+        <source>A panel with this name already exists</source>
+        <translation>同名画面已存在</translation>
+    </message>
+    <message>
+        <source>The controller is not running</source>
+        <translation>控制器未运行</translation>
+    </message>
+    <message>
+        <source>There is no program to run</source>
+        <translation>没有可运行的程序</translation>
+    </message>
+    <message>
+        <source>There is no program to test</source>
+        <translation>没有可测试的程序</translation>
+    </message>
+    <message>
+        <source>This statement is not possible in a TEST together with RUN or ASSERT around it</source>
+        <translation>在 TEST 中，此语句不能与外围的 RUN 或 ASSERT 一起使用</translation>
+    </message>
+    <message>
+        <source>The code of this statement is missing</source>
+        <translation>缺少此语句的代码</translation>
+    </message>
+    <message>
+        <source>Fault in the test: {0}</source>
+        <translation>测试中出现错误：{0}</translation>
+    </message>
+    <message>
+        <source>{0} is not a value for {1}</source>
+        <translation>{0} 不是 {1} 的值</translation>
+    </message>
+    <message>
+        <source>This loop of the test does not end</source>
+        <translation>测试中的此循环不结束</translation>
+    </message>
+    <message>
+        <source>The step of this loop is 0</source>
+        <translation>此循环的步长为 0</translation>
+    </message>
+    <message>
+        <source>The simulation stopped: {0}</source>
+        <translation>仿真已停止：{0}</translation>
+    </message>
+    <message>
+        <source>The controller stopped: {0}</source>
+        <translation>控制器已停止：{0}</translation>
+    </message>
+    <message>
+        <source>at {0}:{1}</source>
+        <translation>位于 {0}:{1}</translation>
+    </message>
+    <message>
+        <source>{0} has no value: {1}</source>
+        <translation>{0} 没有值：{1}</translation>
+    </message>
+    <message>
+        <source>{0} did not become true within {1}</source>
+        <translation>{0} 在 {1} 内未变为真</translation>
+    </message>
+    <message>
+        <source>ASSERT failed: {0}</source>
+        <translation>ASSERT 失败：{0}</translation>
+    </message>
+    <message>
+        <source>ASSERT failed: {0} ({1})</source>
+        <translation>ASSERT 失败：{0}（{1}）</translation>
+    </message>
+    <message>
+        <source>A coil writes a variable.</source>
+        <translation>线圈写入变量。</translation>
+    </message>
+    <message>
+        <source>A pin has no contacts; type an expression.</source>
+        <translation>引脚没有触点；请输入表达式。</translation>
+    </message>
+    <message>
+        <source>A rung cannot move into itself.</source>
+        <translation>程序段不能移入自身。</translation>
+    </message>
+    <message>
+        <source>A rung moves within its block of statements; use cut and paste in the text for more.</source>
+        <translation>程序段只能在其语句块内移动；其他情况请在文本中使用剪切和粘贴。</translation>
+    </message>
+    <message>
+        <source>Delete the call in the text: other statements may use its outputs.</source>
+        <translation>请在文本中删除此调用：其他语句可能使用其输出。</translation>
+    </message>
+    <message>
+        <source>Delete this output in the text.</source>
+        <translation>请在文本中删除此输出。</translation>
+    </message>
+    <message>
+        <source>Other outputs depend on the same IF; give this coil a rung of its own first.</source>
+        <translation>其他输出依赖于同一个 IF；请先为此线圈建立单独的程序段。</translation>
+    </message>
+    <message>
+        <source>Select a box with text.</source>
+        <translation>请选择带文本的框。</translation>
+    </message>
+    <message>
+        <source>Select a coil.</source>
+        <translation>请选择线圈。</translation>
+    </message>
+    <message>
+        <source>Select a contact or a wire.</source>
+        <translation>请选择触点或连线。</translation>
+    </message>
+    <message>
+        <source>Select a contact, a pin or a coil.</source>
+        <translation>请选择触点、引脚或线圈。</translation>
+    </message>
+    <message>
+        <source>Select a rung with contacts.</source>
+        <translation>请选择带触点的程序段。</translation>
+    </message>
+    <message>
+        <source>Select a rung with one output.</source>
+        <translation>请选择只有一个输出的程序段。</translation>
+    </message>
+    <message>
+        <source>Select the rung beside which it is inserted.</source>
+        <translation>请选择要在其旁边插入的程序段。</translation>
+    </message>
+    <message>
+        <source>Select the rung that the comment belongs to.</source>
+        <translation>请选择注释所属的程序段。</translation>
+    </message>
+    <message>
+        <source>Select what is to be changed.</source>
+        <translation>请选择要更改的内容。</translation>
+    </message>
+    <message>
+        <source>Select what is to be deleted.</source>
+        <translation>请选择要删除的内容。</translation>
+    </message>
+    <message>
+        <source>Several variables are assigned in one statement; separate them in the text first.</source>
+        <translation>一条语句给多个变量赋值；请先在文本中分开。</translation>
+    </message>
+    <message>
+        <source>Statements on one line cannot be moved; separate them in the text first.</source>
+        <translation>同一行上的语句不能移动；请先在文本中分开。</translation>
+    </message>
+    <message>
+        <source>The first input and the first output of {0} must be BOOL for it to stand in a rung.</source>
+        <translation>{0} 的第一个输入和第一个输出必须是 BOOL，才能放入程序段。</translation>
+    </message>
+    <message>
+        <source>The rung reads what it writes; add this coil in a rung of its own.</source>
+        <translation>此程序段读取自己写入的值；请将此线圈添加到单独的程序段。</translation>
+    </message>
+    <message>
+        <source>There is no function block {0}.</source>
+        <translation>没有功能块 {0}。</translation>
+    </message>
+    <message>
+        <source>This edit cannot be made in the picture; edit the text.</source>
+        <translation>此编辑无法在图中进行；请编辑文本。</translation>
+    </message>
+    <message>
+        <source>This has no operand.</source>
+        <translation>此处没有操作数。</translation>
+    </message>
+    <message>
+        <source>This is not a statement: {0}</source>
+        <translation>这不是语句：{0}</translation>
+    </message>
+    <message>
+        <source>This is not an expression: {0}</source>
+        <translation>这不是表达式：{0}</translation>
+    </message>
+    <message>
+        <source>This rung has no condition; put it under IF in the text.</source>
+        <translation>此程序段没有条件；请在文本中将其放在 IF 下。</translation>
+    </message>
+    <message>
+        <source>{0} is {1}</source>
+        <translation>{0} 为 {1}</translation>
+    </message>
+    <message>
+        <source>{0} is {1}, expected {2} {3}</source>
+        <translation>{0} 为 {1}，应为 {2} {3}</translation>
+    </message>
+    <message>
+        <source>{0} is {1}, recorded {2} in scan {3}</source>
+        <translation>{0} 为 {1}，记录值 {2}，扫描周期 {3}</translation>
+    </message>
+    <message>
+        <source>The recording {0} has {1} {1:scan|scans}, this run {2}</source>
+        <translation>记录 {0} 有 {1} 个扫描周期，本次运行有 {2} 个</translation>
+    </message>
+    <message>
+        <source>The run differs from the recording {0}</source>
+        <translation>本次运行与记录 {0} 不同</translation>
+    </message>
+    <message>
+        <source>the condition cannot be evaluated</source>
+        <translation>无法计算条件</translation>
+    </message>
+    <message>
+        <source>There is no action {0}</source>
+        <translation>没有动作 {0}</translation>
+    </message>
+    <message>
+        <source>{0} is not a valid name; use letters, digits and underscores</source>
+        <translation>{0} 不是有效的名称；请使用字母、数字和下划线</translation>
+    </message>
+    <message>
+        <source>A step {0} already exists</source>
+        <translation>步 {0} 已存在</translation>
+    </message>
+    <message>
+        <source>This edit would change the same text twice</source>
+        <translation>此编辑会两次更改同一文本</translation>
+    </message>
+    <message>
+        <source>This transition does not lead to a step yet</source>
+        <translation>此转换尚未通向任何步</translation>
+    </message>
+    <message>
+        <source>Nothing would lead to the join after this step</source>
+        <translation>将没有任何元素通向此步之后的汇合</translation>
+    </message>
+    <message>
+        <source>The initial step stays at the top</source>
+        <translation>初始步保持在顶部</translation>
+    </message>
+    <message>
+        <source>Only a step with a single transition of its own can be moved</source>
+        <translation>只有带一个自有转换的步才能移动</translation>
+    </message>
+    <message>
+        <source>The step is already there</source>
+        <translation>步已在该处</translation>
+    </message>
+    <message>
+        <source>A step can be placed after a transition that leads to one step</source>
+        <translation>步只能放在通向单个步的转换之后</translation>
+    </message>
+    <message>
+        <source>This step only leads to itself</source>
+        <translation>此步只通向自身</translation>
+    </message>
+    <message>
+        <source>There is no branch here</source>
+        <translation>此处没有分支</translation>
+    </message>
+    <message>
+        <source>A transition needs a condition</source>
+        <translation>转换需要条件</translation>
+    </message>
+    <message>
+        <source>A priority must be a positive number</source>
+        <translation>优先级必须是正数</translation>
+    </message>
+    <message>
+        <source>Nothing follows this step yet; insert a step after it first</source>
+        <translation>此步之后还没有内容；请先在其后插入步</translation>
+    </message>
+    <message>
+        <source>The last branch does not lead to a step</source>
+        <translation>最后一个分支不通向任何步</translation>
+    </message>
+    <message>
+        <source>There is no such action</source>
+        <translation>没有此动作</translation>
+    </message>
+    <message>
+        <source>There is no chart yet</source>
+        <translation>尚无顺序功能图</translation>
+    </message>
+    <message>
+        <source>The initial step cannot be deleted; make another step the initial step first</source>
+        <translation>初始步不能删除；请先将其他步设为初始步</translation>
+    </message>
+    <message>
+        <source>Several transitions leave this step; delete its branches first</source>
+        <translation>有多个转换离开此步；请先删除其分支</translation>
+    </message>
+    <message>
+        <source>The condition of this transition cannot be read; edit it in the text</source>
+        <translation>无法读取此转换的条件；请在文本中编辑</translation>
+    </message>
+    <message>
+        <source>The branches after this transition do not join; connect them in the text first</source>
+        <translation>此转换之后的分支没有汇合；请先在文本中连接</translation>
+    </message>
+    <message>
+        <source>The panel is not valid JSON</source>
+        <translation>画面不是有效的 JSON</translation>
+    </message>
+    <message>
+        <source>A panel must be a JSON object</source>
+        <translation>画面必须是 JSON 对象</translation>
+    </message>
+    <message>
+        <source>The panel was written by a newer version of Stepwise</source>
+        <translation>画面由更新版本的 Stepwise 写入</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be a list</source>
+        <translation>“{0}”必须是列表</translation>
+    </message>
+    <message>
+        <source>Element {0} is not an object</source>
+        <translation>元素 {0} 不是对象</translation>
+    </message>
+    <message>
+        <source>The kind of element {0} is not a text</source>
+        <translation>元素 {0} 的种类不是文本</translation>
+    </message>
+    <message>
+        <source>Two elements have the id &quot;{0}&quot;; change one of them</source>
+        <translation>两个元素的标识都是“{0}”；请更改其中一个</translation>
+    </message>
+    <message>
+        <source>The alarms are not valid JSON</source>
+        <translation>报警不是有效的 JSON</translation>
+    </message>
+    <message>
+        <source>Every alarm and every alarm class must be a JSON object</source>
+        <translation>每个报警和每个报警类别都必须是 JSON 对象</translation>
+    </message>
+    <message>
+        <source>An alarm has no id</source>
+        <translation>有一个报警没有标识</translation>
+    </message>
+    <message>
+        <source>Two alarms have the id &quot;{0}&quot;</source>
+        <translation>两个报警的标识都是“{0}”</translation>
+    </message>
+    <message>
+        <source>This line is not valid UTF-8; save the file as UTF-8</source>
+        <translation>此行不是有效的 UTF-8；请将文件保存为 UTF-8</translation>
+    </message>
+    <message>
+        <source>There is text after a closing quote; double a quote that belongs to the text</source>
+        <translation>结束引号之后还有文本；属于文本的引号请写两次</translation>
+    </message>
+    <message>
+        <source>The quote that opens here is never closed</source>
+        <translation>此处的引号没有结束</translation>
+    </message>
+    <message>
+        <source>The first line must be {0} and one language tag per column</source>
+        <translation>第一行必须是 {0}，且每列一个语言标签</translation>
+    </message>
+    <message>
+        <source>Column {0} has no language tag</source>
+        <translation>第 {0} 列没有语言标签</translation>
+    </message>
+    <message>
+        <source>The language {0} has two columns</source>
+        <translation>语言 {0} 有两列</translation>
+    </message>
+    <message>
+        <source>This line has {0} {0:field|fields}, the header has {1}</source>
+        <translation>此行有 {0} 个字段，表头有 {1} 个</translation>
+    </message>
+    <message>
+        <source>This line has no key</source>
+        <translation>此行没有键</translation>
+    </message>
+    <message>
+        <source>The key {0} is already on line {1}</source>
+        <translation>键 {0} 已在第 {1} 行</translation>
+    </message>
+    <message>
+        <source>The alarm history cannot be opened: {0}</source>
+        <translation>无法打开报警历史：{0}</translation>
+    </message>
+    <message>
+        <source>The alarm history cannot be used: {0}</source>
+        <translation>无法使用报警历史：{0}</translation>
+    </message>
+    <message>
+        <source>The alarm history cannot be written: {0}</source>
+        <translation>无法写入报警历史：{0}</translation>
+    </message>
+    <message>
+        <source>{0} does not fit into {1}</source>
+        <translation>{0} 超出 {1} 的范围</translation>
+    </message>
+    <message>
+        <source>STRING holds Latin-1 only; declare the variable as WSTRING</source>
+        <translation>STRING 只包含 Latin-1；请将变量声明为 WSTRING</translation>
+    </message>
+    <message>
+        <source>A {0} cannot be written from a panel</source>
+        <translation>不能从画面写入 {0}</translation>
+    </message>
+    <message>
+        <source>The folder for the pictures cannot be created</source>
+        <translation>无法创建图片文件夹</translation>
+    </message>
+    <message>
+        <source>The picture cannot be written</source>
+        <translation>无法写入图片</translation>
+    </message>
+    <message>
+        <source>The project has no such panel</source>
+        <translation>项目中没有此画面</translation>
+    </message>
+    <message>
+        <source>The text &quot;{0}&quot; has no key, so it cannot be translated</source>
+        <translation>文本“{0}”没有键，因此无法翻译</translation>
+    </message>
+    <message>
+        <source>The key {0} is not in the text table</source>
+        <translation>键 {0} 不在文本表中</translation>
+    </message>
+    <message>
+        <source>The text needs a value for {0}; specify it in &quot;Values in texts&quot;</source>
+        <translation>文本需要 {0} 的值；请在“文本中的值”里指定</translation>
+    </message>
+    <message>
+        <source>The text list {0} is empty: there is no key {1}</source>
+        <translation>文本列表 {0} 为空：没有键 {1}</translation>
+    </message>
+    <message>
+        <source>This version does not know the element kind &quot;{0}&quot;; it is kept as it is</source>
+        <translation>此版本不认识元素种类“{0}”；将原样保留</translation>
+    </message>
+    <message>
+        <source>The project has no language {0}</source>
+        <translation>项目没有语言 {0}</translation>
+    </message>
+    <message>
+        <source>The element is outside the panel</source>
+        <translation>元素在画面之外</translation>
+    </message>
+    <message>
+        <source>The file {0} does not exist</source>
+        <translation>文件 {0} 不存在</translation>
+    </message>
+    <message>
+        <source>There is no panel {0}</source>
+        <translation>没有画面 {0}</translation>
+    </message>
+    <message>
+        <source>The format {0} is not known; use for example {1} or {2}</source>
+        <translation>格式 {0} 未知；例如请使用 {1} 或 {2}</translation>
+    </message>
+    <message>
+        <source>The alarm has no condition</source>
+        <translation>报警没有条件</translation>
+    </message>
+    <message>
+        <source>There is no alarm class {0}</source>
+        <translation>没有报警类别 {0}</translation>
+    </message>
+    <message>
+        <source>No panel and no alarm uses the key {0}</source>
+        <translation>没有画面或报警使用键 {0}</translation>
+    </message>
+    <message>
+        <source>The placeholders differ: {0} has {1}, {2} has {3}</source>
+        <translation>占位符不一致：{0} 有 {1}，{2} 有 {3}</translation>
+    </message>
+    <message>
+        <source>The key {0} has no text in {1}</source>
+        <translation>键 {0} 没有 {1} 文本</translation>
+    </message>
+    <message>
+        <source>The font {0} is not installed here, so texts cannot be measured</source>
+        <translation>此处未安装字体 {0}，因此无法测量文本</translation>
+    </message>
+    <message>
+        <source>No font has the character {0}</source>
+        <translation>没有字体包含字符 {0}</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; does not fit: it needs {1} px, the maximum is {2}</source>
+        <translation>“{0}”放不下：需要 {1} px，最多 {2} px</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}</source>
+        <translation>“{0}”放不下：需要高度 {1} px，最多 {2} px</translation>
+    </message>
+    <message>
+        <source>{0}; did you mean {1}?</source>
+        <translation>{0}；是否指 {1}？</translation>
+    </message>
+    <message>
+        <source>{0} is not a variable, so it cannot be written</source>
+        <translation>{0} 不是变量，因此不能写入</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; a BOOL is needed here</source>
+        <translation>{0} 是 {1}；此处需要 BOOL</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; a number is needed here</source>
+        <translation>{0} 是 {1}；此处需要数字</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; a STRING is needed here</source>
+        <translation>{0} 是 {1}；此处需要 STRING</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; an array is needed here</source>
+        <translation>{0} 是 {1}；此处需要数组</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; a single value is needed here</source>
+        <translation>{0} 是 {1}；此处需要单个值</translation>
+    </message>
+    <message>
+        <source>A placeholder is not closed with {0}</source>
+        <translation>占位符没有以 {0} 结束</translation>
+    </message>
+    <message>
+        <source>The format {0} is not known</source>
+        <translation>格式 {0} 未知</translation>
+    </message>
+    <message>
+        <source>The trace configuration is not valid JSON (see line {0})</source>
+        <translation>跟踪配置不是有效的 JSON（见第 {0} 行）</translation>
+    </message>
+    <message>
+        <source>A trace configuration must be a JSON object</source>
+        <translation>跟踪配置必须是 JSON 对象</translation>
+    </message>
+    <message>
+        <source>This trace configuration was written by a newer version of Stepwise (version {0})</source>
+        <translation>此跟踪配置由更新版本的 Stepwise 写入（版本 {0}）</translation>
+    </message>
+    <message>
+        <source>The trace configuration is invalid: {0}</source>
+        <translation>跟踪配置无效：{0}</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be {1}</source>
+        <translation>“{0}”必须是{1}</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; is missing</source>
+        <translation>缺少“{0}”</translation>
+    </message>
+    <message>
+        <source>A picture&apos;s name must end in one of {0}</source>
+        <translation>图片名称必须以 {0} 之一结尾</translation>
+    </message>
+    <message>
+        <source>no longer recorded</source>
+        <translation>不再有记录</translation>
+    </message>
+    <message>
+        <source>A recording from a file cannot be written; go back to the running controller first</source>
+        <translation>来自文件的记录不能写入；请先返回运行中的控制器</translation>
+    </message>
+    <message>
+        <source>Recorded values cannot be written; resume from here first</source>
+        <translation>记录的值不能写入；请先从此处继续</translation>
+    </message>
+    <message>
+        <source>Recorded values cannot be forced; resume from here or go back to live first</source>
+        <translation>记录的值不能强制；请先从此处继续或返回实时</translation>
+    </message>
+    <message>
+        <source>A recording from a file cannot be resumed, only what the controller itself recorded</source>
+        <translation>来自文件的记录不能继续运行，只能继续控制器自己的记录</translation>
+    </message>
+    <message>
+        <source>A priority is a number; 0 removes it</source>
+        <translation>优先级是数字；0 表示取消</translation>
+    </message>
+    <message>
+        <source>The file was changed by another program and was not overwritten</source>
+        <translation>文件已被其他程序更改，未被覆盖</translation>
+    </message>
+    <message>
+        <source>This is no file that can be imported: PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
+        <translation>此文件不能导入：可读取 PLCopen XML（.xml）、TwinCAT（.TcPOU 等）、CODESYS 文本（.EXP、.export）和结构化文本（.st）</translation>
+    </message>
+    <message>
+        <source>This XML is neither PLCopen XML nor of TwinCAT or CODESYS; export the project as PLCopen XML and import that file</source>
+        <translation>此 XML 既不是 PLCopen XML，也不是 TwinCAT 或 CODESYS 的；请将项目导出为 PLCopen XML 并导入该文件</translation>
+    </message>
+    <message>
+        <source>There is nothing in it that can be imported</source>
+        <translation>其中没有可导入的内容</translation>
+    </message>
+    <message>
+        <source>The folder exists and is not empty; name a new one</source>
+        <translation>文件夹已存在且不为空；请指定新的文件夹</translation>
+    </message>
+    <message>
+        <source>The sources have errors of syntax; stepwise check lists them</source>
+        <translation>源文件有语法错误；stepwise check 会列出它们</translation>
+    </message>
+    <message>
+        <source>The file is too large to be read</source>
+        <translation>文件过大，无法读取</translation>
+    </message>
+    <message>
+        <source>The file is in the encoding {0}, which is not read; save it as UTF-8</source>
+        <translation>不支持文件的编码 {0}；请保存为 UTF-8</translation>
+    </message>
+    <message>
+        <source>The file declares a document type or entities of its own, which is not read; export it again without them</source>
+        <translation>文件声明了自己的文档类型或实体，无法读取；请去掉后重新导出</translation>
+    </message>
+    <message>
+        <source>The elements of the file are nested too deeply</source>
+        <translation>文件中的元素嵌套过深</translation>
+    </message>
+    <message>
+        <source>This is not well-formed XML: {0}</source>
+        <translation>XML 格式不正确：{0}</translation>
+    </message>
+    <message>
+        <source>The file has no elements</source>
+        <translation>文件没有元素</translation>
+    </message>
+    <message>
+        <source>This is XML, not structured text; import it (stepwise import --help)</source>
+        <translation>这是 XML，不是结构化文本；请导入（stepwise import --help）</translation>
+    </message>
+    <message>
+        <source>Windows-1252 does not have the character {0}; write the file as UTF-8</source>
+        <translation>Windows-1252 没有字符 {0}；请将文件写为 UTF-8</translation>
+    </message>
+    <message>
+        <source>The first input and the first output of {0} must be BOOL for it to be part of a rung.</source>
+        <translation>{0} 的第一个输入和第一个输出必须是 BOOL，才能成为程序段的一部分。</translation>
+    </message>
+    <message>
+        <source>Type a name and a block: T1 : TON</source>
+        <translation>请输入名称和块：T1 : TON</translation>
+    </message>
+    <message>
+        <source>the local variables of {0} and of what it calls need {1} bytes; the maximum is {2}</source>
+        <translation>{0} 及其调用的局部变量需要 {1} 字节；最大为 {2}</translation>
+    </message>
+    <message>
+        <source>{0} is too large for the stack; divide it into several functions</source>
+        <translation>{0} 对堆栈来说过大；请拆分为多个函数</translation>
+    </message>
+    <message>
+        <source>more than {0} units of work (loop passes, calls, copies) in one run of the task; check for an endless loop</source>
+        <translation>任务的一次执行超过 {0} 个工作单位（循环、调用、复制）；请检查是否有死循环</translation>
+    </message>
+    <message>
+        <source>{0} is not a whole number</source>
+        <translation>{0} 不是整数</translation>
+    </message>
+    <message>
+        <source>{0} is not a number of scans</source>
+        <translation>{0} 不是扫描周期数</translation>
+    </message>
+    <message>
+        <source>{0} is not a time</source>
+        <translation>{0} 不是时间</translation>
+        <source>This is no file that can be imported: PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
+        <translation>{0} 不是时间</translation>
+    </message>
+    <message>
+        <source>{0} is not a name: use letters, digits and underscores.</source>
+        <translation>{0} 不是名称：请使用字母、数字和下划线。</translation>
+    </message>
+</context>
+<context>
+    <name>Hmi</name>
+    <message>
+        <source>as it is</source>
+        <translation>原样</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Other…</source>
+        <translation>其他…</translation>
+    </message>
+    <message>
+        <source>A variable that is written</source>
+        <translation>要写入的变量</translation>
+    </message>
+    <message>
+        <source>An ST expression</source>
+        <translation>ST 表达式</translation>
+    </message>
+    <message>
+        <source>Shown to the operator. A typed text gets its key by itself; @key names one.</source>
+        <translation>显示给操作员。输入的文本会自动获得键；@键 指定已有的键。</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>宽度</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高度</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.svg)</source>
+        <translation>图片 (*.png *.jpg *.svg)</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>值</translation>
+    </message>
+    <message>
+        <source>Unknown element</source>
+        <translation>未知元素</translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation>画面</translation>
+    </message>
+    <message>
+        <source>Alarm</source>
+        <translation>报警</translation>
+    </message>
+    <message>
+        <source>Alarm class</source>
+        <translation>报警类别</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>线</translation>
+    </message>
+    <message>
+        <source>Line width</source>
+        <translation>线宽</translation>
+    </message>
+    <message>
+        <source>Line style</source>
+        <translation>线型</translation>
+    </message>
+    <message>
+        <source>Fill</source>
+        <translation>填充</translation>
+    </message>
+    <message>
+        <source>Fill level</source>
+        <translation>填充高度</translation>
+    </message>
+    <message>
+        <source>Full at</source>
+        <translation>满值</translation>
+    </message>
+    <message>
+        <source>Level colour</source>
+        <translation>液位颜色</translation>
+    </message>
+    <message>
+        <source>Font size</source>
+        <translation>字号</translation>
+    </message>
+    <message>
+        <source>Bold</source>
+        <translation>粗体</translation>
+    </message>
+    <message>
+        <source>Alignment</source>
+        <translation>对齐</translation>
+    </message>
+    <message>
+        <source>Text colour</source>
+        <translation>文本颜色</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>最小值</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>最大值</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>格式</translation>
+    </message>
+    <message>
+        <source>Limit low-low</source>
+        <translation>下下限 (LL)</translation>
+    </message>
+    <message>
+        <source>Limit low</source>
+        <translation>下限 (L)</translation>
+    </message>
+    <message>
+        <source>Limit high</source>
+        <translation>上限 (H)</translation>
+    </message>
+    <message>
+        <source>Limit high-high</source>
+        <translation>上上限 (HH)</translation>
+    </message>
+    <message>
+        <source>Choices</source>
+        <translation>选项</translation>
+    </message>
+    <message>
+        <source>Text list</source>
+        <translation>文本列表</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>标题</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>大小</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>主题</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>背景</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>网格</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>标识</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>条件</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>类别</translation>
+    </message>
+    <message>
+        <source>Priority</source>
+        <translation>优先级</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>文本</translation>
+    </message>
+    <message>
+        <source>Values in texts</source>
+        <translation>文本中的值</translation>
+    </message>
+    <message>
+        <source>On delay in seconds</source>
+        <translation>接通延时（秒）</translation>
+    </message>
+    <message>
+        <source>Off delay in seconds</source>
+        <translation>断开延时（秒）</translation>
+    </message>
+    <message>
+        <source>Must be acknowledged</source>
+        <translation>需要确认</translation>
+    </message>
+    <message>
+        <source>Suppressed if</source>
+        <translation>抑制条件</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>颜色</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>种类</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>组</translation>
+    </message>
+    <message>
+        <source>Tab page</source>
+        <translation>选项卡页</translation>
+    </message>
+    <message>
+        <source>Place and size</source>
+        <translation>位置和大小</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>锁定</translation>
+    </message>
+    <message>
+        <source>Visible if</source>
+        <translation>可见条件</translation>
+    </message>
+    <message>
+        <source>Enabled if</source>
+        <translation>可操作条件</translation>
+    </message>
+    <message>
+        <source>Appearance by condition</source>
+        <translation>按条件变化的外观</translation>
+    </message>
+    <message>
+        <source>Move right by</source>
+        <translation>向右移动</translation>
+    </message>
+    <message>
+        <source>Move down by</source>
+        <translation>向下移动</translation>
+    </message>
+    <message>
+        <source>Rotate by</source>
+        <translation>旋转</translation>
+    </message>
+    <message>
+        <source>Fixed language</source>
+        <translation>固定语言</translation>
+    </message>
+    <message>
+        <source>If</source>
+        <translation>条件</translation>
+    </message>
+    <message>
+        <source>Blinks</source>
+        <translation>闪烁</translation>
+    </message>
+    <message>
+        <source>Visible</source>
+        <translation>可见</translation>
+    </message>
+    <message>
+        <source>Enabled</source>
+        <translation>可操作</translation>
+    </message>
+    <message>
+        <source>On if</source>
+        <translation>接通条件</translation>
+    </message>
+    <message>
+        <source>Blinks if</source>
+        <translation>闪烁条件</translation>
+    </message>
+    <message>
+        <source>Variable with [#] as index</source>
+        <translation>以 [#] 为下标的变量</translation>
+    </message>
+    <message>
+        <source>Editable</source>
+        <translation>可编辑</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>步</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>起点</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>终点</translation>
+    </message>
+    <message>
+        <source>Polyline</source>
+        <translation>折线</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>矩形</translation>
+    </message>
+    <message>
+        <source>Rounded rectangle</source>
+        <translation>圆角矩形</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>半径</translation>
+    </message>
+    <message>
+        <source>Ellipse</source>
+        <translation>椭圆</translation>
+    </message>
+    <message>
+        <source>Polygon</source>
+        <translation>多边形</translation>
+    </message>
+    <message>
+        <source>Arc</source>
+        <translation>圆弧</translation>
+    </message>
+    <message>
+        <source>Start angle</source>
+        <translation>起始角度</translation>
+    </message>
+    <message>
+        <source>Span</source>
+        <translation>张角</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>形状</translation>
+    </message>
+    <message>
+        <source>Pipe</source>
+        <translation>管道</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>粗细</translation>
+    </message>
+    <message>
+        <source>Flow (sign gives the direction)</source>
+        <translation>流量（符号表示方向）</translation>
+    </message>
+    <message>
+        <source>Flow colour</source>
+        <translation>流动颜色</translation>
+    </message>
+    <message>
+        <source>Wraps</source>
+        <translation>自动换行</translation>
+    </message>
+    <message>
+        <source>Image</source>
+        <translation>图像</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>适应方式</translation>
+    </message>
+    <message>
+        <source>Symbol</source>
+        <translation>符号</translation>
+    </message>
+    <message>
+        <source>Running if</source>
+        <translation>运行条件</translation>
+    </message>
+    <message>
+        <source>Warning if</source>
+        <translation>警告条件</translation>
+    </message>
+    <message>
+        <source>Fault if</source>
+        <translation>故障条件</translation>
+    </message>
+    <message>
+        <source>Colour off</source>
+        <translation>关闭时颜色</translation>
+    </message>
+    <message>
+        <source>Colour running</source>
+        <translation>运行时颜色</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>标签</translation>
+    </message>
+    <message>
+        <source>Button</source>
+        <translation>按钮</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>动作</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>变量</translation>
+    </message>
+    <message>
+        <source>Value to write</source>
+        <translation>写入值</translation>
+    </message>
+    <message>
+        <source>Go to panel</source>
+        <translation>转到画面</translation>
+    </message>
+    <message>
+        <source>Language tag</source>
+        <translation>语言标签</translation>
+    </message>
+    <message>
+        <source>Question to confirm</source>
+        <translation>确认提问</translation>
+    </message>
+    <message>
+        <source>Lit if</source>
+        <translation>点亮条件</translation>
+    </message>
+    <message>
+        <source>Colour lit</source>
+        <translation>点亮颜色</translation>
+    </message>
+    <message>
+        <source>Icon</source>
+        <translation>图标</translation>
+    </message>
+    <message>
+        <source>Switch</source>
+        <translation>开关</translation>
+    </message>
+    <message>
+        <source>Text on</source>
+        <translation>接通文本</translation>
+    </message>
+    <message>
+        <source>Text off</source>
+        <translation>断开文本</translation>
+    </message>
+    <message>
+        <source>Colour on</source>
+        <translation>接通颜色</translation>
+    </message>
+    <message>
+        <source>Rotary selector</source>
+        <translation>旋转选择开关</translation>
+    </message>
+    <message>
+        <source>Check box</source>
+        <translation>复选框</translation>
+    </message>
+    <message>
+        <source>Radio group</source>
+        <translation>单选组</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>列</translation>
+    </message>
+    <message>
+        <source>Combo box</source>
+        <translation>组合框</translation>
+    </message>
+    <message>
+        <source>Slider</source>
+        <translation>滑块</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>步长</translation>
+    </message>
+    <message>
+        <source>Orientation</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>Shows the value</source>
+        <translation>显示数值</translation>
+    </message>
+    <message>
+        <source>Turning knob</source>
+        <translation>旋钮</translation>
+    </message>
+    <message>
+        <source>Numeric entry</source>
+        <translation>数值输入</translation>
+    </message>
+    <message>
+        <source>Lowest value</source>
+        <translation>最小输入值</translation>
+    </message>
+    <message>
+        <source>Highest value</source>
+        <translation>最大输入值</translation>
+    </message>
+    <message>
+        <source>Title of the keypad</source>
+        <translation>键盘标题</translation>
+    </message>
+    <message>
+        <source>Text entry</source>
+        <translation>文本输入</translation>
+    </message>
+    <message>
+        <source>Longest text</source>
+        <translation>最大长度</translation>
+    </message>
+    <message>
+        <source>Masked entry</source>
+        <translation>掩码输入</translation>
+    </message>
+    <message>
+        <source>Mask (# digit, A letter, * any)</source>
+        <translation>掩码（# 数字，A 字母，* 任意）</translation>
+    </message>
+    <message>
+        <source>Hides the value</source>
+        <translation>隐藏数值</translation>
+    </message>
+    <message>
+        <source>Numeric display</source>
+        <translation>数值显示</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>边框</translation>
+    </message>
+    <message>
+        <source>Date and time</source>
+        <translation>日期和时间</translation>
+    </message>
+    <message>
+        <source>Value (empty: the controller&apos;s clock)</source>
+        <translation>值（空：控制器时钟）</translation>
+    </message>
+    <message>
+        <source>Shows</source>
+        <translation>显示内容</translation>
+    </message>
+    <message>
+        <source>Seconds</source>
+        <translation>秒</translation>
+    </message>
+    <message>
+        <source>Lamp</source>
+        <translation>指示灯</translation>
+    </message>
+    <message>
+        <source>Blinks when on</source>
+        <translation>接通时闪烁</translation>
+    </message>
+    <message>
+        <source>Multi-state indicator</source>
+        <translation>多状态指示器</translation>
+    </message>
+    <message>
+        <source>States</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>Bar</source>
+        <translation>棒图</translation>
+    </message>
+    <message>
+        <source>Set point</source>
+        <translation>设定值</translation>
+    </message>
+    <message>
+        <source>Tank level</source>
+        <translation>罐液位</translation>
+    </message>
+    <message>
+        <source>Gauge</source>
+        <translation>仪表</translation>
+    </message>
+    <message>
+        <source>Span of the scale</source>
+        <translation>刻度张角</translation>
+    </message>
+    <message>
+        <source>Divisions</source>
+        <translation>刻度分度</translation>
+    </message>
+    <message>
+        <source>7-segment display</source>
+        <translation>七段数码管</translation>
+    </message>
+    <message>
+        <source>Digits</source>
+        <translation>位数</translation>
+    </message>
+    <message>
+        <source>Decimals</source>
+        <translation>小数位</translation>
+    </message>
+    <message>
+        <source>Leading zeros</source>
+        <translation>前导零</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>进度</translation>
+    </message>
+    <message>
+        <source>Light tower</source>
+        <translation>塔灯</translation>
+    </message>
+    <message>
+        <source>Lights</source>
+        <translation>灯</translation>
+    </message>
+    <message>
+        <source>Siren if</source>
+        <translation>蜂鸣条件</translation>
+    </message>
+    <message>
+        <source>Float switch</source>
+        <translation>浮球开关</translation>
+    </message>
+    <message>
+        <source>Raised if</source>
+        <translation>抬起条件</translation>
+    </message>
+    <message>
+        <source>Colour raised</source>
+        <translation>抬起颜色</translation>
+    </message>
+    <message>
+        <source>Colour hanging</source>
+        <translation>下垂颜色</translation>
+    </message>
+    <message>
+        <source>Cell grid</source>
+        <translation>单元格网格</translation>
+    </message>
+    <message>
+        <source>Array</source>
+        <translation>数组</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>行</translation>
+    </message>
+    <message>
+        <source>Variable of a cell with [#]</source>
+        <translation>单元格变量，含 [#]</translation>
+    </message>
+    <message>
+        <source>On press</source>
+        <translation>按下时</translation>
+    </message>
+    <message>
+        <source>First index</source>
+        <translation>首个下标</translation>
+    </message>
+    <message>
+        <source>Shows the numbers</source>
+        <translation>显示编号</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>表格</translation>
+    </message>
+    <message>
+        <source>Index of the selected row</source>
+        <translation>所选行的下标</translation>
+    </message>
+    <message>
+        <source>Bar chart</source>
+        <translation>条形图</translation>
+    </message>
+    <message>
+        <source>Text list of the bars</source>
+        <translation>条形的文本列表</translation>
+    </message>
+    <message>
+        <source>XY chart</source>
+        <translation>XY 图表</translation>
+    </message>
+    <message>
+        <source>Array of x</source>
+        <translation>x 值数组</translation>
+    </message>
+    <message>
+        <source>Array of y</source>
+        <translation>y 值数组</translation>
+    </message>
+    <message>
+        <source>Operating point x</source>
+        <translation>工作点 x</translation>
+    </message>
+    <message>
+        <source>Operating point y</source>
+        <translation>工作点 y</translation>
+    </message>
+    <message>
+        <source>X from</source>
+        <translation>X 起</translation>
+    </message>
+    <message>
+        <source>X to</source>
+        <translation>X 止</translation>
+    </message>
+    <message>
+        <source>Y from</source>
+        <translation>Y 起</translation>
+    </message>
+    <message>
+        <source>Y to</source>
+        <translation>Y 止</translation>
+    </message>
+    <message>
+        <source>Title of x</source>
+        <translation>x 轴标题</translation>
+    </message>
+    <message>
+        <source>Title of y</source>
+        <translation>y 轴标题</translation>
+    </message>
+    <message>
+        <source>Trend chart</source>
+        <translation>趋势图</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>曲线</translation>
+    </message>
+    <message>
+        <source>Time span in seconds</source>
+        <translation>时间跨度（秒）</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>从</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>到</translation>
+    </message>
+    <message>
+        <source>Legend</source>
+        <translation>图例</translation>
+    </message>
+    <message>
+        <source>Alarm list</source>
+        <translation>报警列表</translation>
+    </message>
+    <message>
+        <source>Only these classes</source>
+        <translation>仅这些类别</translation>
+    </message>
+    <message>
+        <source>Sorted by</source>
+        <translation>排序方式</translation>
+    </message>
+    <message>
+        <source>Acknowledge buttons</source>
+        <translation>确认按钮</translation>
+    </message>
+    <message>
+        <source>Alarm banner</source>
+        <translation>报警横幅</translation>
+    </message>
+    <message>
+        <source>Language selector</source>
+        <translation>语言选择</translation>
+    </message>
+    <message>
+        <source>Style</source>
+        <translation>样式</translation>
+    </message>
+    <message>
+        <source>Names</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>选项卡</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>页</translation>
+    </message>
+    <message>
+        <source>Index of the page</source>
+        <translation>页的下标</translation>
+    </message>
+    <message>
+        <source>Shapes</source>
+        <translation>形状</translation>
+    </message>
+    <message>
+        <source>Text and pictures</source>
+        <translation>文本和图片</translation>
+    </message>
+    <message>
+        <source>Symbols</source>
+        <translation>符号</translation>
+    </message>
+    <message>
+        <source>Operation</source>
+        <translation>操作元素</translation>
+    </message>
+    <message>
+        <source>Display</source>
+        <translation>显示元素</translation>
+    </message>
+    <message>
+        <source>Arrays and charts</source>
+        <translation>数组和图表</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>报警</translation>
+    </message>
+    <message>
+        <source>Containers</source>
+        <translation>容器</translation>
+    </message>
+    <message>
+        <source>Geometry</source>
+        <translation>几何</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>外观</translation>
+    </message>
+    <message>
+        <source>Behaviour</source>
+        <translation>行为</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>运动</translation>
+    </message>
+</context>
+<context>
+    <name>LongTask</name>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+</context>
+<context>
+    <name>MarkText</name>
+    <message>
+        <source>Started</source>
+        <translation>已启动</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>已停止</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>已暂停</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>错误</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>复位</translation>
+    </message>
+    <message>
+        <source>Written</source>
+        <translation>已写入</translation>
+    </message>
+    <message>
+        <source>Forced</source>
+        <translation>已强制</translation>
+    </message>
+    <message>
+        <source>All forces released</source>
+        <translation>已解除全部强制</translation>
+    </message>
+    <message>
+        <source>Released</source>
+        <translation>已解除强制</translation>
+    </message>
+    <message>
+        <source>Online change</source>
+        <translation>在线修改</translation>
+    </message>
+    <message>
+        <source>Breakpoint</source>
+        <translation>断点</translation>
+    </message>
+    <message>
+        <source>Retained values saved</source>
+        <translation>保持值已保存</translation>
+    </message>
+    <message>
+        <source>Retained values restored</source>
+        <translation>保持值已恢复</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n scan(s) skipped: the machine was late</source>
+        <translation>
+            <numerusform>跳过了 %n 个扫描周期：计算机未能及时处理</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Resumed from this scan</source>
+        <translation>已从此扫描周期继续</translation>
+    </message>
+</context>
+<context>
+    <name>PlotText</name>
+    <message>
+        <source>no longer kept</source>
+        <translation>不再保留</translation>
+    </message>
+    <message>
+        <source>did not exist</source>
+        <translation>当时不存在</translation>
+    </message>
+    <message>
+        <source>scans skipped</source>
+        <translation>跳过的扫描周期</translation>
+    </message>
+    <message>
+        <source>not recorded</source>
+        <translation>未记录</translation>
+    </message>
+    <message>
+        <source>Time [%1]</source>
+        <translation>时间 [%1]</translation>
+    </message>
+    <message>
+        <source>Time from the trigger [%1]</source>
+        <translation>触发后的时间 [%1]</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>通道</translation>
+    </message>
+    <message>
+        <source>At A</source>
+        <translation>A 处</translation>
+    </message>
+    <message>
+        <source>At B</source>
+        <translation>B 处</translation>
+    </message>
+    <message>
+        <source>Min</source>
+        <translation>最小</translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation>最大</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>平均</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>有效值</translation>
+    </message>
+    <message>
+        <source>Rise time</source>
+        <translation>上升时间</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>超调</translation>
+    </message>
+    <message>
+        <source>Settling</source>
+        <translation>稳定时间</translation>
+    </message>
+</context>
+<context>
+    <name>TraceText</name>
+    <message>
+        <source>Triggered at %1.</source>
+        <translation>在 %1 触发。</translation>
+    </message>
+    <message>
+        <source>The trigger did not fire.</source>
+        <translation>触发器未触发。</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::ConversionDialog</name>
+    <message>
+        <source>%1 as ST</source>
+        <translation>%1（ST）</translation>
+    </message>
+    <message>
+        <source>%1 as an Instruction List</source>
+        <translation>%1（指令表）</translation>
+    </message>
+    <message>
+        <source>Instruction list, as it stands</source>
+        <translation>指令表（现有文本）</translation>
+    </message>
+    <message>
+        <source>ST, as it stands</source>
+        <translation>ST（现有文本）</translation>
+    </message>
+    <message>
+        <source>The same as ST</source>
+        <translation>相同内容的 ST</translation>
+    </message>
+    <message>
+        <source>The same as an instruction list</source>
+        <translation>相同内容的指令表</translation>
+    </message>
+    <message>
+        <source>Both give the same results. Replacing is one step of undo; comments stay, each above its statement.</source>
+        <translation>两者结果相同。替换可一步撤消；注释保留，各自位于其语句上方。</translation>
+    </message>
+    <message>
+        <source>Replace the Text</source>
+        <translation>替换文本</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>复制</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::EditorTabs</name>
+    <message>
+        <source>Documents</source>
+        <translation>文档</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Close Others</source>
+        <translation>关闭其他</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>未保存的更改</translation>
+    </message>
+    <message>
+        <source>%1 was changed. Save it?</source>
+        <translation>%1 已更改。是否保存？</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) were changed: %1. Save them?</source>
+        <translation>
+            <numerusform>%n 个文件已更改：%1。是否保存？</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Changed outside</source>
+        <translation>在外部被更改</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program, and here too. Load the file from disk and lose the changes made here?</source>
+        <translation>%1 已被其他程序更改，此处也有更改。是否从磁盘加载文件并放弃此处的更改？</translation>
+    </message>
+    <message numerus="yes">
+        <source>Changed in %n file(s); those edited since stay as they are</source>
+        <translation>
+            <numerusform>已更改 %n 个文件；此后编辑过的文件保持不变</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Changed in %n file(s)</source>
+        <translation>
+            <numerusform>已更改 %n 个文件</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Read-only file</source>
+        <translation>只读文件</translation>
+    </message>
+    <message>
+        <source>%1 is read-only. Replace it all the same? It stays read-only.</source>
+        <translation>%1 为只读。仍要替换吗？文件将保持只读。</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>替换</translation>
+    </message>
+    <message>
+        <source>%1 was not saved</source>
+        <translation>%1 未保存</translation>
+    </message>
+    <message>
+        <source>%1 is no variable of the running program</source>
+        <translation>%1 不是运行中程序的变量</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>强制</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>写入</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::LiveViews</name>
+    <message>
+        <source>Panel shown</source>
+        <translation>显示的画面</translation>
+    </message>
+    <message>
+        <source>Full screen (Esc ends it)</source>
+        <translation>全屏（按 Esc 退出）</translation>
+    </message>
+    <message>
+        <source>This project has no panel yet.
+New panels are drawn in the designer: Project, Panels, New…</source>
+        <translation>此项目尚无画面。
+新画面在设计器中绘制：项目、画面、新建…</translation>
+    </message>
+    <message>
+        <source>The alarm history is kept in memory only: %1</source>
+        <translation>报警历史仅保存在内存中：%1</translation>
+    </message>
+    <message>
+        <source>Saving the recording…</source>
+        <translation>正在保存记录…</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::MainWindow</name>
+    <message>
+        <source>A panel&apos;s name is a file name: no / and no \</source>
+        <translation>画面名称就是文件名：不能含 / 和 \</translation>
+    </message>
+    <message>
+        <source>Name of the panel:</source>
+        <translation>画面名称：</translation>
+    </message>
+    <message>
+        <source>New Panel</source>
+        <translation>新建画面</translation>
+    </message>
+    <message>
+        <source>overview</source>
+        <translation>总览</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>项目</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>监视</translation>
+    </message>
+    <message>
+        <source>Forces</source>
+        <translation>强制</translation>
+    </message>
+    <message>
+        <source>Call Path</source>
+        <translation>调用堆栈</translation>
+    </message>
+    <message>
+        <source>Breakpoints</source>
+        <translation>断点</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>问题</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>搜索</translation>
+    </message>
+    <message>
+        <source>Tasks</source>
+        <translation>任务</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>日志</translation>
+    </message>
+    <message>
+        <source>Trace</source>
+        <translation>跟踪</translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation>画面</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Recent Projects</source>
+        <translation>最近的项目</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>视图</translation>
+    </message>
+    <message>
+        <source>Main</source>
+        <translation>工具栏</translation>
+    </message>
+    <message>
+        <source>State of the controller</source>
+        <translation>控制器状态</translation>
+    </message>
+    <message>
+        <source>%1 : %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>OFFLINE</source>
+        <translation>离线</translation>
+    </message>
+    <message>
+        <source>RUN</source>
+        <translation>运行</translation>
+    </message>
+    <message>
+        <source>PAUSE</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>HALT</source>
+        <translation>中断</translation>
+    </message>
+    <message>
+        <source>FAULT</source>
+        <translation>错误</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>PAST</source>
+        <translation>历史</translation>
+    </message>
+    <message>
+        <source>%1 · scan %2</source>
+        <translation>%1 · 扫描周期 %2</translation>
+    </message>
+    <message>
+        <source>%1 µs · %2 % load</source>
+        <translation>%1 µs · 负载 %2 %</translation>
+    </message>
+    <message>
+        <source>%1 MB recorded</source>
+        <translation>已记录 %1 MB</translation>
+    </message>
+    <message>
+        <source>%1 scans of %2 MB at most</source>
+        <translation>%1 个扫描周期，最多 %2 MB</translation>
+    </message>
+    <message>
+        <source>Go to the line</source>
+        <translation>转到行</translation>
+    </message>
+    <message>
+        <source>no problems</source>
+        <translation>没有问题</translation>
+    </message>
+    <message>
+        <source>Open Project</source>
+        <translation>打开项目</translation>
+    </message>
+    <message>
+        <source>%1 – Stepwise</source>
+        <translation>%1 – Stepwise</translation>
+    </message>
+    <message>
+        <source>Recovery</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>The studio ended without saving. Unsaved changes of %1 were kept. Restore them?</source>
+        <translation>上次退出时未保存。%1 的未保存更改已保留。是否恢复？</translation>
+    </message>
+    <message>
+        <source>Go to Line</source>
+        <translation>转到行</translation>
+    </message>
+    <message>
+        <source>Line (1 to %1)</source>
+        <translation>行（1 到 %1）</translation>
+    </message>
+    <message>
+        <source>Nothing is declared under this name</source>
+        <translation>没有以此名称声明的内容</translation>
+    </message>
+    <message>
+        <source>There is no name at the cursor</source>
+        <translation>光标处没有名称</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>重命名</translation>
+    </message>
+    <message>
+        <source>New name of %1, in the whole project:</source>
+        <translation>%1 在整个项目中的新名称：</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 is now %2 in %n place(s)</source>
+        <translation>
+            <numerusform>%1 现在名为 %2，共 %n 处</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Delete %1?</source>
+        <translation>删除 %1？</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Libraries</source>
+        <translation>库</translation>
+    </message>
+    <message>
+        <source>The tests run…</source>
+        <translation>正在运行测试…</translation>
+    </message>
+    <message>
+        <source>passed: %1</source>
+        <translation>通过：%1</translation>
+    </message>
+    <message>
+        <source>FAILED: %1</source>
+        <translation>失败：%1</translation>
+    </message>
+    <message>
+        <source>%1 passed, %2 failed</source>
+        <translation>%1 通过，%2 失败</translation>
+    </message>
+    <message>
+        <source>Real time</source>
+        <translation>实时</translation>
+    </message>
+    <message>
+        <source>As fast as possible</source>
+        <translation>尽可能快</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>Memory for the recording of every scan [MB]:</source>
+        <translation>记录每个扫描周期所用的内存 [MB]：</translation>
+    </message>
+    <message>
+        <source>Save the Recording</source>
+        <translation>保存记录</translation>
+    </message>
+    <message>
+        <source>Recordings (*.rec)</source>
+        <translation>记录 (*.rec)</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>已保存：%1</translation>
+    </message>
+    <message>
+        <source>About Stepwise</source>
+        <translation>关于 Stepwise</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Stepwise 0.1&lt;/h3&gt;&lt;p&gt;An open PLC studio: IEC 61131-3 programs as native code, every scan recorded, operator panels in many languages.&lt;/p&gt;&lt;p&gt;Licence: GPL-3.0&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Stepwise 0.1&lt;/h3&gt;&lt;p&gt;开放的 PLC 开发环境：IEC 61131-3 程序编译为本机代码，记录每个扫描周期，操作画面支持多种语言。&lt;/p&gt;&lt;p&gt;许可证：GPL-3.0&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Welcome</source>
+        <translation>欢迎</translation>
+    </message>
+    <message>
+        <source>This is a PID controller working on a simulated process: the program above, its trace below, its operator panel at the right. Nothing can break: the plant is only numbers. Press Next to look around for a minute, or F5 to run it at once.</source>
+        <translation>这是一个作用于仿真过程的 PID 控制器：上方是程序，下方是跟踪，右侧是操作画面。不会损坏任何东西：被控对象只是数字。按“下一步”用一分钟看一看，或按 F5 立即运行。</translation>
+    </message>
+    <message>
+        <source>The project</source>
+        <translation>项目</translation>
+    </message>
+    <message>
+        <source>Programs, blocks, tasks, panels, traces and tests, made from the text files in the folder.</source>
+        <translation>程序、块、任务、画面、跟踪和测试，均来自文件夹中的文本文件。</translation>
+    </message>
+    <message>
+        <source>The program</source>
+        <translation>程序</translation>
+    </message>
+    <message>
+        <source>Structured Text with colours by meaning. Errors are underlined while you type; Alt+Enter mends what it can; Ctrl+Space completes.</source>
+        <translation>按含义着色的结构化文本。输入时错误会加下划线；Alt+Enter 修正可修正之处；Ctrl+空格 补全。</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>运行</translation>
+    </message>
+    <message>
+        <source>F5 compiles to native code and runs it. Values then stand beside each line.</source>
+        <translation>F5 编译为本机代码并运行。随后数值显示在每一行旁边。</translation>
+    </message>
+    <message>
+        <source>Any expression, at any moment. Prepare a value and write or force it with one click.</source>
+        <translation>任意表达式，任意时刻。准备好值，一次点击即可写入或强制。</translation>
+    </message>
+    <message>
+        <source>The trace</source>
+        <translation>跟踪</translation>
+    </message>
+    <message>
+        <source>Nothing had to be chosen before it happened: every scan is recorded, and a chart can be made of any expression afterwards.</source>
+        <translation>无需事先选择：每个扫描周期都有记录，事后可为任意表达式生成曲线图。</translation>
+    </message>
+    <message>
+        <source>The panel</source>
+        <translation>画面</translation>
+    </message>
+    <message>
+        <source>What the operator sees, in the languages of the machine. It works here as it will on the machine.</source>
+        <translation>操作员看到的内容，使用机器的语言。它在这里的工作方式与在机器上相同。</translation>
+    </message>
+    <message>
+        <source>Time runs backwards, too</source>
+        <translation>时间也能倒流</translation>
+    </message>
+    <message>
+        <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume From Here” goes on from there.</source>
+        <translation>拖动时间滑块，或按 Ctrl+Alt+左箭头：代码、曲线图和画面显示过去的状态。“从此处继续”从该处接着运行。</translation>
+    </message>
+    <message>
+        <source>That is it</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+P finds every command. The start page has more machines to play with.</source>
+        <translation>Ctrl+Shift+P 可找到任何命令。起始页有更多机器可供试用。</translation>
+    </message>
+    <message>
+        <source>Texts</source>
+        <translation>文本</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>报警</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>New Project…</source>
+        <translation>新建项目…</translation>
+    </message>
+    <message>
+        <source>Open Project…</source>
+        <translation>打开项目…</translation>
+    </message>
+    <message>
+        <source>Close Project</source>
+        <translation>关闭项目</translation>
+    </message>
+    <message>
+        <source>New Program, Block, Type…</source>
+        <translation>新建程序、块、类型…</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>New Panel…</source>
+        <translation>新建画面…</translation>
+    </message>
+    <message>
+        <source>Panel Texts</source>
+        <translation>画面文本</translation>
+    </message>
+    <message>
+        <source>Save All</source>
+        <translation>全部保存</translation>
+    </message>
+    <message>
+        <source>Close Document</source>
+        <translation>关闭文档</translation>
+    </message>
+    <message>
+        <source>Libraries…</source>
+        <translation>库…</translation>
+    </message>
+    <message>
+        <source>Settings…</source>
+        <translation>设置…</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>退出</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>编辑</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>撤消</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>重做</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>剪切</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>复制</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>粘贴</translation>
+    </message>
+    <message>
+        <source>Find…</source>
+        <translation>查找…</translation>
+    </message>
+    <message>
+        <source>Replace…</source>
+        <translation>替换…</translation>
+    </message>
+    <message>
+        <source>Find Next</source>
+        <translation>查找下一个</translation>
+    </message>
+    <message>
+        <source>Find Previous</source>
+        <translation>查找上一个</translation>
+    </message>
+    <message>
+        <source>Find in All Files…</source>
+        <translation>在所有文件中查找…</translation>
+    </message>
+    <message>
+        <source>Go to Line…</source>
+        <translation>转到行…</translation>
+    </message>
+    <message>
+        <source>Go to Definition</source>
+        <translation>转到定义</translation>
+    </message>
+    <message>
+        <source>Find All Uses</source>
+        <translation>查找所有使用处</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>重命名…</translation>
+    </message>
+    <message>
+        <source>Complete</source>
+        <translation>补全</translation>
+    </message>
+    <message>
+        <source>Apply a Fix (Alt+Enter)</source>
+        <translation>应用修正 (Alt+Enter)</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>格式化</translation>
+    </message>
+    <message>
+        <source>Comment In or Out (Ctrl+/)</source>
+        <translation>切换注释 (Ctrl+/)</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>复制行</translation>
+    </message>
+    <message>
+        <source>Select the Block Around</source>
+        <translation>选择外围块</translation>
+    </message>
+    <message>
+        <source>Go to the Matching Word</source>
+        <translation>转到匹配的关键字</translation>
+    </message>
+    <message>
+        <source>Next Problem</source>
+        <translation>下一个问题</translation>
+    </message>
+    <message>
+        <source>Previous Problem</source>
+        <translation>上一个问题</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>后退</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>前进</translation>
+    </message>
+    <message>
+        <source>Build</source>
+        <translation>编译</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Single Scan</source>
+        <translation>单次扫描</translation>
+    </message>
+    <message>
+        <source>Step In</source>
+        <translation>单步进入</translation>
+    </message>
+    <message>
+        <source>Step Over</source>
+        <translation>单步跳过</translation>
+    </message>
+    <message>
+        <source>Step Out</source>
+        <translation>单步跳出</translation>
+    </message>
+    <message>
+        <source>Run to Cursor</source>
+        <translation>运行到光标</translation>
+    </message>
+    <message>
+        <source>Toggle Breakpoint</source>
+        <translation>切换断点</translation>
+    </message>
+    <message>
+        <source>Reset Warm</source>
+        <translation>热复位</translation>
+    </message>
+    <message>
+        <source>Reset Cold</source>
+        <translation>冷复位</translation>
+    </message>
+    <message>
+        <source>Reset Origin</source>
+        <translation>原始复位</translation>
+    </message>
+    <message>
+        <source>Online Change</source>
+        <translation>在线修改</translation>
+    </message>
+    <message>
+        <source>Speed…</source>
+        <translation>速度…</translation>
+    </message>
+    <message>
+        <source>Memory for the Recording…</source>
+        <translation>记录所用内存…</translation>
+    </message>
+    <message>
+        <source>Save the Recording…</source>
+        <translation>保存记录…</translation>
+    </message>
+    <message>
+        <source>Write Prepared Values</source>
+        <translation>写入准备值</translation>
+    </message>
+    <message>
+        <source>Force Prepared Values</source>
+        <translation>强制准备值</translation>
+    </message>
+    <message>
+        <source>Release All Forces</source>
+        <translation>解除全部强制</translation>
+    </message>
+    <message>
+        <source>Run the Tests</source>
+        <translation>运行测试</translation>
+    </message>
+    <message>
+        <source>One Scan Back</source>
+        <translation>后退一个扫描周期</translation>
+    </message>
+    <message>
+        <source>One Scan Forward</source>
+        <translation>前进一个扫描周期</translation>
+    </message>
+    <message>
+        <source>Back to Live</source>
+        <translation>返回实时</translation>
+    </message>
+    <message>
+        <source>Resume From Here</source>
+        <translation>从此处继续</translation>
+    </message>
+    <message>
+        <source>Command Palette</source>
+        <translation>命令面板</translation>
+    </message>
+    <message>
+        <source>Split the Editor</source>
+        <translation>拆分编辑器</translation>
+    </message>
+    <message>
+        <source>Declarations as a Table</source>
+        <translation>以表格显示声明</translation>
+    </message>
+    <message>
+        <source>Chart Beside the Text</source>
+        <translation>在文本旁显示顺序功能图</translation>
+    </message>
+    <message>
+        <source>Online Values in the Text</source>
+        <translation>文本中的在线值</translation>
+    </message>
+    <message>
+        <source>Larger</source>
+        <translation>放大</translation>
+    </message>
+    <message>
+        <source>Smaller</source>
+        <translation>缩小</translation>
+    </message>
+    <message>
+        <source>Light Theme</source>
+        <translation>浅色主题</translation>
+    </message>
+    <message>
+        <source>Dark Theme</source>
+        <translation>深色主题</translation>
+    </message>
+    <message>
+        <source>Theme of the System</source>
+        <translation>系统主题</translation>
+    </message>
+    <message>
+        <source>Reset the Layout</source>
+        <translation>重置布局</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>帮助</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>导览</translation>
+    </message>
+    <message>
+        <source>Open a Recording…</source>
+        <translation>打开记录…</translation>
+    </message>
+    <message>
+        <source>All values are of a recording from a file. A click goes back to the controller.</source>
+        <translation>所有值均来自文件中的记录。点击返回控制器。</translation>
+    </message>
+    <message>
+        <source>RECORDING</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>%1 – back to live</source>
+        <translation>%1 – 返回实时</translation>
+    </message>
+    <message>
+        <source>Panel %1</source>
+        <translation>画面 %1</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>未保存的更改</translation>
+    </message>
+    <message>
+        <source>%1 was changed. Save it?</source>
+        <translation>%1 已更改。是否保存？</translation>
+    </message>
+    <message>
+        <source>Open a Recording</source>
+        <translation>打开记录</translation>
+    </message>
+    <message>
+        <source>Show as ST…</source>
+        <translation>显示为 ST…</translation>
+    </message>
+    <message>
+        <source>Show as an Instruction List…</source>
+        <translation>显示为指令表…</translation>
+    </message>
+    <message>
+        <source>Put the cursor into a unit that is written in ST or IL</source>
+        <translation>请将光标放入用 ST 或 IL 编写的 POU</translation>
+    </message>
+    <message>
+        <source>The text has changed meanwhile</source>
+        <translation>文本在此期间已更改</translation>
+    </message>
+    <message>
+        <source>New Trace…</source>
+        <translation>新建跟踪…</translation>
+    </message>
+    <message numerus="yes">
+        <source>It is used in %n other place(s).</source>
+        <translation>
+            <numerusform>还有 %n 处使用。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Delete and Comment Out the Uses</source>
+        <translation>删除并注释掉使用处</translation>
+    </message>
+    <message>
+        <source>Show the Uses</source>
+        <translation>显示使用处</translation>
+    </message>
+    <message>
+        <source>New Trace</source>
+        <translation>新建跟踪</translation>
+    </message>
+    <message>
+        <source>Name of the trace:</source>
+        <translation>跟踪名称：</translation>
+    </message>
+    <message>
+        <source>trace</source>
+        <translation>跟踪</translation>
+    </message>
+    <message>
+        <source>A file name holds no / and no \</source>
+        <translation>文件名不能含 / 和 \</translation>
+    </message>
+    <message>
+        <source>There is a trace %1 already</source>
+        <translation>跟踪 %1 已存在</translation>
+    </message>
+    <message>
+        <source>New name of %1:</source>
+        <translation>%1 的新名称：</translation>
+    </message>
+    <message>
+        <source>There is a file %1 already</source>
+        <translation>文件 %1 已存在</translation>
+    </message>
+    <message>
+        <source>The file can not be renamed; check the permissions of the folder</source>
+        <translation>无法重命名文件；请检查文件夹权限</translation>
+    </message>
+    <message>
+        <source>These panels lead to it; their buttons will be problems: %1</source>
+        <translation>这些画面会跳转到它；其按钮将报告为问题：%1</translation>
+    </message>
+    <message>
+        <source>The file can not be removed; check the permissions of the folder</source>
+        <translation>无法删除文件；请检查文件夹权限</translation>
+    </message>
+    <message>
+        <source>The build was cancelled; everything is as it was</source>
+        <translation>编译已取消；一切保持原样</translation>
+    </message>
+    <message>
+        <source>Tests</source>
+        <translation>测试</translation>
+    </message>
+    <message>
+        <source>The tests were cancelled</source>
+        <translation>测试已取消</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing was saved</source>
+        <translation>已取消：未保存任何内容</translation>
+    </message>
+    <message>
+        <source>%1 is written in %2 and is saved as it was found</source>
+        <translation>%1 的编码为 %2，将按原样保存</translation>
+    </message>
+    <message>
+        <source>This is a copy of the example, in %1: change what you like</source>
+        <translation>这是示例的副本，位于 %1：可随意更改</translation>
+    </message>
+    <message>
+        <source>This is your copy of the example, in %1</source>
+        <translation>这是您的示例副本，位于 %1</translation>
+    </message>
+    <message>
+        <source>The project is still being checked; try again in a moment</source>
+        <translation>项目仍在检查中；请稍后重试</translation>
+    </message>
+    <message>
+        <source>It holds %1.</source>
+        <translation>其中包含 %1。</translation>
+    </message>
+    <message>
+        <source>The language changes when the tests have ended</source>
+        <translation>测试结束后切换语言</translation>
+    </message>
+    <message>
+        <source>Fault of the controller</source>
+        <translation>控制器错误</translation>
+    </message>
+    <message>
+        <source>RUN %1</source>
+        <translation>运行 %1</translation>
+    </message>
+    <message>
+        <source>at full speed</source>
+        <translation>全速</translation>
+    </message>
+    <message>
+        <source>%1 ×</source>
+        <translation>%1 ×</translation>
+    </message>
+    <message>
+        <source>Speed of the controller; any factor can be typed:</source>
+        <translation>控制器速度；可输入任意倍数：</translation>
+    </message>
+    <message>
+        <source>The speed is a factor from 0.001 to 10000</source>
+        <translation>速度是 0.001 到 10000 的倍数</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>导入…</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>导出…</translation>
+    </message>
+    <message>
+        <source>The project was exported</source>
+        <translation>项目已导出</translation>
+    </message>
+    <message>
+        <source>%1 is written in %2 and is saved as it was found</source>
+        <translation>%1 的编码为 %2，将按原样保存</translation>
+    </message>
+    <message>
+        <source>Select the Next Occurrence Too</source>
+        <translation>同时选择下一个匹配项</translation>
+    </message>
+    <message>
+        <source>Arrange for Editing</source>
+        <translation>编辑布局</translation>
+    </message>
+    <message>
+        <source>Arrange for Debugging</source>
+        <translation>调试布局</translation>
+    </message>
+    <message>
+        <source>Arrange for Drawing Panels</source>
+        <translation>画面设计布局</translation>
+    </message>
+    <message>
+        <source>Maximise the Editor</source>
+        <translation>最大化编辑器</translation>
+    </message>
+    <message>
+        <source>Keeping the recording of the last run…</source>
+        <translation>正在保留上次运行的记录…</translation>
+    </message>
+    <message>
+        <source>%1 is not UTF-8 and was read as Windows-1252; saving it writes UTF-8</source>
+        <translation>%1 不是 UTF-8，已按 Windows-1252 读取；保存时写为 UTF-8</translation>
+    </message>
+    <message>
+        <source>Diagram Beside the Text</source>
+        <translation>在文本旁显示图</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::NewProjectDialog</name>
+    <message>
+        <source>Empty</source>
+        <translation>空项目</translation>
+    </message>
+    <message>
+        <source>One program in a task of 10 ms</source>
+        <translation>10 ms 任务中的一个程序</translation>
+    </message>
+    <message>
+        <source>Motor</source>
+        <translation>电机</translation>
+    </message>
+    <message>
+        <source>Start, stop, a simulated motor and a test</source>
+        <translation>启动、停止、一台仿真电机和一个测试</translation>
+    </message>
+    <message>
+        <source>PID loop</source>
+        <translation>PID 回路</translation>
+    </message>
+    <message>
+        <source>A temperature loop with its plant</source>
+        <translation>带被控对象的温度回路</translation>
+    </message>
+    <message>
+        <source>Sequence</source>
+        <translation>顺序控制</translation>
+    </message>
+    <message>
+        <source>Fill, mix, empty as a sequential function chart</source>
+        <translation>用顺序功能图实现进料、搅拌、排空</translation>
+    </message>
+    <message>
+        <source>New Project</source>
+        <translation>新建项目</translation>
+    </message>
+    <message>
+        <source>Template</source>
+        <translation>模板</translation>
+    </message>
+    <message>
+        <source>My machine</source>
+        <translation>我的机器</translation>
+    </message>
+    <message>
+        <source>Choose a folder</source>
+        <translation>选择文件夹</translation>
+    </message>
+    <message>
+        <source>Folder of the project</source>
+        <translation>项目文件夹</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>In folder</source>
+        <translation>所在文件夹</translation>
+    </message>
+    <message>
+        <source>Create</source>
+        <translation>创建</translation>
+    </message>
+    <message>
+        <source>The project needs a name</source>
+        <translation>请输入项目名称</translation>
+    </message>
+    <message>
+        <source>%1 exists already and is not empty</source>
+        <translation>%1 已存在且不为空</translation>
+    </message>
+    <message>
+        <source>Will be made in %1</source>
+        <translation>将创建于 %1</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::NewUnitDialog</name>
+    <message>
+        <source>Program</source>
+        <translation>程序</translation>
+    </message>
+    <message>
+        <source>Function block</source>
+        <translation>功能块</translation>
+    </message>
+    <message>
+        <source>Function</source>
+        <translation>函数</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation>结构</translation>
+    </message>
+    <message>
+        <source>Enumeration</source>
+        <translation>枚举</translation>
+    </message>
+    <message>
+        <source>Interface</source>
+        <translation>接口</translation>
+    </message>
+    <message>
+        <source>Global variables</source>
+        <translation>全局变量</translation>
+    </message>
+    <message>
+        <source>Sequential function chart</source>
+        <translation>顺序功能图 (SFC)</translation>
+    </message>
+    <message>
+        <source>Simulation of the plant</source>
+        <translation>被控对象仿真</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>测试</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>新建</translation>
+    </message>
+    <message>
+        <source>a file of its own</source>
+        <translation>单独的文件</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>种类</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>In</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Create</source>
+        <translation>创建</translation>
+    </message>
+    <message>
+        <source>Give it a name</source>
+        <translation>请输入名称</translation>
+    </message>
+    <message>
+        <source>A name has letters, digits and _, begins with a letter and is no keyword</source>
+        <translation>名称由字母、数字和 _ 组成，以字母开头，且不是关键字</translation>
+    </message>
+    <message>
+        <source>There is a %1 in the project already</source>
+        <translation>%1 在项目中已存在</translation>
+    </message>
+    <message>
+        <source>There is a file %1 already: choose it, or another name</source>
+        <translation>文件 %1 已存在：请选择它，或使用其他名称</translation>
+    </message>
+    <message>
+        <source>Program as a ladder diagram</source>
+        <translation>梯形图 (LD) 程序</translation>
+    </message>
+    <message>
+        <source>Program as a function block diagram</source>
+        <translation>功能块图 (FBD) 程序</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::ProblemsView</name>
+    <message>
+        <source>Message</source>
+        <translation>消息</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>代码</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>问题</translation>
+    </message>
+    <message>
+        <source>Show errors</source>
+        <translation>显示错误</translation>
+    </message>
+    <message>
+        <source>Show warnings</source>
+        <translation>显示警告</translation>
+    </message>
+    <message>
+        <source>Show notes</source>
+        <translation>显示提示</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>筛选</translation>
+    </message>
+    <message>
+        <source>Filter of the problem list</source>
+        <translation>问题列表筛选</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::ProjectTree</name>
+    <message>
+        <source>Project</source>
+        <translation>项目</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>筛选</translation>
+    </message>
+    <message>
+        <source>Filter of the project tree</source>
+        <translation>项目树筛选</translation>
+    </message>
+    <message>
+        <source>Chart</source>
+        <translation>顺序功能图</translation>
+    </message>
+    <message>
+        <source>Programs</source>
+        <translation>程序</translation>
+    </message>
+    <message>
+        <source>Blocks</source>
+        <translation>块</translation>
+    </message>
+    <message>
+        <source>Functions</source>
+        <translation>函数</translation>
+    </message>
+    <message>
+        <source>Types</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>Globals</source>
+        <translation>全局变量</translation>
+    </message>
+    <message>
+        <source>Tasks</source>
+        <translation>任务</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>仿真</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>画面</translation>
+    </message>
+    <message>
+        <source>Texts</source>
+        <translation>文本</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>报警</translation>
+    </message>
+    <message>
+        <source>Traces</source>
+        <translation>跟踪</translation>
+    </message>
+    <message>
+        <source>Tests</source>
+        <translation>测试</translation>
+    </message>
+    <message>
+        <source>Libraries</source>
+        <translation>库</translation>
+    </message>
+    <message>
+        <source>New…</source>
+        <translation>新建…</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>重命名…</translation>
+    </message>
+    <message>
+        <source>Delete…</source>
+        <translation>删除…</translation>
+    </message>
+    <message>
+        <source>Libraries…</source>
+        <translation>库…</translation>
+    </message>
+    <message>
+        <source>Run Tests</source>
+        <translation>运行测试</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>添加到监视</translation>
+    </message>
+    <message>
+        <source>Arrange by file</source>
+        <translation>按文件排列</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>文件</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::SearchView</name>
+    <message>
+        <source>Find in all files</source>
+        <translation>在所有文件中查找</translation>
+    </message>
+    <message>
+        <source>Text to find in all files</source>
+        <translation>要在所有文件中查找的文本</translation>
+    </message>
+    <message>
+        <source>Replace by</source>
+        <translation>替换为</translation>
+    </message>
+    <message>
+        <source>Replacement in all files</source>
+        <translation>所有文件中的替换文本</translation>
+    </message>
+    <message>
+        <source>Regular expression</source>
+        <translation>正则表达式</translation>
+    </message>
+    <message>
+        <source>Match case</source>
+        <translation>区分大小写</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>查找</translation>
+    </message>
+    <message>
+        <source>Replace All</source>
+        <translation>全部替换</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>使用</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>行</translation>
+    </message>
+    <message>
+        <source>Search results</source>
+        <translation>搜索结果</translation>
+    </message>
+    <message>
+        <source>Not a pattern: %1</source>
+        <translation>正则表达式无效：%1</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%2中%1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s)</source>
+        <translation>
+            <numerusform>%n 处</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s)</source>
+        <translation>
+            <numerusform>%n 个文件</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) replaced</source>
+        <translation>
+            <numerusform>已替换 %n 处</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>declared</source>
+        <translation>声明</translation>
+    </message>
+    <message>
+        <source>read, write</source>
+        <translation>读取、写入</translation>
+    </message>
+    <message>
+        <source>write</source>
+        <translation>写入</translation>
+    </message>
+    <message>
+        <source>read</source>
+        <translation>读取</translation>
+    </message>
+    <message>
+        <source>%1: %2 read, %3 written</source>
+        <translation>%1：读取 %2 次，写入 %3 次</translation>
+    </message>
+    <message>
+        <source>Searching all files…</source>
+        <translation>正在搜索所有文件…</translation>
+    </message>
+    <message>
+        <source>Cancelled; so far: %1 in %2</source>
+        <translation>已取消；到目前为止：%2中%1</translation>
+    </message>
+    <message>
+        <source>Replacing in all files…</source>
+        <translation>正在所有文件中替换…</translation>
+    </message>
+    <message>
+        <source>Cancelled; nothing was replaced</source>
+        <translation>已取消；未替换任何内容</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::SettingsDialog</name>
+    <message>
+        <source>Settings</source>
+        <translation>设置</translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation>常规</translation>
+    </message>
+    <message>
+        <source>Editor</source>
+        <translation>编辑器</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>运行</translation>
+    </message>
+    <message>
+        <source>Shortcuts</source>
+        <translation>快捷键</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>跟随系统</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>浅色</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>深色</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>主题</translation>
+    </message>
+    <message>
+        <source>Language of the studio</source>
+        <translation>界面语言</translation>
+    </message>
+    <message>
+        <source>Indentation</source>
+        <translation>缩进</translation>
+    </message>
+    <message>
+        <source>Write keywords in capitals while typing</source>
+        <translation>输入时将关键字转为大写</translation>
+    </message>
+    <message>
+        <source>Close blocks with Enter (IF … END_IF)</source>
+        <translation>按 Enter 自动闭合块 (IF … END_IF)</translation>
+    </message>
+    <message>
+        <source>Show online values in the text</source>
+        <translation>在文本中显示在线值</translation>
+    </message>
+    <message>
+        <source>Format when saving</source>
+        <translation>保存时格式化</translation>
+    </message>
+    <message>
+        <source>Saving changes the running controller (online change)</source>
+        <translation>保存时执行在线修改</translation>
+    </message>
+    <message>
+        <source>Memory for the recording of every scan</source>
+        <translation>记录每个扫描周期所用的内存</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>筛选</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>命令</translation>
+    </message>
+    <message>
+        <source>Shortcut</source>
+        <translation>快捷键</translation>
+    </message>
+    <message>
+        <source>Another action has the same shortcut</source>
+        <translation>另一命令使用相同的快捷键</translation>
+    </message>
+    <message>
+        <source>Shortcut of %1</source>
+        <translation>%1 的快捷键</translation>
+    </message>
+    <message>
+        <source>Filter of the actions</source>
+        <translation>命令筛选</translation>
+    </message>
+    <message>
+        <source>All Defaults</source>
+        <translation>恢复默认值</translation>
+    </message>
+    <message>
+        <source>%1 now belongs to “%2”; “%3” loses it.</source>
+        <translation>%1 现在属于“%2”；“%3”不再使用它。</translation>
+    </message>
+    <message>
+        <source>none is kept</source>
+        <translation>不保留</translation>
+    </message>
+    <message>
+        <source>Disk space for the recordings of earlier runs, per project</source>
+        <translation>每个项目以往运行记录的磁盘空间</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::StPage</name>
+    <message>
+        <source>This file is read-only on disk. Saving asks before it replaces it.</source>
+        <translation>此文件在磁盘上为只读。保存时会在替换前询问。</translation>
+    </message>
+    <message>
+        <source>Make Writable</source>
+        <translation>设为可写</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::StartPage</name>
+    <message>
+        <source>Write, run and watch PLC programs. Every scan is recorded; time runs backwards, too.</source>
+        <translation>编写、运行和监视 PLC 程序。每个扫描周期都有记录；时间也能倒流。</translation>
+    </message>
+    <message>
+        <source>Recent projects</source>
+        <translation>最近的项目</translation>
+    </message>
+    <message>
+        <source>Examples</source>
+        <translation>示例</translation>
+    </message>
+    <message>
+        <source>New Project…</source>
+        <translation>新建项目…</translation>
+    </message>
+    <message>
+        <source>Open Project…</source>
+        <translation>打开项目…</translation>
+    </message>
+    <message>
+        <source>Take the Tour</source>
+        <translation>开始导览</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>最近</translation>
+    </message>
+    <message>
+        <source>Examples: open one and press Run</source>
+        <translation>示例：打开一个并按“运行”</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>Open a Fresh Copy</source>
+        <translation>打开新副本</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::Tour</name>
+    <message>
+        <source>Back</source>
+        <translation>后退</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>下一步</translation>
+    </message>
+    <message>
+        <source>End the tour</source>
+        <translation>结束导览</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完成</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::BreakpointView</name>
+    <message>
+        <source>Place</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>条件</translation>
+    </message>
+    <message>
+        <source>Hit count</source>
+        <translation>命中次数</translation>
+    </message>
+    <message>
+        <source>Instance</source>
+        <translation>实例</translation>
+    </message>
+    <message>
+        <source>Breakpoints</source>
+        <translation>断点</translation>
+    </message>
+    <message>
+        <source>Remove selected</source>
+        <translation>移除所选</translation>
+    </message>
+    <message>
+        <source>Remove all</source>
+        <translation>全部移除</translation>
+    </message>
+    <message>
+        <source>The program that runs has no code at this line or below it</source>
+        <translation>运行中的程序在此行及以下没有代码</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::CallPathView</name>
+    <message>
+        <source>Unit</source>
+        <translation>POU</translation>
+    </message>
+    <message>
+        <source>Instance</source>
+        <translation>实例</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>行</translation>
+    </message>
+    <message>
+        <source>Call path</source>
+        <translation>调用堆栈</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>变量</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>值</translation>
+    </message>
+    <message>
+        <source>Values of the frame</source>
+        <translation>调用层的值</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::ChartView</name>
+    <message>
+        <source>Sequential function chart</source>
+        <translation>顺序功能图 (SFC)</translation>
+    </message>
+    <message>
+        <source>Insert a step behind (Ins)</source>
+        <translation>在其后插入步 (Ins)</translation>
+    </message>
+    <message>
+        <source>Insert a branch beside</source>
+        <translation>插入选择分支</translation>
+    </message>
+    <message>
+        <source>Insert a simultaneous branch</source>
+        <translation>插入并行分支</translation>
+    </message>
+    <message>
+        <source>Add an action</source>
+        <translation>添加动作</translation>
+    </message>
+    <message>
+        <source>Edit name or condition (F2)</source>
+        <translation>编辑名称或条件 (F2)</translation>
+    </message>
+    <message>
+        <source>Delete (Del)</source>
+        <translation>删除 (Del)</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>全部显示</translation>
+    </message>
+    <message>
+        <source>Export the chart</source>
+        <translation>导出顺序功能图</translation>
+    </message>
+    <message>
+        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
+        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>%1 can not be written</source>
+        <translation>无法写入 %1</translation>
+    </message>
+    <message>
+        <source>Print…</source>
+        <translation>打印…</translation>
+    </message>
+    <message>
+        <source>The unit %1 is not in the text any more</source>
+        <translation>POU %1 已不在文本中</translation>
+    </message>
+    <message>
+        <source>The text has errors: this is the last good drawing</source>
+        <translation>文本有错误：这是最后一次正确的图形</translation>
+    </message>
+    <message>
+        <source>%1 is not a chart</source>
+        <translation>%1 不是顺序功能图</translation>
+    </message>
+    <message>
+        <source>Mend the text first: this is the last good drawing</source>
+        <translation>请先修正文本：这是最后一次正确的图形</translation>
+    </message>
+    <message>
+        <source>Select the step from which the branch goes out</source>
+        <translation>请选择分支出发的步</translation>
+    </message>
+    <message>
+        <source>Select the transition behind which the steps run at the same time</source>
+        <translation>请选择其后各步同时运行的转换</translation>
+    </message>
+    <message>
+        <source>Select the step that gets the action</source>
+        <translation>请选择要添加动作的步</translation>
+    </message>
+    <message>
+        <source>Insert a Step Behind</source>
+        <translation>在其后插入步</translation>
+    </message>
+    <message>
+        <source>Insert a Branch Beside</source>
+        <translation>插入选择分支</translation>
+    </message>
+    <message>
+        <source>Insert a Simultaneous Branch</source>
+        <translation>插入并行分支</translation>
+    </message>
+    <message>
+        <source>Add an Action</source>
+        <translation>添加动作</translation>
+    </message>
+    <message>
+        <source>Make It the Initial Step</source>
+        <translation>设为初始步</translation>
+    </message>
+    <message>
+        <source>Force the Step On</source>
+        <translation>强制激活步</translation>
+    </message>
+    <message>
+        <source>Release the Step</source>
+        <translation>解除步的强制</translation>
+    </message>
+    <message>
+        <source>Toggle Breakpoint</source>
+        <translation>切换断点</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>编辑</translation>
+    </message>
+    <message>
+        <source>Move Left</source>
+        <translation>左移</translation>
+    </message>
+    <message>
+        <source>Move Right</source>
+        <translation>右移</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Branch to the left</source>
+        <translation>左侧分支</translation>
+    </message>
+    <message>
+        <source>Branch to the right</source>
+        <translation>右侧分支</translation>
+    </message>
+    <message>
+        <source>%1 behind this transition</source>
+        <translation>此转换之后的 %1</translation>
+    </message>
+    <message>
+        <source>leads to %1</source>
+        <translation>通向 %1</translation>
+    </message>
+    <message>
+        <source>further up</source>
+        <translation>更上方</translation>
+    </message>
+    <message>
+        <source>further down</source>
+        <translation>更下方</translation>
+    </message>
+    <message>
+        <source>%1 in step %2</source>
+        <translation>步 %2 中的 %1</translation>
+    </message>
+    <message>
+        <source>A condition is a BOOL</source>
+        <translation>条件必须是 BOOL</translation>
+    </message>
+    <message>
+        <source>qualifier</source>
+        <translation>限定符</translation>
+    </message>
+    <message>
+        <source>action</source>
+        <translation>动作</translation>
+    </message>
+    <message>
+        <source>To the chart around (Backspace)</source>
+        <translation>到上级顺序功能图 (Backspace)</translation>
+    </message>
+    <message>
+        <source>Breakpoint: stops when the step becomes active, when the transition is taken (F9)</source>
+        <translation>断点：步激活或转换发生时停止 (F9)</translation>
+    </message>
+    <message>
+        <source>Force the step on</source>
+        <translation>强制激活步</translation>
+    </message>
+    <message>
+        <source>Release the step</source>
+        <translation>解除步的强制</translation>
+    </message>
+    <message>
+        <source>Export as SVG, PNG or PDF…</source>
+        <translation>导出为 SVG、PNG 或 PDF…</translation>
+    </message>
+    <message>
+        <source>%1 is a variable: it has no body</source>
+        <translation>%1 是变量：没有主体</translation>
+    </message>
+    <message>
+        <source>Select a step or a transition</source>
+        <translation>请选择步或转换</translation>
+    </message>
+    <message>
+        <source>Select a step</source>
+        <translation>请选择步</translation>
+    </message>
+    <message>
+        <source>Open Its Chart or Text</source>
+        <translation>打开其顺序功能图或文本</translation>
+    </message>
+    <message>
+        <source>Priority…</source>
+        <translation>优先级…</translation>
+    </message>
+    <message>
+        <source>Move Up</source>
+        <translation>上移</translation>
+    </message>
+    <message>
+        <source>Move Down</source>
+        <translation>下移</translation>
+    </message>
+    <message>
+        <source>Delete the Whole Branch</source>
+        <translation>删除整个分支</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::DeclarationTable</name>
+    <message>
+        <source>Section</source>
+        <translation>区段</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>地址</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>Initial value</source>
+        <translation>初始值</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>注释</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>值</translation>
+    </message>
+    <message>
+        <source>Declarations</source>
+        <translation>声明</translation>
+    </message>
+    <message>
+        <source>Add a variable</source>
+        <translation>添加变量</translation>
+    </message>
+    <message>
+        <source>Remove the selected variables</source>
+        <translation>移除所选变量</translation>
+    </message>
+    <message>
+        <source>Move up</source>
+        <translation>上移</translation>
+    </message>
+    <message>
+        <source>Move down</source>
+        <translation>下移</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::EventLog</name>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>PLC time</source>
+        <translation>PLC 时间</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>扫描周期</translation>
+    </message>
+    <message>
+        <source>Event</source>
+        <translation>事件</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>事件</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>清空</translation>
+    </message>
+    <message>
+        <source>Copy the selected rows, else all</source>
+        <translation>复制所选行，未选择时复制全部</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>复制</translation>
+    </message>
+    <message>
+        <source>Only faults and refusals</source>
+        <translation>仅错误和拒绝</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>筛选</translation>
+    </message>
+    <message>
+        <source>Filter of the events</source>
+        <translation>事件筛选</translation>
+    </message>
+    <message>
+        <source>Step: %1</source>
+        <translation>步：%1</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <comment>event at file:line</comment>
+        <translation>%1，位于 %2</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::FindBar</name>
+    <message>
+        <source>Find</source>
+        <translation>查找</translation>
+    </message>
+    <message>
+        <source>Text to find</source>
+        <translation>要查找的文本</translation>
+    </message>
+    <message>
+        <source>Replace by</source>
+        <translation>替换为</translation>
+    </message>
+    <message>
+        <source>Replacement</source>
+        <translation>替换文本</translation>
+    </message>
+    <message>
+        <source>Match case</source>
+        <translation>区分大小写</translation>
+    </message>
+    <message>
+        <source>Whole words</source>
+        <translation>全字匹配</translation>
+    </message>
+    <message>
+        <source>Regular expression</source>
+        <translation>正则表达式</translation>
+    </message>
+    <message>
+        <source>Previous (Shift+Enter)</source>
+        <translation>上一个 (Shift+Enter)</translation>
+    </message>
+    <message>
+        <source>Next (Enter)</source>
+        <translation>下一个 (Enter)</translation>
+    </message>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>关闭 (Esc)</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>替换</translation>
+    </message>
+    <message>
+        <source>Replace All</source>
+        <translation>全部替换</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n replaced</source>
+        <translation>
+            <numerusform>已替换 %n 处</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not a pattern</source>
+        <translation>正则表达式无效</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n found</source>
+        <translation>
+            <numerusform>找到 %n 处</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not found</source>
+        <translation>未找到</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::ForceView</name>
+    <message>
+        <source>Variable</source>
+        <translation>变量</translation>
+    </message>
+    <message>
+        <source>Forced value</source>
+        <translation>强制值</translation>
+    </message>
+    <message>
+        <source>Forced variables</source>
+        <translation>已强制的变量</translation>
+    </message>
+    <message>
+        <source>Release selected</source>
+        <translation>解除所选强制</translation>
+    </message>
+    <message>
+        <source>Release all</source>
+        <translation>解除全部强制</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::RunControl</name>
+    <message>
+        <source>Built in %1 ms</source>
+        <translation>编译用时 %1 ms</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n error(s): the program was not built</source>
+        <translation>
+            <numerusform>%n 个错误：程序未编译</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Online change: %1 kept, %2 new, %3 lost</source>
+        <translation>在线修改：保留 %1 个变量，新增 %2 个，移除 %3 个</translation>
+    </message>
+    <message>
+        <source>The change waits for the end of the scan</source>
+        <translation>修改等待扫描周期结束</translation>
+    </message>
+    <message>
+        <source>The program has errors; the controller goes on with the old one</source>
+        <translation>程序有错误；控制器继续运行旧程序</translation>
+    </message>
+    <message>
+        <source>did not exist in this scan</source>
+        <translation>在此扫描周期中不存在</translation>
+    </message>
+    <message>
+        <source>Building</source>
+        <translation>编译</translation>
+    </message>
+    <message>
+        <source>Not optimised: the quick code goes on</source>
+        <translation>未优化：继续运行快速编译的代码</translation>
+    </message>
+    <message>
+        <source>Optimising</source>
+        <translation>优化</translation>
+    </message>
+    <message>
+        <source>There is no code at or below line %1 of %2</source>
+        <translation>%2 第 %1 行及以下没有代码</translation>
+    </message>
+    <message>
+        <source>The condition of the breakpoint: %1</source>
+        <translation>断点条件：%1</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::StEditor</name>
+    <message>
+        <source>Structured Text editor</source>
+        <translation>结构化文本编辑器</translation>
+    </message>
+    <message>
+        <source>Declare %1</source>
+        <translation>声明 %1</translation>
+    </message>
+    <message>
+        <source>There is no fix for this line</source>
+        <translation>此行没有可用的修正</translation>
+    </message>
+    <message>
+        <source>Go to Definition</source>
+        <translation>转到定义</translation>
+    </message>
+    <message>
+        <source>Find All Uses</source>
+        <translation>查找所有使用处</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>重命名…</translation>
+    </message>
+    <message>
+        <source>Add to Watch</source>
+        <translation>添加到监视</translation>
+    </message>
+    <message>
+        <source>Toggle Breakpoint</source>
+        <translation>切换断点</translation>
+    </message>
+    <message>
+        <source>CR</source>
+        <comment>current result of an instruction list</comment>
+        <translation>CR</translation>
+    </message>
+    <message>
+        <source>Declare %1 as an input</source>
+        <translation>将 %1 声明为输入</translation>
+    </message>
+    <message>
+        <source>Declare %1 as an output</source>
+        <translation>将 %1 声明为输出</translation>
+    </message>
+    <message>
+        <source>Declare %1 as a global variable</source>
+        <translation>将 %1 声明为全局变量</translation>
+    </message>
+    <message>
+        <source>Declare %1 in %2</source>
+        <translation>在 %2 中声明 %1</translation>
+    </message>
+    <message>
+        <source>Write a Value…</source>
+        <translation>写入值…</translation>
+    </message>
+    <message>
+        <source>Force…</source>
+        <translation>强制…</translation>
+    </message>
+    <message>
+        <source>Release the Force</source>
+        <translation>解除强制</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::TaskMonitor</name>
+    <message>
+        <source>Histogram of execution times</source>
+        <translation>执行时间直方图</translation>
+    </message>
+    <message>
+        <source>Execution times appear here while the controller runs</source>
+        <translation>控制器运行时，此处显示执行时间</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>任务</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>执行次数</translation>
+    </message>
+    <message>
+        <source>Last</source>
+        <translation>上次</translation>
+    </message>
+    <message>
+        <source>Min</source>
+        <translation>最小</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>平均</translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation>最大</translation>
+    </message>
+    <message>
+        <source>Jitter</source>
+        <translation>抖动</translation>
+    </message>
+    <message>
+        <source>Overruns</source>
+        <translation>超时</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>负载</translation>
+    </message>
+    <message>
+        <source>Tasks</source>
+        <translation>任务</translation>
+    </message>
+    <message>
+        <source>Reset the statistics</source>
+        <translation>重置统计</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::WatchView</name>
+    <message>
+        <source>Expression</source>
+        <translation>表达式</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>值</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>Prepared</source>
+        <translation>准备值</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>注释</translation>
+    </message>
+    <message>
+        <source>Watch list</source>
+        <translation>监视列表</translation>
+    </message>
+    <message>
+        <source>Add an expression: Main.x, a[i] * 2, fb.Q AND NOT done</source>
+        <translation>添加表达式：Main.x、a[i] * 2、fb.Q AND NOT done</translation>
+    </message>
+    <message>
+        <source>New watch expression</source>
+        <translation>新建监视表达式</translation>
+    </message>
+    <message>
+        <source>Write prepared values</source>
+        <translation>写入准备值</translation>
+    </message>
+    <message>
+        <source>Force prepared values</source>
+        <translation>强制准备值</translation>
+    </message>
+    <message>
+        <source>Release the selected forces</source>
+        <translation>解除所选强制</translation>
+    </message>
+    <message>
+        <source>Decimal</source>
+        <translation>十进制</translation>
+    </message>
+    <message>
+        <source>Hexadecimal</source>
+        <translation>十六进制</translation>
+    </message>
+    <message>
+        <source>Binary</source>
+        <translation>二进制</translation>
+    </message>
+    <message>
+        <source>Number format</source>
+        <translation>数字格式</translation>
+    </message>
+    <message>
+        <source>Toggle</source>
+        <translation>切换</translation>
+    </message>
+    <message>
+        <source>Force to %1</source>
+        <translation>强制为 %1</translation>
+    </message>
+    <message>
+        <source>Release force</source>
+        <translation>解除强制</translation>
+    </message>
+    <message>
+        <source>Show in trace</source>
+        <translation>在跟踪中显示</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Remove all</source>
+        <translation>全部移除</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <comment>number format</comment>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Numbers as decimals, in hexadecimal or binary, or milliseconds as a time</source>
+        <translation>数字按十进制、十六进制或二进制显示，或将毫秒显示为时间</translation>
+    </message>
+    <message>
+        <source>%1 … %2</source>
+        <comment>stretch of an array</comment>
+        <translation>%1 … %2</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>监视</translation>
+    </message>
+    <message>
+        <source>Add, rename or remove a list</source>
+        <translation>添加、重命名或移除列表</translation>
+    </message>
+    <message>
+        <source>Name of the list:</source>
+        <translation>列表名称：</translation>
+    </message>
+    <message>
+        <source>New List…</source>
+        <translation>新建列表…</translation>
+    </message>
+    <message>
+        <source>New List</source>
+        <translation>新建列表</translation>
+    </message>
+    <message>
+        <source>Rename the List…</source>
+        <translation>重命名列表…</translation>
+    </message>
+    <message>
+        <source>Rename the List</source>
+        <translation>重命名列表</translation>
+    </message>
+    <message>
+        <source>Remove the List</source>
+        <translation>移除列表</translation>
+    </message>
+    <message>
+        <source>Number Format</source>
+        <translation>数字格式</translation>
+    </message>
+    <message>
+        <source>As the list</source>
+        <translation>与列表相同</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::AlarmEditor</name>
+    <message>
+        <source>Alarm</source>
+        <translation>报警</translation>
+    </message>
+    <message>
+        <source>Priority</source>
+        <translation>优先级</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>条件</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>文本</translation>
+    </message>
+    <message>
+        <source>Add an alarm</source>
+        <translation>添加报警</translation>
+    </message>
+    <message>
+        <source>Add a class</source>
+        <translation>添加类别</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>值</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>报警</translation>
+    </message>
+    <message>
+        <source>Classes</source>
+        <translation>类别</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Add alarm</source>
+        <translation>添加报警</translation>
+    </message>
+    <message>
+        <source>Add class</source>
+        <translation>添加类别</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::ArrayDialog</name>
+    <message>
+        <source>Duplicate as array</source>
+        <translation>复制为数组</translation>
+    </message>
+    <message>
+        <source>Number of elements</source>
+        <translation>元素数量</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>列</translation>
+    </message>
+    <message>
+        <source>Gap across</source>
+        <translation>水平间距</translation>
+        <source>The unit %1 is not in the text any more</source>
+        <translation>水平间距</translation>
+    </message>
+    <message>
+        <source>Gap down</source>
+        <translation>垂直间距</translation>
+    </message>
+    <message>
+        <source>Index step</source>
+        <translation>下标步长</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::DesignCanvas</name>
+    <message>
+        <source>Move</source>
+        <translation>移动</translation>
+    </message>
+    <message>
+        <source>Resize</source>
+        <translation>调整大小</translation>
+        <source>Select the step from which the branch goes out</source>
+        <translation>调整大小</translation>
+    </message>
+    <message>
+        <source>Move point</source>
+        <translation>移动点</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Insert</source>
+        <translation>插入</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::DesignContext</name>
+    <message>
+        <source>Text</source>
+        <translation>文本</translation>
+    </message>
+    <message>
+        <source>Rename %1</source>
+        <translation>重命名 %1</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>报警</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::Outline</name>
+    <message>
+        <source>Lock</source>
+        <translation>锁定</translation>
+    </message>
+    <message>
+        <source>Reorder</source>
+        <translation>更改顺序</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::Palette</name>
+    <message>
+        <source>Search elements</source>
+        <translation>搜索元素</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::PanelDesigner</name>
+    <message>
+        <source>Finding</source>
+        <translation>问题</translation>
+    </message>
+    <message>
+        <source>Element</source>
+        <translation>元素</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>语言</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>剪切</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>复制</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>粘贴</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>复制一份</translation>
+    </message>
+    <message>
+        <source>Duplicate as array…</source>
+        <translation>复制为数组…</translation>
+    </message>
+    <message>
+        <source>Select all</source>
+        <translation>全选</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Align left</source>
+        <translation>左对齐</translation>
+    </message>
+    <message>
+        <source>Align centres</source>
+        <translation>水平居中对齐</translation>
+    </message>
+    <message>
+        <source>Align right</source>
+        <translation>右对齐</translation>
+    </message>
+    <message>
+        <source>Align top</source>
+        <translation>顶端对齐</translation>
+    </message>
+    <message>
+        <source>Align middles</source>
+        <translation>垂直居中对齐</translation>
+    </message>
+    <message>
+        <source>Align bottom</source>
+        <translation>底端对齐</translation>
+    </message>
+    <message>
+        <source>Equal gaps across</source>
+        <translation>水平均匀分布</translation>
+    </message>
+    <message>
+        <source>Equal gaps down</source>
+        <translation>垂直均匀分布</translation>
+    </message>
+    <message>
+        <source>Same width</source>
+        <translation>等宽</translation>
+    </message>
+    <message>
+        <source>Same height</source>
+        <translation>等高</translation>
+    </message>
+    <message>
+        <source>Same size</source>
+        <translation>等大小</translation>
+        <source>%1 is a variable: it has no body</source>
+        <translation>等大小</translation>
+    </message>
+    <message>
+        <source>Bring to front</source>
+        <translation>置于顶层</translation>
+    </message>
+    <message>
+        <source>Bring forward</source>
+        <translation>上移一层</translation>
+    </message>
+    <message>
+        <source>Send backward</source>
+        <translation>下移一层</translation>
+    </message>
+    <message>
+        <source>Send to back</source>
+        <translation>置于底层</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>组合</translation>
+    </message>
+    <message>
+        <source>Ungroup</source>
+        <translation>取消组合</translation>
+    </message>
+    <message>
+        <source>Lock</source>
+        <translation>锁定</translation>
+    </message>
+    <message>
+        <source>Show the grid</source>
+        <translation>显示网格</translation>
+    </message>
+    <message>
+        <source>Snap (Alt: not now)</source>
+        <translation>吸附（按住 Alt 暂不吸附）</translation>
+    </message>
+    <message>
+        <source>Live preview</source>
+        <translation>实时预览</translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation>放大</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>缩小</translation>
+    </message>
+    <message>
+        <source>Zoom 100 %</source>
+        <translation>缩放 100 %</translation>
+    </message>
+    <message>
+        <source>Zoom to fit</source>
+        <translation>缩放以适应</translation>
+    </message>
+    <message>
+        <source>Language shown</source>
+        <translation>显示的语言</translation>
+    </message>
+    <message>
+        <source>Theme of the panel</source>
+        <translation>画面主题</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>浅色</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>深色</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>高对比度</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>主题</translation>
+    </message>
+    <message>
+        <source>Duplicate as array</source>
+        <translation>复制为数组</translation>
+    </message>
+    <message>
+        <source>Elements</source>
+        <translation>元素</translation>
+    </message>
+    <message>
+        <source>Variables</source>
+        <translation>变量</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::PropertySheet</name>
+    <message>
+        <source>Search properties</source>
+        <translation>搜索属性</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>重置</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n elements</source>
+        <translation>
+            <numerusform>%n 个元素</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::RecordsDialog</name>
+    <message>
+        <source>Add</source>
+        <translation>添加</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>上移</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>下移</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::TextEditor</name>
+    <message>
+        <source>Only incomplete</source>
+        <translation>仅不完整的</translation>
+    </message>
+    <message>
+        <source>Search texts</source>
+        <translation>搜索文本</translation>
+    </message>
+    <message>
+        <source>Add a key</source>
+        <translation>添加键</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>键</translation>
+    </message>
+    <message>
+        <source>Remove the selected keys</source>
+        <translation>移除所选键</translation>
+    </message>
+    <message>
+        <source>Add a language</source>
+        <translation>添加语言</translation>
+    </message>
+    <message>
+        <source>Language tag, for example de or zh-CN</source>
+        <translation>语言标签，例如 de 或 zh-CN</translation>
+    </message>
+    <message>
+        <source>Import CSV</source>
+        <translation>导入 CSV</translation>
+    </message>
+    <message>
+        <source>Text tables (*.csv *.txt)</source>
+        <translation>文本表 (*.csv *.txt)</translation>
+    </message>
+    <message>
+        <source>Export CSV</source>
+        <translation>导出 CSV</translation>
+    </message>
+    <message>
+        <source>Text tables (*.csv)</source>
+        <translation>文本表 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Add key</source>
+        <translation>添加键</translation>
+    </message>
+    <message>
+        <source>Remove keys</source>
+        <translation>移除键</translation>
+    </message>
+    <message>
+        <source>Add language</source>
+        <translation>添加语言</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n text(s)</source>
+        <translation>
+            <numerusform>%n 条文本</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 is not used.</source>
+        <translation>%1 未使用。</translation>
+    </message>
+    <message>
+        <source>%1 is used by %2</source>
+        <translation>%1 被 %2 使用</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::TextModel</name>
+    <message>
+        <source>Key</source>
+        <translation>键</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>注释</translation>
+    </message>
+    <message>
+        <source>Rename key</source>
+        <translation>重命名键</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>文本</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::Canvas</name>
+    <message>
+        <source>Overview</source>
+        <translation>总览</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::ColorPopup</name>
+    <message>
+        <source>Colours</source>
+        <translation>颜色</translation>
+    </message>
+    <message>
+        <source>More colours…</source>
+        <translation>更多颜色…</translation>
+    </message>
+    <message>
+        <source>No colour</source>
+        <translation>无颜色</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::CommandPalette</name>
+    <message>
+        <source>Command palette</source>
+        <translation>命令面板</translation>
+    </message>
+    <message>
+        <source>Type to find a command</source>
+        <translation>输入以查找命令</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>命令</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>命令</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>menu and command</comment>
+        <translation>%1：%2</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::PlotView</name>
+    <message>
+        <source>Chart</source>
+        <translation>曲线图</translation>
+    </message>
+    <message>
+        <source>%1
+Click selects, Ctrl+click shows or hides.</source>
+        <translation>%1
+单击选择，Ctrl+单击显示或隐藏。</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::PropertyGrid</name>
+    <message>
+        <source>Choose a variable</source>
+        <translation>选择变量</translation>
+    </message>
+    <message>
+        <source>Choose a file</source>
+        <translation>选择文件</translation>
+    </message>
+    <message>
+        <source>Edit in a window</source>
+        <translation>在窗口中编辑</translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation>是</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>否</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Property</source>
+        <translation>属性</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>值</translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation>属性</translation>
+    </message>
+    <message>
+        <source>various</source>
+        <translation>多个值</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>重置</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::VariablePicker</name>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>注释</translation>
+    </message>
+    <message>
+        <source>Search variables</source>
+        <translation>搜索变量</translation>
+    </message>
+    <message>
+        <source>Variables</source>
+        <translation>变量</translation>
+    </message>
+    <message>
+        <source>Found variables</source>
+        <translation>找到的变量</translation>
+    </message>
+    <message>
+        <source>Choose a variable</source>
+        <translation>选择变量</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::WorkStrip</name>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>%1 is being cancelled…</source>
+        <translation>正在取消：%1…</translation>
+    </message>
+    <message>
+        <source>Cancel: %1</source>
+        <translation>取消：%1</translation>
+    </message>
+</context>
+<context>
+    <name>plc::trace::ChannelPanel</name>
+    <message>
+        <source>Variable or expression</source>
+        <translation>变量或表达式</translation>
+    </message>
+    <message>
+        <source>Add a channel</source>
+        <translation>添加通道</translation>
+    </message>
+    <message>
+        <source>Add as a channel</source>
+        <translation>添加为通道</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>通道</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>值</translation>
+    </message>
+    <message>
+        <source>Channels</source>
+        <translation>通道</translation>
+    </message>
+    <message>
+        <source>Show channel</source>
+        <translation>显示通道</translation>
+    </message>
+    <message>
+        <source>Hide channel</source>
+        <translation>隐藏通道</translation>
+    </message>
+    <message>
+        <source>Chart %1</source>
+        <translation>曲线图 %1</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>错误</translation>
+    </message>
+    <message>
+        <source>Expression</source>
+        <translation>表达式</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>Style</source>
+        <translation>样式</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>线</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>阶梯</translation>
+    </message>
+    <message>
+        <source>Digital</source>
+        <translation>数字</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>颜色</translation>
+    </message>
+    <message>
+        <source>Line width</source>
+        <translation>线宽</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>系数</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>偏移</translation>
+    </message>
+    <message>
+        <source>Chart</source>
+        <translation>曲线图</translation>
+    </message>
+    <message>
+        <source>New chart</source>
+        <translation>新建曲线图</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>轴</translation>
+    </message>
+    <message>
+        <source>Axis %1</source>
+        <translation>轴 %1</translation>
+    </message>
+    <message>
+        <source>New axis</source>
+        <translation>新建轴</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>标题</translation>
+    </message>
+    <message>
+        <source>Share of height</source>
+        <translation>高度占比</translation>
+    </message>
+    <message>
+        <source>Scaling</source>
+        <translation>缩放</translation>
+    </message>
+    <message>
+        <source>Fit to view</source>
+        <translation>适应视图</translation>
+    </message>
+    <message>
+        <source>Fixed</source>
+        <translation>固定</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>最小值</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>最大值</translation>
+    </message>
+    <message>
+        <source>On the right</source>
+        <translation>在右侧</translation>
+    </message>
+    <message>
+        <source>Trace</source>
+        <translation>跟踪</translation>
+    </message>
+    <message>
+        <source>Every n-th scan</source>
+        <translation>每 n 个扫描周期</translation>
+    </message>
+    <message>
+        <source>Record while</source>
+        <translation>记录条件</translation>
+    </message>
+    <message>
+        <source>Trigger</source>
+        <translation>触发器</translation>
+    </message>
+    <message>
+        <source>Edge</source>
+        <translation>边沿</translation>
+    </message>
+    <message>
+        <source>Rising</source>
+        <translation>上升沿</translation>
+    </message>
+    <message>
+        <source>Falling</source>
+        <translation>下降沿</translation>
+    </message>
+    <message>
+        <source>Both</source>
+        <translation>两者</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>电平</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>模式</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Single</source>
+        <translation>单次</translation>
+    </message>
+    <message>
+        <source>Repeated</source>
+        <translation>重复</translation>
+    </message>
+    <message>
+        <source>Shown before</source>
+        <translation>触发前显示</translation>
+    </message>
+    <message>
+        <source>Shown after</source>
+        <translation>触发后显示</translation>
+    </message>
+    <message>
+        <source>Change channel</source>
+        <translation>更改通道</translation>
+    </message>
+    <message>
+        <source>Change chart</source>
+        <translation>更改曲线图</translation>
+    </message>
+    <message>
+        <source>Change trace</source>
+        <translation>更改跟踪</translation>
+    </message>
+    <message>
+        <source>Remove channel</source>
+        <translation>移除通道</translation>
+    </message>
+    <message>
+        <source>Remove chart</source>
+        <translation>移除曲线图</translation>
+    </message>
+    <message>
+        <source>Move channel</source>
+        <translation>移动通道</translation>
+    </message>
+</context>
+<context>
+    <name>plc::trace::TimeBar</name>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Resumed from here
+%1</source>
+        <translation>从此处继续
+%1</translation>
+    </message>
+</context>
+<context>
+    <name>plc::trace::TimeSlider</name>
+    <message>
+        <source>Time slider</source>
+        <translation>时间滑块</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>变量</translation>
+    </message>
+    <message>
+        <source>Variable whose changes to step to</source>
+        <translation>按其变化前后跳转的变量</translation>
+    </message>
+    <message>
+        <source>The arrows beside step to its previous and next change</source>
+        <translation>旁边的箭头跳到其上一次和下一次变化</translation>
+    </message>
+    <message>
+        <source>One scan back (Left)</source>
+        <translation>后退一个扫描周期（左箭头）</translation>
+    </message>
+    <message>
+        <source>One scan forth (Right)</source>
+        <translation>前进一个扫描周期（右箭头）</translation>
+    </message>
+    <message>
+        <source>Previous change of the variable (Ctrl+Left)</source>
+        <translation>变量的上一次变化（Ctrl+左箭头）</translation>
+    </message>
+    <message>
+        <source>Next change of the variable (Ctrl+Right)</source>
+        <translation>变量的下一次变化（Ctrl+右箭头）</translation>
+    </message>
+    <message>
+        <source>Resume the controller from this scan</source>
+        <translation>从此扫描周期继续运行控制器</translation>
+    </message>
+    <message>
+        <source>Back to the newest scan (End)</source>
+        <translation>返回最新的扫描周期 (End)</translation>
+    </message>
+    <message>
+        <source>Older scans are no longer kept.</source>
+        <translation>更早的扫描周期已不再保留。</translation>
+    </message>
+    <message>
+        <source>%1 does not change before this scan.</source>
+        <translation>%1 在此扫描周期之前没有变化。</translation>
+    </message>
+    <message>
+        <source>%1 does not change after this scan.</source>
+        <translation>%1 在此扫描周期之后没有变化。</translation>
+    </message>
+    <message>
+        <source>No recording</source>
+        <translation>没有记录</translation>
+    </message>
+    <message>
+        <source>no longer kept</source>
+        <translation>不再保留</translation>
+    </message>
+    <message>
+        <source>scan %1  %2</source>
+        <translation>扫描周期 %1  %2</translation>
+    </message>
+</context>
+<context>
+    <name>plc::trace::TraceView</name>
+    <message>
+        <source>Trace</source>
+        <translation>跟踪</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>测量</translation>
+    </message>
+    <message>
+        <source>Show channel</source>
+        <translation>显示通道</translation>
+    </message>
+    <message>
+        <source>Hide channel</source>
+        <translation>隐藏通道</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>跟随</translation>
+    </message>
+    <message>
+        <source>Follow the newest scan (End)</source>
+        <translation>跟随最新的扫描周期 (End)</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>适应</translation>
+    </message>
+    <message>
+        <source>Show everything recorded (Home)</source>
+        <translation>显示全部记录内容 (Home)</translation>
+    </message>
+    <message>
+        <source>Fit values</source>
+        <translation>适应数值</translation>
+    </message>
+    <message>
+        <source>Let the value axes fit again</source>
+        <translation>让数值轴重新适应</translation>
+    </message>
+    <message>
+        <source>Zoom back</source>
+        <translation>返回缩放</translation>
+    </message>
+    <message>
+        <source>Back to the view before (Backspace)</source>
+        <translation>返回上一视图 (Backspace)</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>缩放</translation>
+    </message>
+    <message>
+        <source>Drag a box to zoom: flat for time, upright for values</source>
+        <translation>拖出方框进行缩放：扁框缩放时间，高框缩放数值</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>平移</translation>
+    </message>
+    <message>
+        <source>Drag to pan (middle button always does)</source>
+        <translation>拖动以平移（鼠标中键始终可用）</translation>
+    </message>
+    <message>
+        <source>Cursors</source>
+        <translation>光标</translation>
+    </message>
+    <message>
+        <source>Two cursors (Ctrl+click sets A, Shift+click sets B)</source>
+        <translation>两个光标（Ctrl+单击设置 A，Shift+单击设置 B）</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>测量</translation>
+    </message>
+    <message>
+        <source>Table of values and statistics between the cursors</source>
+        <translation>光标之间的数值和统计表</translation>
+    </message>
+    <message>
+        <source>Measuring table</source>
+        <translation>测量表</translation>
+    </message>
+    <message>
+        <source>Trigger</source>
+        <translation>触发器</translation>
+    </message>
+    <message>
+        <source>Arm the trigger set in the properties of the trace</source>
+        <translation>启用跟踪属性中设置的触发器</translation>
+    </message>
+    <message>
+        <source>Previous trigger</source>
+        <translation>上一次触发</translation>
+    </message>
+    <message>
+        <source>Where the trigger would have fired before</source>
+        <translation>触发器此前本应触发的位置</translation>
+    </message>
+    <message>
+        <source>Next trigger</source>
+        <translation>下一次触发</translation>
+    </message>
+    <message>
+        <source>Where the trigger would have fired next</source>
+        <translation>触发器此后本应触发的位置</translation>
+    </message>
+    <message>
+        <source>Add chart</source>
+        <translation>添加曲线图</translation>
+    </message>
+    <message>
+        <source>Another chart over the same time</source>
+        <translation>同一时间段的另一个曲线图</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>比较</translation>
+    </message>
+    <message>
+        <source>Load an older recording beneath the present one</source>
+        <translation>在当前记录下方加载较早的记录</translation>
+    </message>
+    <message>
+        <source>Recording to draw beneath</source>
+        <translation>绘制在下方的记录</translation>
+    </message>
+    <message>
+        <source>Recordings (*.rec);;All files (*)</source>
+        <translation>记录 (*.rec);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Trace set-up</source>
+        <translation>跟踪配置</translation>
+    </message>
+    <message>
+        <source>Open set-up…</source>
+        <translation>打开配置…</translation>
+    </message>
+    <message>
+        <source>Open trace set-up</source>
+        <translation>打开跟踪配置</translation>
+    </message>
+    <message>
+        <source>Trace set-ups (*.trace.json)</source>
+        <translation>跟踪配置 (*.trace.json)</translation>
+    </message>
+    <message>
+        <source>Save trace set-up</source>
+        <translation>保存跟踪配置</translation>
+    </message>
+    <message>
+        <source>Save set-up</source>
+        <translation>保存配置</translation>
+    </message>
+    <message>
+        <source>Save set-up as…</source>
+        <translation>配置另存为…</translation>
+    </message>
+    <message>
+        <source>Open recording…</source>
+        <translation>打开记录…</translation>
+    </message>
+    <message>
+        <source>Open recording</source>
+        <translation>打开记录</translation>
+    </message>
+    <message>
+        <source>Back to the running PLC</source>
+        <translation>返回实时 PLC</translation>
+    </message>
+    <message>
+        <source>Save recording…</source>
+        <translation>保存记录…</translation>
+    </message>
+    <message>
+        <source>Save recording</source>
+        <translation>保存记录</translation>
+    </message>
+    <message>
+        <source>Recordings (*.rec)</source>
+        <translation>记录 (*.rec)</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>导出</translation>
+    </message>
+    <message>
+        <source>Copy as picture</source>
+        <translation>复制为图片</translation>
+    </message>
+    <message>
+        <source>Save samples in view as CSV…</source>
+        <translation>将可见采样保存为 CSV…</translation>
+    </message>
+    <message>
+        <source>Save as %1…</source>
+        <translation>保存为 %1…</translation>
+    </message>
+    <message>
+        <source>Print…</source>
+        <translation>打印…</translation>
+    </message>
+    <message>
+        <source>Save as %1</source>
+        <translation>保存为 %1</translation>
+    </message>
+    <message>
+        <source>Add channel</source>
+        <translation>添加通道</translation>
+    </message>
+    <message>
+        <source>Arm trigger</source>
+        <translation>启用触发器</translation>
+    </message>
+    <message>
+        <source>The trigger has no expression yet: enter one in the properties of the trace.</source>
+        <translation>触发器尚无表达式：请在跟踪属性中输入。</translation>
+    </message>
+    <message>
+        <source>Trigger armed</source>
+        <translation>触发器已启用</translation>
+    </message>
+    <message>
+        <source>Triggered, collecting</source>
+        <translation>已触发，正在采集</translation>
+    </message>
+    <message>
+        <source>Triggered</source>
+        <translation>已触发</translation>
+    </message>
+    <message numerus="yes">
+        <source>(%n shot(s))</source>
+        <translation>
+            <numerusform>（%n 次触发）</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not running</source>
+        <translation>未运行</translation>
+    </message>
+    <message>
+        <source>%L1 scans kept  ·  history %2 of %3 MB  ·  channels %4 of %5 MB</source>
+        <translation>已保留 %L1 个扫描周期  ·  历史 %2 / %3 MB  ·  通道 %4 / %5 MB</translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation>属性</translation>
+    </message>
+    <message>
+        <source>Remove channel</source>
+        <translation>移除通道</translation>
+    </message>
+    <message>
+        <source>Add channel…</source>
+        <translation>添加通道…</translation>
+    </message>
+    <message>
+        <source>Trigger off</source>
+        <translation>关闭触发器</translation>
+    </message>
+    <message>
+        <source>Saving the samples…</source>
+        <translation>正在保存采样…</translation>
+    </message>
+    <message>
+        <source>Opening %1…</source>
+        <translation>正在打开 %1…</translation>
+    </message>
+    <message>
+        <source>Saving the recording…</source>
+        <translation>正在保存记录…</translation>
+    </message>
+</context>
+<context>
+    <name>Phrases</name>
+    <message>
+        <source>a name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>a label</source>
+        <translation>标号</translation>
+    </message>
+    <message>
+        <source>an operand</source>
+        <translation>操作数</translation>
+    </message>
+    <message>
+        <source>an expression</source>
+        <translation>表达式</translation>
+    </message>
+    <message>
+        <source>a value</source>
+        <translation>值</translation>
+    </message>
+    <message>
+        <source>a type</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>an index</source>
+        <translation>下标</translation>
+    </message>
+    <message>
+        <source>an argument</source>
+        <translation>实参</translation>
+    </message>
+    <message>
+        <source>an address</source>
+        <translation>地址</translation>
+    </message>
+    <message>
+        <source>an action</source>
+        <translation>动作</translation>
+    </message>
+    <message>
+        <source>a CASE label</source>
+        <translation>CASE 标号</translation>
+    </message>
+    <message>
+        <source>a block&apos;s name</source>
+        <translation>块的名称</translation>
+    </message>
+    <message>
+        <source>a processor&apos;s name</source>
+        <translation>处理器的名称</translation>
+    </message>
+    <message>
+        <source>a task&apos;s name</source>
+        <translation>任务的名称</translation>
+    </message>
+    <message>
+        <source>a program instance&apos;s name</source>
+        <translation>程序实例的名称</translation>
+    </message>
+    <message>
+        <source>an input or output</source>
+        <translation>输入或输出</translation>
+    </message>
+    <message>
+        <source>a variable&apos;s name</source>
+        <translation>变量的名称</translation>
+    </message>
+    <message>
+        <source>a variable&apos;s path</source>
+        <translation>变量的路径</translation>
+    </message>
+    <message>
+        <source>a step&apos;s name</source>
+        <translation>步的名称</translation>
+    </message>
+    <message>
+        <source>a type&apos;s name</source>
+        <translation>类型的名称</translation>
+    </message>
+    <message>
+        <source>a member&apos;s name</source>
+        <translation>成员的名称</translation>
+    </message>
+    <message>
+        <source>an access name</source>
+        <translation>访问名称</translation>
+    </message>
+    <message>
+        <source>an enumeration value</source>
+        <translation>枚举值</translation>
+    </message>
+    <message>
+        <source>the end of the line</source>
+        <translation>行尾</translation>
+    </message>
+    <message>
+        <source>the end of the file</source>
+        <translation>文件结尾</translation>
+    </message>
+    <message>
+        <source>{0} or {1}</source>
+        <translation>{0} 或 {1}</translation>
+    </message>
+    <message>
+        <source>FOR and a time</source>
+        <translation>FOR 和时间</translation>
+    </message>
+    <message>
+        <source>:= or instructions</source>
+        <translation>:= 或语句</translation>
+    </message>
+    <message>
+        <source>a subrange</source>
+        <translation>子范围</translation>
+    </message>
+    <message>
+        <source>an enumeration</source>
+        <translation>枚举</translation>
+    </message>
+    <message>
+        <source>in parentheses</source>
+        <translation>在括号中</translation>
+    </message>
+    <message>
+        <source>a chart</source>
+        <translation>顺序功能图</translation>
+    </message>
+    <message>
+        <source>a body</source>
+        <translation>主体</translation>
+    </message>
+    <message>
+        <source>in a CLASS</source>
+        <translation>CLASS 中</translation>
+    </message>
+    <message>
+        <source>in a FUNCTION</source>
+        <translation>FUNCTION 中</translation>
+    </message>
+    <message>
+        <source>in a METHOD</source>
+        <translation>METHOD 中</translation>
+    </message>
+    <message>
+        <source>in a PROGRAM</source>
+        <translation>PROGRAM 中</translation>
+    </message>
+    <message>
+        <source>in a FUNCTION_BLOCK</source>
+        <translation>FUNCTION_BLOCK 中</translation>
+    </message>
+    <message>
+        <source>here</source>
+        <translation>此处</translation>
+    </message>
+    <message>
+        <source>in {0}</source>
+        <translation>{0} 中</translation>
+    </message>
+    <message>
+        <source>in an expression</source>
+        <translation>表达式中</translation>
+    </message>
+    <message>
+        <source>in an initial value</source>
+        <translation>初始值中</translation>
+    </message>
+    <message>
+        <source>in this section</source>
+        <translation>此区段中</translation>
+    </message>
+    <message>
+        <source>an initial value</source>
+        <translation>初始值</translation>
+    </message>
+    <message>
+        <source>RETURN with a value</source>
+        <translation>带值的 RETURN</translation>
+    </message>
+    <message>
+        <source>in a declaration that calls FB_Init</source>
+        <translation>调用 FB_Init 的声明中</translation>
+    </message>
+    <message>
+        <source>{0} (VAR_IN_OUT)</source>
+        <translation>{0} (VAR_IN_OUT)</translation>
+    </message>
+    <message>
+        <source>in {0}, which is not abstract itself</source>
+        <translation>本身不是抽象的 {0} 中</translation>
+    </message>
+    <message>
+        <source>address</source>
+        <translation>地址</translation>
+    </message>
+    <message>
+        <source>duration</source>
+        <translation>时长</translation>
+    </message>
+    <message>
+        <source>date</source>
+        <translation>日期</translation>
+    </message>
+    <message>
+        <source>time of day</source>
+        <translation>时刻</translation>
+    </message>
+    <message>
+        <source>date and time</source>
+        <translation>日期和时间</translation>
+    </message>
+    <message>
+        <source>integer</source>
+        <translation>整数</translation>
+    </message>
+    <message>
+        <source>string</source>
+        <translation>字符串</translation>
+    </message>
+    <message>
+        <source>{0} (a constant)</source>
+        <translation>{0}（常量）</translation>
+    </message>
+    <message>
+        <source>{0} (an output)</source>
+        <translation>{0}（输出）</translation>
+    </message>
+    <message>
+        <source>{0} (a local variable of {1})</source>
+        <translation>{0}（{1} 的局部变量）</translation>
+    </message>
+    <message>
+        <source>{0} (an input)</source>
+        <translation>{0}（输入）</translation>
+    </message>
+    <message>
+        <source>{0} (an input; the next scan overwrites it)</source>
+        <translation>{0}（输入；下一个扫描周期会覆盖它）</translation>
+    </message>
+    <message>
+        <source>{0} (a property without SET)</source>
+        <translation>{0}（没有 SET 的属性）</translation>
+    </message>
+    <message>
+        <source>{0} (no instance, or several)</source>
+        <translation>{0}（没有实例，或有多个）</translation>
+    </message>
+    <message>
+        <source>{0} (a type; declare an instance of it)</source>
+        <translation>{0}（类型；请声明其实例）</translation>
+    </message>
+    <message>
+        <source>{0} (a variable, which hides the function of this name)</source>
+        <translation>{0}（变量，隐藏了同名函数）</translation>
+    </message>
+    <message>
+        <source>an output</source>
+        <translation>输出</translation>
+    </message>
+    <message>
+        <source>an input</source>
+        <translation>输入</translation>
+    </message>
+    <message>
+        <source>an IN_OUT parameter</source>
+        <translation>IN_OUT 参数</translation>
+    </message>
+    <message>
+        <source>a power of a computed number</source>
+        <translation>计算值的幂</translation>
+    </message>
+    <message>
+        <source>a call of {0}</source>
+        <translation>对 {0} 的调用</translation>
+    </message>
+    <message>
+        <source>a call without arguments</source>
+        <translation>不带实参的调用</translation>
+    </message>
+    <message>
+        <source>a computed second argument of {0}</source>
+        <translation>{0} 的第二个实参为计算值</translation>
+    </message>
+    <message>
+        <source>{0} outside a loop</source>
+        <translation>循环外的 {0}</translation>
+    </message>
+    <message>
+        <source>this statement</source>
+        <translation>此语句</translation>
+    </message>
+    <message>
+        <source>FOR with this end or step</source>
+        <translation>带此终值或步长的 FOR</translation>
+    </message>
+    <message>
+        <source>an assignment of several variables</source>
+        <translation>对多个变量的赋值</translation>
+    </message>
+    <message>
+        <source>CASE of a computed value</source>
+        <translation>对计算值的 CASE</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>文本</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>数字</translation>
+    </message>
+    <message>
+        <source>an integer</source>
+        <translation>整数</translation>
+    </message>
+    <message>
+        <source>a number of seconds</source>
+        <translation>秒数</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>列表</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>对象</translation>
+    </message>
+    <message>
+        <source>one of {0}</source>
+        <translation>{0} 之一</translation>
+    </message>
+</context>
+<context>
+    <name>Fixes</name>
+    <message>
+        <source>Replace with {0}</source>
+        <translation>替换为 {0}</translation>
+    </message>
+    <message>
+        <source>Insert {0}</source>
+        <translation>插入 {0}</translation>
+    </message>
+    <message>
+        <source>Did you mean {0}?</source>
+        <translation>是否指 {0}？</translation>
+    </message>
+    <message>
+        <source>Convert with {0}</source>
+        <translation>用 {0} 转换</translation>
+    </message>
+    <message>
+        <source>Move {0} to {1}</source>
+        <translation>将 {0} 移到 {1}</translation>
+    </message>
+    <message>
+        <source>Add the property {0}</source>
+        <translation>添加属性 {0}</translation>
+    </message>
+    <message>
+        <source>Add the method {0}</source>
+        <translation>添加方法 {0}</translation>
+    </message>
+    <message>
+        <source>Add the missing branches</source>
+        <translation>添加缺少的分支</translation>
+    </message>
+    <message>
+        <source>Add ELSE</source>
+        <translation>添加 ELSE</translation>
+    </message>
+    <message>
+        <source>Add () to call it</source>
+        <translation>添加 () 以调用</translation>
+    </message>
+    <message>
+        <source>Compare with 0</source>
+        <translation>与 0 比较</translation>
+    </message>
+    <message>
+        <source>Remove the unused declaration</source>
+        <translation>移除未使用的声明</translation>
+    </message>
+    <message>
+        <source>Replace with IF and ELSIF</source>
+        <translation>替换为 IF 和 ELSIF</translation>
+    </message>
+    <message>
+        <source>Change to a WSTRING literal</source>
+        <translation>改为 WSTRING 字面量</translation>
+    </message>
+    <message>
+        <source>Replace with straight quotes</source>
+        <translation>替换为直引号</translation>
+    </message>
+    <message>
+        <source>Make {0} the initial step</source>
+        <translation>将 {0} 设为初始步</translation>
+    </message>
+    <message>
+        <source>Dereference the pointer with ^</source>
+        <translation>用 ^ 解引用指针</translation>
+    </message>
+</context>
+<context>
+    <name>Notes</name>
+    <message>
+        <source>first declared here</source>
+        <translation>首次在此处声明</translation>
+    </message>
+    <message>
+        <source>declared here</source>
+        <translation>在此处声明</translation>
+    </message>
+    <message>
+        <source>the variable</source>
+        <translation>变量</translation>
+    </message>
+    <message>
+        <source>the first program</source>
+        <translation>第一个程序</translation>
+    </message>
+    <message>
+        <source>overridden here</source>
+        <translation>在此处重写</translation>
+    </message>
+    <message>
+        <source>the first one</source>
+        <translation>第一个</translation>
+    </message>
+    <message>
+        <source>by this transition, while it is active</source>
+        <translation>经由此转换，在其激活期间</translation>
+    </message>
+</context>
+<context>
+    <name>Exchange</name>
+    <message>
+        <source>The file is written in {0}</source>
+        <translation>文件的编码为 {0}</translation>
+    </message>
+    <message>
+        <source>The file was not read: {0}</source>
+        <translation>文件未读取：{0}</translation>
+    </message>
+    <message>
+        <source>The element {0} was not read</source>
+        <translation>元素 {0} 未读取</translation>
+    </message>
+    <message>
+        <source>The vendor&apos;s data {0} is kept in exchange.json</source>
+        <translation>厂商数据 {0} 保存在 exchange.json 中</translation>
+    </message>
+    <message>
+        <source>The body in {0} became structured text; the diagram is kept in exchange.json</source>
+        <translation>{0} 中的主体已变为结构化文本；图保存在 exchange.json 中</translation>
+    </message>
+    <message>
+        <source>The body in {0} is stored in a form that only its own editor reads; export it there as PLCopen XML</source>
+        <translation>{0} 中的主体以只有其自身编辑器可读的形式存储；请在那里导出为 PLCopen XML</translation>
+    </message>
+    <message>
+        <source>A jump leads to the step {0}, which does not exist</source>
+        <translation>跳转通向步 {0}，但该步不存在</translation>
+    </message>
+    <message>
+        <source>The element {0} of the chart is not connected and was left out</source>
+        <translation>顺序功能图的元素 {0} 未连接，已略去</translation>
+    </message>
+    <message>
+        <source>The transition from {0} has no condition; it is written as FALSE</source>
+        <translation>从 {0} 出发的转换没有条件；写为 FALSE</translation>
+    </message>
+    <message>
+        <source>The element {0} takes part in a loop without a block that stores a value; its last value is not kept</source>
+        <translation>元素 {0} 处于没有存储值的块的循环中；不保留其上次的值</translation>
+    </message>
+    <message>
+        <source>The element {0} is not connected and was left out</source>
+        <translation>元素 {0} 未连接，已略去</translation>
+    </message>
+    <message>
+        <source>An edge in a function needs the value of the last call, which a function does not store</source>
+        <translation>函数中的边沿需要上次调用的值，而函数不存储该值</translation>
+    </message>
+    <message>
+        <source>The result of {0} is used in several places and is computed in each</source>
+        <translation>{0} 的结果在多处使用，并在每处计算</translation>
+    </message>
+    <message>
+        <source>The type of the result of {0} is not known; it is computed although EN is FALSE</source>
+        <translation>{0} 的结果类型未知；即使 EN 为 FALSE 也会计算</translation>
+    </message>
+    <message>
+        <source>The library {0} is not part of Stepwise; uses of it are reported by the check</source>
+        <translation>库 {0} 不属于 Stepwise；检查会报告其使用处</translation>
+    </message>
+    <message>
+        <source>Code in C is kept as a comment and is not executed</source>
+        <translation>C 代码作为注释保留，不会执行</translation>
+    </message>
+    <message>
+        <source>There are two units named {0}; the second is in {1}</source>
+        <translation>有两个名为 {0} 的 POU；第二个在 {1} 中</translation>
+    </message>
+    <message>
+        <source>The configuration of the devices was not read; assign the inputs and outputs again</source>
+        <translation>设备配置未读取；请重新分配输入和输出</translation>
+    </message>
+    <message>
+        <source>The task {0} is started by the event {1}, which does not exist here; give it an INTERVAL or a SINGLE</source>
+        <translation>任务 {0} 由事件 {1} 启动，但此处没有该事件；请为其指定 INTERVAL 或 SINGLE</translation>
+    </message>
+    <message>
+        <source>{0} counts %MW1 in words, here it is counted in bytes; check that the addresses do not overlap</source>
+        <translation>{0} 按字计算 %MW1，此处按字节计算；请检查地址是否重叠</translation>
+    </message>
+    <message>
+        <source>A comment outside of the elements was left out: {0}</source>
+        <translation>元素之外的注释已略去：{0}</translation>
+    </message>
+    <message>
+        <source>The diagram in {0} was not read: an expression repeats itself without end</source>
+        <translation>{0} 中的图未读取：表达式无限重复</translation>
+    </message>
+    <message>
+        <source>A condition in {0} needs the call of a block, which a condition cannot make</source>
+        <translation>{0} 中的条件需要调用块，而条件不能这样做</translation>
+    </message>
+    <message>
+        <source>The transition {0} is not a single expression and was not read</source>
+        <translation>转换 {0} 不是单个表达式，未读取</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for panels; they were left out</source>
+        <translation>PLCopen XML 不支持画面；已略去</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for traces; they were left out</source>
+        <translation>PLCopen XML 不支持跟踪；已略去</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for tests; they were left out</source>
+        <translation>PLCopen XML 不支持测试；已略去</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for tests; the TEST &apos;{0}&apos; was left out</source>
+        <translation>PLCopen XML 不支持测试；TEST“{0}”已略去</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for namespaces; a NAMESPACE was left out with its units</source>
+        <translation>PLCopen XML 不支持命名空间；一个 NAMESPACE 及其 POU 已略去</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for USING; it was left out</source>
+        <translation>PLCopen XML 不支持 USING；已略去</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for the name of the transition {0}; it was left out</source>
+        <translation>PLCopen XML 不支持转换 {0} 的名称；已略去</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has one indicator per action; {0} was left out</source>
+        <translation>PLCopen XML 每个动作只有一个指示变量；{0} 已略去</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no methods; {0} was left out</source>
+        <translation>版本 0201 没有方法；{0} 已略去</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no properties; {0} was left out</source>
+        <translation>版本 0201 没有属性；{0} 已略去</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no interfaces; {0} was left out</source>
+        <translation>版本 0201 没有接口；{0} 已略去</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no unions; {0} was left out</source>
+        <translation>版本 0201 没有联合；{0} 已略去</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no inheritance; EXTENDS or IMPLEMENTS of {0} was left out</source>
+        <translation>版本 0201 没有继承；{0} 的 EXTENDS 或 IMPLEMENTS 已略去</translation>
+    </message>
+    <message>
+        <source>Version 0201 does not have the type {0}; other tools will not know it</source>
+        <translation>版本 0201 没有类型 {0}；其他工具将无法识别</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for the pragma {0} of a step; it was left out</source>
+        <translation>版本 0201 不支持步的编译指示 {0}；已略去</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for {0} of a task; it was left out</source>
+        <translation>版本 0201 不支持任务的 {0}；已略去</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for the connections of the program {0}; they were left out</source>
+        <translation>版本 0201 不支持程序 {0} 的连接；已略去</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for libraries; {0} was left out</source>
+        <translation>版本 0201 不支持库；{0} 已略去</translation>
+    </message>
+    <message>
+        <source>The file is no program source and was left out</source>
+        <translation>文件不是程序源，已略去</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::ImportDialog</name>
+    <message>
+        <source>Place</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>提示</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>报告</translation>
+    </message>
+    <message>
+        <source>Units: %1
+Bodies: %2
+Not kept: %3</source>
+        <translation>POU：%1
+主体：%2
+未保留：%3</translation>
+    </message>
+    <message>
+        <source>Import a Project</source>
+        <translation>导入项目</translation>
+    </message>
+    <message>
+        <source>PLCopen XML, TwinCAT or CODESYS files, structured text</source>
+        <translation>PLCopen XML、TwinCAT 或 CODESYS 文件、结构化文本</translation>
+    </message>
+    <message>
+        <source>File…</source>
+        <translation>文件…</translation>
+    </message>
+    <message>
+        <source>Folder…</source>
+        <translation>文件夹…</translation>
+    </message>
+    <message>
+        <source>Source files</source>
+        <translation>源文件</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>预览</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>导入</translation>
+    </message>
+    <message>
+        <source>From:</source>
+        <translation>来源：</translation>
+    </message>
+    <message>
+        <source>New project in:</source>
+        <translation>新项目位置：</translation>
+    </message>
+    <message>
+        <source>Projects of other tools (%1)</source>
+        <translation>其他工具的项目 (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>This folder is not empty; name a new one</source>
+        <translation>此文件夹不为空；请指定新的文件夹</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::ExportDialog</name>
+    <message>
+        <source>Export the Project</source>
+        <translation>导出项目</translation>
+    </message>
+    <message>
+        <source>PLCopen XML 0200, for CODESYS and TwinCAT</source>
+        <translation>PLCopen XML 0200，用于 CODESYS 和 TwinCAT</translation>
+    </message>
+    <message>
+        <source>PLCopen XML 0201, for Beremiz and OpenPLC</source>
+        <translation>PLCopen XML 0201，用于 Beremiz 和 OpenPLC</translation>
+    </message>
+    <message>
+        <source>File…</source>
+        <translation>文件…</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>导出</translation>
+    </message>
+    <message>
+        <source>Format:</source>
+        <translation>格式：</translation>
+    </message>
+    <message>
+        <source>To:</source>
+        <translation>目标：</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::GraphView</name>
+    <message>
+        <source>Show all</source>
+        <translation>全部显示</translation>
+    </message>
+    <message>
+        <source>Export as SVG, PNG or PDF…</source>
+        <translation>导出为 SVG、PNG 或 PDF…</translation>
+    </message>
+    <message>
+        <source>Export the Drawing</source>
+        <translation>导出图形</translation>
+    </message>
+    <message>
+        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
+        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written</source>
+        <translation>无法写入 %1</translation>
+    </message>
+    <message>
+        <source>Print…</source>
+        <translation>打印…</translation>
+    </message>
+    <message>
+        <source>Fix the text first: this is the last good drawing</source>
+        <translation>请先修正文本：这是最后一次正确的图形</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::RenameDialog</name>
+    <message>
+        <source>Rename</source>
+        <translation>重命名</translation>
+    </message>
+    <message>
+        <source>New name of %1, in the whole project:</source>
+        <translation>%1 在整个项目中的新名称：</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>文本</translation>
+    </message>
+    <message>
+        <source>Places that change</source>
+        <translation>将更改之处</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) change:</source>
+        <translation>
+            <numerusform>将更改 %n 处：</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>DiskChange</name>
+    <message>
+        <source>Changed outside</source>
+        <translation>在外部被更改</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program, and here too.</source>
+        <translation>%1 已被其他程序更改，此处也有更改。</translation>
+    </message>
+    <message>
+        <source>Compare both side by side, load the file from disk and lose the changes made here, or keep what is here and replace the file with the next save?</source>
+        <translation>并排比较两者，从磁盘加载文件并放弃此处的更改，还是保留此处的内容并在下次保存时替换文件？</translation>
+    </message>
+    <message>
+        <source>Compare…</source>
+        <translation>比较…</translation>
+    </message>
+    <message>
+        <source>Load from Disk</source>
+        <translation>从磁盘加载</translation>
+    </message>
+    <message>
+        <source>Keep Mine</source>
+        <translation>保留我的版本</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::InstanceBar</name>
+    <message>
+        <source>Instance whose values are shown</source>
+        <translation>显示其值的实例</translation>
+    </message>
+    <message>
+        <source>Values of the instance of %1:</source>
+        <translation>%1 实例的值：</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::MergeDialog</name>
+    <message>
+        <source>Compare %1</source>
+        <translation>比较 %1</translation>
+    </message>
+    <message>
+        <source>Previous</source>
+        <translation>上一处</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>下一处</translation>
+    </message>
+    <message>
+        <source>Take Over</source>
+        <translation>采用</translation>
+    </message>
+    <message>
+        <source>Take Over All</source>
+        <translation>全部采用</translation>
+    </message>
+    <message>
+        <source>Here (this text is kept)</source>
+        <translation>此处（保留此文本）</translation>
+    </message>
+    <message>
+        <source>On disk</source>
+        <translation>磁盘上</translation>
+    </message>
+    <message>
+        <source>Use the Text on the Left</source>
+        <translation>使用左侧文本</translation>
+    </message>
+    <message>
+        <source>No differences</source>
+        <translation>没有差异</translation>
+    </message>
+    <message>
+        <source>Difference %1 of %2</source>
+        <translation>差异 %1 / %2</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::PanelFiles</name>
+    <message>
+        <source>Texts</source>
+        <translation>文本</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>报警</translation>
+    </message>
+    <message>
+        <source>Panel %1</source>
+        <translation>画面 %1</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::RunsMenu</name>
+    <message>
+        <source>Earlier Runs</source>
+        <translation>以往的运行</translation>
+    </message>
+    <message>
+        <source>%1, ended by a fault, %2</source>
+        <translation>%1，因错误结束，%2</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1，%2</translation>
+    </message>
+    <message>
+        <source>The last run is being written…</source>
+        <translation>正在写入上次运行…</translation>
+    </message>
+    <message>
+        <source>No run has ended yet</source>
+        <translation>尚无已结束的运行</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::TestView</name>
+    <message>
+        <source>Run all tests</source>
+        <translation>运行所有测试</translation>
+    </message>
+    <message>
+        <source>Run the selected tests</source>
+        <translation>运行所选测试</translation>
+    </message>
+    <message>
+        <source>Run the failed tests</source>
+        <translation>运行失败的测试</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>测试</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Tests</source>
+        <translation>测试</translation>
+    </message>
+    <message>
+        <source>%1 passed, %2 failed</source>
+        <translation>%1 通过，%2 失败</translation>
+    </message>
+    <message>
+        <source>not run yet</source>
+        <translation>尚未运行</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>通过</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>失败</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Show the Recording of the Failure</source>
+        <translation>显示失败的记录</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::TextPage</name>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>第 %1 行：%2</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::RunArchive</name>
+    <message>
+        <source>The recording of the last run was not kept: %1</source>
+        <translation>上次运行的记录未保留：%1</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::LadderView</name>
+    <message>
+        <source>Ladder or function block diagram</source>
+        <translation>梯形图或功能块图</translation>
+    </message>
+    <message>
+        <source>Insert a rung below (Ctrl+T)</source>
+        <translation>在下方插入程序段 (Ctrl+T)</translation>
+    </message>
+    <message>
+        <source>Insert a contact on the left (Ctrl+K)</source>
+        <translation>在左侧插入触点 (Ctrl+K)</translation>
+    </message>
+    <message>
+        <source>Insert a contact on the right (Ctrl+D)</source>
+        <translation>在右侧插入触点 (Ctrl+D)</translation>
+    </message>
+    <message>
+        <source>Insert a parallel contact (Ctrl+R)</source>
+        <translation>插入并联触点 (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>Insert a coil (Ctrl+A)</source>
+        <translation>插入线圈 (Ctrl+A)</translation>
+    </message>
+    <message>
+        <source>Insert a function block (Ctrl+B)</source>
+        <translation>插入功能块 (Ctrl+B)</translation>
+    </message>
+    <message>
+        <source>Edit (F2)</source>
+        <translation>编辑 (F2)</translation>
+    </message>
+    <message>
+        <source>Delete (Del)</source>
+        <translation>删除 (Del)</translation>
+    </message>
+    <message>
+        <source>Breakpoint on the rung (F9)</source>
+        <translation>程序段上的断点 (F9)</translation>
+    </message>
+    <message>
+        <source>Show as a function block diagram</source>
+        <translation>显示为功能块图</translation>
+    </message>
+    <message>
+        <source>Show as a ladder diagram</source>
+        <translation>显示为梯形图</translation>
+    </message>
+    <message>
+        <source>%1 is not in the text any more</source>
+        <translation>%1 已不在文本中</translation>
+    </message>
+    <message>
+        <source>The text has errors: this is the last good drawing</source>
+        <translation>文本有错误：这是最后一次正确的图形</translation>
+    </message>
+    <message>
+        <source>Fix the text first: this is the last good drawing</source>
+        <translation>请先修正文本：这是最后一次正确的图形</translation>
+    </message>
+    <message>
+        <source>Select a rung</source>
+        <translation>请选择程序段</translation>
+    </message>
+    <message>
+        <source>Select a coil</source>
+        <translation>请选择线圈</translation>
+    </message>
+    <message>
+        <source>Select a contact, a coil or a pin with a variable</source>
+        <translation>请选择触点、线圈或带变量的引脚</translation>
+    </message>
+    <message>
+        <source>The rung has no contact yet</source>
+        <translation>程序段尚无触点</translation>
+    </message>
+    <message>
+        <source>Select the rung that gets the block</source>
+        <translation>请选择要添加块的程序段</translation>
+    </message>
+    <message>
+        <source>block</source>
+        <translation>块</translation>
+    </message>
+    <message>
+        <source>Contact on the left; at a coil, the last contact</source>
+        <translation>左侧触点；在线圈处为最后一个触点</translation>
+    </message>
+    <message>
+        <source>Contact on the right</source>
+        <translation>右侧触点</translation>
+    </message>
+    <message>
+        <source>Parallel contact</source>
+        <translation>并联触点</translation>
+    </message>
+    <message>
+        <source>Coil</source>
+        <translation>线圈</translation>
+    </message>
+    <message>
+        <source>Function block in the rung</source>
+        <translation>程序段中的功能块</translation>
+    </message>
+    <message>
+        <source>Rung above</source>
+        <translation>上方程序段</translation>
+    </message>
+    <message>
+        <source>Rung below</source>
+        <translation>下方程序段</translation>
+    </message>
+    <message>
+        <source>Negate a contact, a coil or a pin</source>
+        <translation>取反触点、线圈或引脚</translation>
+    </message>
+    <message>
+        <source>Coil: normal, set, reset</source>
+        <translation>线圈：普通、置位、复位</translation>
+    </message>
+    <message>
+        <source>Comment of the rung</source>
+        <translation>程序段注释</translation>
+    </message>
+    <message>
+        <source>Edit what is selected (or Enter)</source>
+        <translation>编辑所选内容（或 Enter）</translation>
+    </message>
+    <message>
+        <source>Delete what is selected</source>
+        <translation>删除所选内容</translation>
+    </message>
+    <message>
+        <source>Breakpoint on the rung</source>
+        <translation>程序段上的断点</translation>
+    </message>
+    <message>
+        <source>This list</source>
+        <translation>此列表</translation>
+    </message>
+    <message>
+        <source>Arrows</source>
+        <translation>方向键</translation>
+    </message>
+    <message>
+        <source>Select the next part; Up and Down also the next rung</source>
+        <translation>选择下一部分；上下箭头还可选择相邻程序段</translation>
+    </message>
+    <message>
+        <source>Move the rung up; with Down, down</source>
+        <translation>上移程序段；按下箭头则下移</translation>
+    </message>
+    <message>
+        <source>Typed before a name: a negated contact</source>
+        <translation>在名称前输入：取反触点</translation>
+    </message>
+    <message>
+        <source>Keys in Ladder and Function Block Diagrams</source>
+        <translation>梯形图和功能块图中的按键</translation>
+    </message>
+    <message>
+        <source>Insert a Rung Above</source>
+        <translation>在上方插入程序段</translation>
+    </message>
+    <message>
+        <source>Insert a Rung Below</source>
+        <translation>在下方插入程序段</translation>
+    </message>
+    <message>
+        <source>Insert a Contact</source>
+        <translation>插入触点</translation>
+    </message>
+    <message>
+        <source>Insert a Parallel Contact</source>
+        <translation>插入并联触点</translation>
+    </message>
+    <message>
+        <source>Insert a Coil</source>
+        <translation>插入线圈</translation>
+    </message>
+    <message>
+        <source>Insert a Function Block…</source>
+        <translation>插入功能块…</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>编辑</translation>
+    </message>
+    <message>
+        <source>Comment…</source>
+        <translation>注释…</translation>
+    </message>
+    <message>
+        <source>Negate</source>
+        <translation>取反</translation>
+    </message>
+    <message>
+        <source>Set or Reset</source>
+        <translation>置位或复位</translation>
+    </message>
+    <message>
+        <source>Move the Rung Up</source>
+        <translation>上移程序段</translation>
+    </message>
+    <message>
+        <source>Move the Rung Down</source>
+        <translation>下移程序段</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Force TRUE</source>
+        <translation>强制 TRUE</translation>
+    </message>
+    <message>
+        <source>Force FALSE</source>
+        <translation>强制 FALSE</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>解除强制</translation>
+    </message>
+    <message>
+        <source>Toggle Breakpoint</source>
+        <translation>切换断点</translation>
+    </message>
+</context>
+</TS>
