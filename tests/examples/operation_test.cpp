@@ -122,6 +122,13 @@ TEST_P(Example, TestsTheConditionsOfItsAlarms) {
         EXPECT_TRUE(isThere) << "no test of the project in which " << condition;
 }
 
+/// Nobody needs the README to see something happen: a line on the start panel says what to press.
+TEST_P(Example, SaysOnItsPanelWhatToPress) {
+    const std::string panel = textOf(folder + "/hmi/" + panels.startPanel.toStdString() + ".panel.json");
+    EXPECT_TRUE(panel.find("\"id\": \"press\"") != std::string::npos ||
+                panel.find("\"id\": \"hint\"") != std::string::npos);
+}
+
 TEST_P(Example, SpeaksEveryLanguageAndItsPanelsAreWithoutFindings) {
     for (const Error& problem : panels.problems) ADD_FAILURE() << problem.english();
     const driver::Checked checked = driver::check(project.buildInput());
