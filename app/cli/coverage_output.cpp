@@ -1,4 +1,5 @@
 #include "app/cli/coverage_output.h"
+#include "app/cli/errors.h"
 
 #include "projects/session/session.h"
 
@@ -43,13 +44,13 @@ std::string CoverageRun::text() const {
 
 Result<void> CoverageRun::write(const std::string& file) const {
     std::ofstream out(file, std::ios::binary | std::ios::trunc);
-    if (!out) return Error{"The report cannot be written; is there a folder for it?", file};
+    if (!out) return Error{errors::ReportNotOpened(), file};
     if (m_coverage) {
         const auto all = m_coverage->functions();
         out << (file.ends_with(".xml") ? inside::coberturaXml(*m_program, all) : inside::coverageHtml(*m_program, all));
     }
     out.close();
-    if (!out) return Error{"The report cannot be written", file};
+    if (!out) return Error{errors::ReportNotWritten(), file};
     return {};
 }
 

@@ -276,13 +276,13 @@ Result<history::Position> positionOf(const history::History& history, const std:
         const auto scan = parseCount(text);
         if (!scan) return scan.error();
         const auto found = history.positionOfScan(*scan);
-        if (!found) return Error{"There is no scan with this number in the recording", text};
+        if (!found) return Error{errors::NoScanOfNumber(), text};
         return *found;
     }
     const auto time = parseDuration(text);
-    if (!time) return Error{time.error().message.english() + "; a scan's number is possible as well", text};
+    if (!time) return Error{errors::OrScanNumber(time.error().message), text};
     const auto found = history.positionAt(*time);
-    if (!found) return Error{"The recording has no scan at or before this time", text};
+    if (!found) return Error{errors::NoScanBefore(), text};
     return *found;
 }
 

@@ -82,7 +82,7 @@ int listWriters(const Arguments& arguments, const history::History& history, con
     inside::Reasoner reasoner(insight);
     const history::Statistics all = history.statistics();
     const auto writers = reasoner.writers({text, {}}, all.first, all.end, kMost);
-    if (!writers) return wrongUse({"--writers: " + writers.error().message.english(), text});
+    if (!writers) return wrongUse({errors::WritersFailed(writers.error().message), text});
     std::string list;
     for (const inside::Writer& writer : *writers)
         list += arguments.wantsJson() ? (list.empty() ? "" : ",") + toJson(writer) : inside::toText(writer);

@@ -24,7 +24,7 @@ bool isRecording(const std::string& path) {
 
 int answer(const Arguments& arguments, const history::History& history, const std::string& question) {
     const history::Statistics statistics = history.statistics();
-    if (statistics.scans == 0) return wrongUse({"There is no scan to ask about", question});
+    if (statistics.scans == 0) return wrongUse({errors::NoScanToAsk(), question});
     history::Position at = statistics.end - 1;
     if (const auto text = arguments.value("--at")) {
         const auto position = positionOf(history, *text);

@@ -84,12 +84,6 @@ std::string render(const Message& message, const Translator& translator) {
 
 } // namespace messages
 
-Message::Message(std::string unlisted) {
-    static constexpr messages::TypedForm<messages::Name> form{"Unlisted", "Unlisted", "{0}"};
-    m_form = &form;
-    m_arguments.push_back(std::move(unlisted));
-}
-
 std::string_view Message::name(size_t index) const {
     if (index >= m_arguments.size()) return {};
     const auto* text = std::get_if<std::string>(&m_arguments[index]);

@@ -89,9 +89,6 @@ public:
     Message() = default; // says nothing
     Message(const messages::Form& form, std::vector<messages::Argument> arguments)
         : m_form(&form), m_arguments(std::move(arguments)) {}
-    /// A sentence that is in no list yet, shown in English to every reader. Goes away when the last caller has its row.
-    Message(std::string unlisted);
-    Message(const char* unlisted) : Message(std::string(unlisted)) {}
     [[nodiscard]] bool isEmpty() const { return !m_form; }
     [[nodiscard]] const messages::Form* form() const { return m_form; }
     [[nodiscard]] const std::vector<messages::Argument>& arguments() const { return m_arguments; }

@@ -1,5 +1,6 @@
 // The journal as the scan thread writes it and as readers find it again (D13).
 #include "runtime/history/history_state.h"
+#include "runtime/base/messages.h"
 
 #include <algorithm>
 
@@ -99,7 +100,7 @@ Result<ScanInput> History::inputOf(Position position) const {
         if (inForce) input.start = *inForce;
         input.startIsPartial = !entry.start || entry.startIsPartial;
     }
-    if (!input.program) return Error{"the recording does not know the program of this scan", {}};
+    if (!input.program) return Error{errors::ProgramOfScanUnknown(), {}};
     if (!input.hasJournal) input.start.plcRuns = true;
     if (entry.isFresh) {
         input.image = input.program->initialImage;

@@ -1,4 +1,5 @@
 #include "runtime/compiler/driver/driver.h"
+#include "runtime/base/messages.h"
 #include "runtime/compiler/driver/keeps_analysis.h"
 #include "runtime/compiler/facts/program_facts.h"
 #include "runtime/compiler/jit/jit.h"
@@ -56,7 +57,7 @@ std::vector<bool> withCallers(const tree::Program& tree, const std::vector<uint3
 Result<std::shared_ptr<const image::Code>> compileWatched(const std::shared_ptr<const image::CompiledProgram>& program,
                                                           const std::vector<uint32_t>& functions, Progress* progress) {
     const tree::Program* tree = treeOf(program);
-    if (!tree || !program->quick) return Error{"the program was not built from sources", {}};
+    if (!tree || !program->quick) return Error{errors::NotBuiltFromSources(), {}};
     return jit::compileWatched(*tree, withCallers(*tree, functions), program->quick, progress);
 }
 
