@@ -16,6 +16,8 @@ using ladder::TextRole;
 
 namespace {
 
+constexpr double kLeastDetail = 0.08;
+
 const QFont& boldFont() {
     static const QFont font = [] {
         QFont f = RungItem::font();
@@ -29,6 +31,13 @@ QColor thinned(const QColor& colour, const QColor& ground, double share) {
     return QColor::fromRgbF(colour.redF() * share + ground.redF() * (1 - share),
                             colour.greenF() * share + ground.greenF() * (1 - share),
                             colour.blueF() * share + ground.blueF() * (1 - share));
+}
+
+/// In the overview a rung is a stroke: its parts are smaller than a pixel.
+void paintStroke(QPainter& painter, const ladder::RungPicture& rung, const LadderScene& scene) {
+    const double w = scene.cellWidth(), h = scene.cellHeight();
+    painter.fillRect(QRectF(5 * w, 0.3 * h, std::max(1, rung.width - 5) * w, std::max(0.6, rung.height - 0.6) * h),
+                     thinned(scene.colors().text, scene.colors().base, 0.35));
 }
 
 } // namespace
@@ -55,6 +64,7 @@ void RungItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget
     painter->setRenderHint(QPainter::Antialiasing, detail > 0.35);
     const bool isLeftOut = m_index < m_scene.m_online.leftOut.size() && m_scene.m_online.leftOut[m_index];
     if (m_scene.m_isFaint || isLeftOut) painter->setOpacity(0.5);
+    if (detail < kLeastDetail) return paintStroke(*painter, m_scene.m_layout->rungs[m_index], m_scene);
     paintSelection(*painter);
     const ladder::RungPicture& rung = m_scene.m_layout->rungs[m_index];
     for (const Shape& shape : rung.shapes)
