@@ -74,9 +74,6 @@ QsciScintilla* MergeDialog::addSide(const QString& title, const std::string& tex
     if (file.endsWith(".st")) side->setFile(file);
     side->load(text);
     side->setAccessibleName(title);
-    // A mark that a margin shows does not colour its line.
-    for (int margin = 0; margin < side->margins(); ++margin)
-        side->setMarginMarkerMask(margin, side->marginMarkerMask(margin) & ~(1 << kDifferent | 1 << kCurrent));
     const std::pair<int, QColor> marks[] = {{kDifferent, kit::colors().warning}, {kCurrent, kit::colors().accent}};
     for (const auto& [marker, colour] : marks) {
         QColor ground = colour;
