@@ -112,6 +112,7 @@ int playPanels(const PanelProject& project, session::Session& session, const QSt
     }
     player.setWindowTitle(project.texts.text(player.scene().panel().text("title"), player.language()));
     session.startThread(session::RunMode{session::Pace::Real, 1.0});
+    player.keepLanguageInProject();
     if (fullScreen)
         player.showFullScreen();
     else

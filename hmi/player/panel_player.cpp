@@ -3,6 +3,7 @@
 
 #include "editor/kit/post.h"
 #include "hmi/player/player_status.h"
+#include "projects/storage/project_file.h"
 
 #include <QDir>
 #include <QKeyEvent>
@@ -11,6 +12,12 @@
 #include <utility>
 
 namespace plc::hmi {
+
+namespace {
+QString languageFileOf(const PanelProject& project) {
+    return project.folder + QStringLiteral("/.stepwise/operator_language");
+}
+} // namespace
 
 PanelPlayer::PanelPlayer(const PanelProject& project, session::Session* session, QWidget* parent)
     : QWidget(parent), m_project(project), m_session(nullptr), m_view(new PanelView(this)),
@@ -188,9 +195,25 @@ void PanelPlayer::setLanguage(const QString& tag) {
     emit languageChanged(tag);
 }
 
+/// What an operator chose stays chosen when the panel is started again.
+void PanelPlayer::rememberLanguage(const QString& tag) const {
+    if (!m_remembersLanguage || m_project.folder.isEmpty()) return;
+    QDir().mkpath(m_project.folder + QStringLiteral("/.stepwise"));
+    // A folder that cannot be written forgets; the panel works all the same.
+    (void)projects::writeFileAtomically(toUtf8(languageFileOf(m_project)), toUtf8(tag) + "\n");
+}
+
+void PanelPlayer::keepLanguageInProject() {
+    m_remembersLanguage = true;
+    const auto text = projects::readFile(toUtf8(languageFileOf(m_project)));
+    const QString tag = text ? QString::fromStdString(*text).trimmed() : QString();
+    if (m_project.texts.settings().languages.contains(tag)) requestLanguage(tag);
+}
+
 void PanelPlayer::requestLanguage(const QString& tag) {
     if (!m_project.texts.settings().languages.contains(tag)) return;
     setLanguage(tag);
+    rememberLanguage(tag);
     // The program reads the language; until it has it, its older value must not switch back.
     if (!m_values || !m_languageBinding.isValid() || m_hasOwnLanguage) return;
     const ValueKind kind = m_values->facts(m_languageBinding).kind;

@@ -51,6 +51,8 @@ public:
     /// The same in `.stepwise` of the project's folder, where the studio and `stepwise panel --play` both look.
     Result<void> keepAlarmsInProject();
     static QString alarmStoreOf(const PanelProject& project);
+    /// The language that the operator chose last, also in a later run.
+    void keepLanguageInProject();
 
     PanelView& view() { return *m_view; }
     PanelScene& scene() { return m_view->scene(); }
@@ -85,6 +87,8 @@ protected:
 private:
     void connectScene();
     void requestLanguage(const QString& tag);
+    void rememberLanguage(const QString& tag) const;
+    bool m_remembersLanguage = false;
     void followLanguageVariable();
     void updateStatus();
     void placeView(); // below the strip that tells the state: it covers nothing

@@ -440,6 +440,9 @@ void AlarmBannerView::draw(QPainter& painter) {
     if (all.empty()) {
         painter.setBrush(theme().color("surface"));
         painter.drawRoundedRect(box().adjusted(0.5, 0.5, -0.5, -0.5), 3, 3);
+        painter.setPen(theme().color("muted"));
+        drawText(painter, textBox(systemText(scene().texts(), SystemText::NoAlarms, tag()),
+                                  box().adjusted(12, 2, -12, -2), num("fontSize") * 0.9, TextAlign::Start, ""));
         return;
     }
     const AlarmEntry& first = all.front();
