@@ -2,6 +2,8 @@
 // brings conditions scan by scan; lists read entries. Owned by the player; main thread.
 #pragma once
 #include "hmi/alarms/alarm_store.h"
+#include "hmi/alarms/statistics.h"
+#include "hmi/alarms/suppression.h"
 #include "hmi/texts/catalog.h"
 
 #include <QObject>
@@ -18,6 +20,7 @@ struct AlarmEntry {
     std::optional<AlarmInstant> returned, acknowledged;
     qint64 wallTime = 0;
     std::vector<std::pair<QString, Value>> values;
+    bool isFirstOut = false; // came first of its group
 };
 
 enum class AlarmOrder { Priority, Time };
@@ -59,6 +62,17 @@ public:
 
     /// Present alarms (also returned ones that wait for acknowledgement); `classes` empty: all.
     std::vector<AlarmEntry> present(const QStringList& classes, AlarmOrder order) const;
+    /// Those that people have set aside, whether their condition holds or not.
+    std::vector<AlarmEntry> aside(const QStringList& classes) const;
+    const AlarmSuppression& suppression() const { return m_suppression; }
+    /// Changes what is set aside; lists follow.
+    Result<void> change(const std::function<Result<void>(AlarmSuppression&)>& how);
+    /// Shelved alarms whose time is over come back; their ids.
+    std::vector<QString> expire(const QDateTime& now);
+    Result<void> keepAsideIn(const QString& path);
+    /// Of this run, up to its newest event.
+    AlarmStatistics statistics(Nanoseconds lookedBack) const;
+    AlarmEntry entryOf(size_t alarm) const;
     /// As they were at a past scan.
     std::vector<AlarmEntry> presentAt(quint64 position, const QStringList& classes, AlarmOrder order) const;
     /// Past occurrences, newest first, with their return and acknowledgement.
@@ -75,12 +89,13 @@ private:
     void record(std::span<const AlarmEvent> events, const ValuesOf& values, const QString& user);
     std::vector<AlarmEntry> entries(const AlarmLifeCycle& states, quint64 until, const QStringList& classes,
                                     AlarmOrder order) const;
-    AlarmEntry entryOf(size_t alarm) const;
+    void markFirstOut(std::vector<AlarmEntry>& entries) const;
 
     std::vector<AlarmDefinition> m_definitions;
     std::vector<AlarmClass> m_classes;
     AlarmLifeCycle m_lifeCycle;
     AlarmStore m_store;
+    AlarmSuppression m_suppression;
     QString m_run;
     qint64 m_clockAtZero = 946684800000000000; // 2000-01-01, where virtual time begins
     std::vector<AlarmEvent> m_events;          // of this run, oldest first

@@ -2,6 +2,7 @@
 
 #include "hmi/model/errors.h"
 #include "hmi/model/walk.h"
+#include "hmi/view/application_check.h"
 #include "hmi/view/arrays.h"
 #include "hmi/view/faceplate_check.h"
 
@@ -151,6 +152,7 @@ struct Checker {
         forEachText(named.panel, [&](const Found& text) { checkText(file, {}, text, {}, false); });
         for (const Element& element : named.panel.elements()) checkElement(file, named.panel, element);
         append(checkPlacements(input, named));
+        append(checkAccess(input, named));
         if (!parametersOf(named.panel).empty()) append(checkParameterBindings(input, named));
     }
 
@@ -301,6 +303,7 @@ std::vector<Finding> checkPanels(const CheckInput& input) {
     Checker checker{input, {}, {}};
     for (const NamedPanel& panel : input.panels) checker.checkPanel(panel);
     if (input.hasAlarms) checker.checkAlarms();
+    checker.append(checkApplication(input));
     checker.checkTable();
     checker.checkFonts();
     for (const NamedPanel& panel : input.panels) checker.checkFit(panel);

@@ -29,6 +29,9 @@ enum class FindingKind {
     BadFormat,
     WrongArgument,
     FaceplateInItself,
+    UnknownRole,
+    WrongFrame,
+    WrongRecipe,
 };
 
 struct Finding {
@@ -62,6 +65,10 @@ struct CheckInput {
     QString folder;        // of the project, for image files
     QStringList languages; // to measure in; empty: all of the project
     QStringList keysUsedElsewhere;
+    QString frame;           // of the project
+    QStringList roles;       // of its people
+    QStringList startPanels; // of its people
+    bool hasPeople = false;
     BindingCheck checkBinding; // may be empty, and those below with it
     TypeNames typeNames;
     AnInstance anInstance;
