@@ -89,7 +89,10 @@ void PanelView::paintEvent(QPaintEvent* event) {
                   QTransform::fromTranslate(area.left(), area.top()).scale(zoom(), zoom()));
 }
 
-void PanelView::resizeEvent(QResizeEvent*) { update(); }
+void PanelView::resizeEvent(QResizeEvent*) {
+    if (m_fit == PanelFit::Whole) m_scene.setScreen(size());
+    update();
+}
 
 void PanelView::showEvent(QShowEvent*) { m_timer.start(); }
 
