@@ -42,10 +42,10 @@ std::string overview() {
 } // namespace
 
 const std::vector<Command>& commands() {
-    static const std::vector<Command> all = {checkCommand(),   runCommand(),    formatCommand(), testCommand(),
-                                             traceCommand(),   replayCommand(), panelCommand(),  docCommand(),
-                                             convertCommand(), importCommand(), exportCommand(), ladderCommand(),
-                                             whyCommand(),     textsCommand()};
+    static const std::vector<Command> all = {
+        checkCommand(), runCommand(),   formatCommand(),  testCommand(),   traceCommand(),  replayCommand(),
+        panelCommand(), docCommand(),   convertCommand(), importCommand(), exportCommand(), ladderCommand(),
+        whyCommand(),   textsCommand(), recipeCommand(),  peopleCommand(), alarmsCommand()};
     return all;
 }
 

@@ -35,6 +35,9 @@ int runCommandLine(const std::vector<std::string>& words);
 [[nodiscard]] Command ladderCommand();
 [[nodiscard]] Command whyCommand();
 [[nodiscard]] Command textsCommand();
+[[nodiscard]] Command recipeCommand();
+[[nodiscard]] Command peopleCommand();
+[[nodiscard]] Command alarmsCommand();
 
 // --- shared by the commands
 /// Whether several programs without a CONFIGURATION are an error: nothing runs them, but each can be checked.
