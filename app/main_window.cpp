@@ -23,6 +23,7 @@
 #include "editor/kit/mnemonics.h"
 #include "editor/kit/plot_scale.h"
 #include "editor/kit/work_strip.h"
+#include "editor/tuning/tuning_view.h"
 
 #include <QAction>
 #include <QApplication>
@@ -141,6 +142,9 @@ void MainWindow::makeDocks() {
     tabifyDockWidget(search, tasks);
     tabifyDockWidget(tasks, log);
     tabifyDockWidget(log, tests);
+    auto* tuning = new editor::TuningView(*m_control);
+    connect(tuning, &editor::TuningView::message, this, &MainWindow::say);
+    tabifyDockWidget(tests, addDock("tuning", tr("Tuning"), i(Icon::Fit), tuning, Qt::BottomDockWidgetArea));
     watch->raise();
     panel->raise();
     trace->raise();

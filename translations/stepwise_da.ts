@@ -2060,6 +2060,14 @@
         <source>The recording does not contain the program of this scan.</source>
         <translation>Optagelsen indeholder ikke programmet for dette scan.</translation>
     </message>
+    <message>
+        <source>This scan is no longer in the recording.</source>
+        <translation>Dette scan er ikke længere i optagelsen.</translation>
+    </message>
+    <message>
+        <source>The scan before it is not in the recording, so the values with which this scan began are not known.</source>
+        <translation>Scannet før er ikke i optagelsen, så de værdier, som dette scan begyndte med, er ikke kendt.</translation>
+    </message>
 </context>
 <context>
     <name>Exchange</name>
@@ -4738,6 +4746,38 @@
         <source>Ziegler-Nichols</source>
         <translation>Ziegler-Nichols</translation>
     </message>
+    <message>
+        <source>the recording has a gap in it</source>
+        <translation>optagelsen har et hul i det</translation>
+    </message>
+    <message>
+        <source>It oscillates with a period of {0} s and an amplitude of {1}, for {2} cycles in a row.</source>
+        <translation>Det svinger med en periode på {0} s og en amplitude på {1}, {2} perioder i træk.</translation>
+    </message>
+    <message>
+        <source>It does not oscillate.</source>
+        <translation>Det svinger ikke.</translation>
+    </message>
+    <message>
+        <source>The settings are the likely cause: with the model the loop swings at this period.</source>
+        <translation>Indstillingerne er den sandsynlige årsag: Med modellen svinger sløjfen med denne periode.</translation>
+    </message>
+    <message>
+        <source>A valve that sticks is the likely cause: the output moves evenly, the process answers in jumps.</source>
+        <translation>En ventil, der hænger, er den sandsynlige årsag: Udgangen bevæger sig jævnt, processen svarer i spring.</translation>
+    </message>
+    <message>
+        <source>The likely cause is outside: neither the settings nor a valve that sticks explain it.</source>
+        <translation>Den sandsynlige årsag er udefra: Hverken indstillingerne eller en ventil, der hænger, forklarer det.</translation>
+    </message>
+    <message>
+        <source>The output is at a limit for {0} % of the time.</source>
+        <translation>Udgangen er ved en grænse i {0} % af tiden.</translation>
+    </message>
+    <message>
+        <source>{0} % of what the measured value does is noise.</source>
+        <translation>{0} % af det, måleværdien gør, er støj.</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::ConversionDialog</name>
@@ -5886,6 +5926,10 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume from Here” continues from there.</source>
         <translation>Træk tidsskyderen, eller tryk på Ctrl+Alt+Venstre: kode, diagrammer og panel viser fortiden. ”Fortsæt herfra” kører videre derfra.</translation>
+    </message>
+    <message>
+        <source>Tuning</source>
+        <translation>Regulatorindstilling</translation>
     </message>
 </context>
 <context>
@@ -7725,6 +7769,276 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Reset the statistics</source>
         <translation>Nulstil statistikken</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::TuningView</name>
+    <message>
+        <source>Control loop</source>
+        <translation>Reguleringssløjfe</translation>
+    </message>
+    <message>
+        <source>Find Steps</source>
+        <translation>Find spring</translation>
+    </message>
+    <message>
+        <source>Looks for steps of the set point and of the output in the recording and makes a model of the process.</source>
+        <translation>Leder efter spring i setpunktet og udgangen i optagelsen og laver en model af processen.</translation>
+    </message>
+    <message>
+        <source>Write Parameters</source>
+        <translation>Skriv parametre</translation>
+    </message>
+    <message>
+        <source>Writes all parameters in one scan.</source>
+        <translation>Skriver alle parametre i ét scan.</translation>
+    </message>
+    <message>
+        <source>Take Back</source>
+        <translation>Tag tilbage</translation>
+    </message>
+    <message>
+        <source>Writes the parameters that were in force before.</source>
+        <translation>Skriver de parametre, der gjaldt før.</translation>
+    </message>
+    <message>
+        <source>Loop:</source>
+        <translation>Sløjfe:</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Brug</translation>
+    </message>
+    <message>
+        <source>At</source>
+        <translation>Ved</translation>
+    </message>
+    <message>
+        <source>Moved</source>
+        <translation>Flyttet</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Fra</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Til</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Vurdering</translation>
+    </message>
+    <message>
+        <source>Steps found</source>
+        <translation>Fundne spring</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Model</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>Regel</translation>
+    </message>
+    <message>
+        <source>Kind of controller</source>
+        <translation>Regulatortype</translation>
+    </message>
+    <message>
+        <source>Calm to brisk</source>
+        <translation>Rolig til rask</translation>
+    </message>
+    <message>
+        <source>Disturbance to set point</source>
+        <translation>Forstyrrelse til setpunkt</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Nu</translation>
+    </message>
+    <message>
+        <source>Proposed</source>
+        <translation>Foreslået</translation>
+    </message>
+    <message>
+        <source>Before and after</source>
+        <translation>Før og efter</translation>
+    </message>
+    <message>
+        <source>Model:</source>
+        <translation>Model:</translation>
+    </message>
+    <message>
+        <source>Rule:</source>
+        <translation>Regel:</translation>
+    </message>
+    <message>
+        <source>Controller:</source>
+        <translation>Regulator:</translation>
+    </message>
+    <message>
+        <source>Calm</source>
+        <translation>Rolig</translation>
+    </message>
+    <message>
+        <source>Brisk</source>
+        <translation>Rask</translation>
+    </message>
+    <message>
+        <source>Disturbance</source>
+        <translation>Forstyrrelse</translation>
+    </message>
+    <message>
+        <source>Set point</source>
+        <translation>Setpunkt</translation>
+    </message>
+    <message>
+        <source>Start the controller; its recording is what is looked at.</source>
+        <translation>Start styringen; det er dens optagelse, der undersøges.</translation>
+    </message>
+    <message>
+        <source>The program has no controller block.</source>
+        <translation>Programmet har ingen regulatorblok.</translation>
+    </message>
+    <message>
+        <source>Searching…</source>
+        <translation>Søger…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s) found, %1 used.</source>
+        <translation>
+            <numerusform>%n spring fundet, %1 brugt.</numerusform>
+            <numerusform>%n spring fundet, %1 brugt.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, explains %2 %</source>
+        <translation>%1, forklarer %2 %</translation>
+    </message>
+    <message>
+        <source>set point</source>
+        <translation>setpunkt</translation>
+    </message>
+    <message>
+        <source>output</source>
+        <translation>udgang</translation>
+    </message>
+    <message>
+        <source>Choose at least one step.</source>
+        <translation>Vælg mindst ét spring.</translation>
+    </message>
+    <message>
+        <source>The rule has no answer for this process.</source>
+        <translation>Reglen har intet svar for denne proces.</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>enhver</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Forstærkning</translation>
+    </message>
+    <message>
+        <source>Integral time</source>
+        <translation>Integraltid</translation>
+    </message>
+    <message>
+        <source>Derivative time</source>
+        <translation>Differentialtid</translation>
+    </message>
+    <message>
+        <source>Sensitivity Ms</source>
+        <translation>Følsomhed Ms</translation>
+    </message>
+    <message>
+        <source>unstable</source>
+        <translation>ustabil</translation>
+    </message>
+    <message>
+        <source>Gain margin</source>
+        <translation>Forstærkningsmargin</translation>
+    </message>
+    <message>
+        <source>Phase margin</source>
+        <translation>Fasemargin</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>Oversving</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Settling time</source>
+        <translation>Indsvingningstid</translation>
+    </message>
+    <message>
+        <source>Error after a load step</source>
+        <translation>Fejl efter et lastspring</translation>
+    </message>
+    <message>
+        <source>Control effort</source>
+        <translation>Styreindsats</translation>
+    </message>
+    <message>
+        <source>Noise in the output</source>
+        <translation>Støj i udgangen</translation>
+    </message>
+    <message>
+        <source>Recorded and modelled</source>
+        <translation>Optaget og modelleret</translation>
+    </message>
+    <message>
+        <source>time [s]</source>
+        <translation>tid [s]</translation>
+    </message>
+    <message>
+        <source>recorded</source>
+        <translation>optaget</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>model</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>nu</translation>
+    </message>
+    <message>
+        <source>proposed</source>
+        <translation>foreslået</translation>
+    </message>
+    <message>
+        <source>Step of the set point</source>
+        <translation>Spring i setpunktet</translation>
+    </message>
+    <message>
+        <source>Step of the load</source>
+        <translation>Spring i lasten</translation>
+    </message>
+    <message>
+        <source>The last step with these settings</source>
+        <translation>Det sidste spring med disse indstillinger</translation>
+    </message>
+    <message>
+        <source>Tuning</source>
+        <translation>Regulatorindstilling</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Skrevet: %1</translation>
+    </message>
+    <message>
+        <source>Taken back: %1</source>
+        <translation>Taget tilbage: %1</translation>
     </message>
 </context>
 <context>

@@ -2060,6 +2060,14 @@
         <source>The recording does not contain the program of this scan.</source>
         <translation>Die Aufzeichnung enthält das Programm dieses Zyklus nicht.</translation>
     </message>
+    <message>
+        <source>This scan is no longer in the recording.</source>
+        <translation>Dieser Zyklus ist nicht mehr in der Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>The scan before it is not in the recording, so the values with which this scan began are not known.</source>
+        <translation>Der Zyklus davor ist nicht in der Aufzeichnung; die Werte, mit denen dieser Zyklus begann, sind daher nicht bekannt.</translation>
+    </message>
 </context>
 <context>
     <name>Exchange</name>
@@ -4738,6 +4746,38 @@
         <source>Ziegler-Nichols</source>
         <translation>Ziegler-Nichols</translation>
     </message>
+    <message>
+        <source>the recording has a gap in it</source>
+        <translation>die Aufzeichnung hat darin eine Lücke</translation>
+    </message>
+    <message>
+        <source>It oscillates with a period of {0} s and an amplitude of {1}, for {2} cycles in a row.</source>
+        <translation>Schwingt mit einer Periode von {0} s und einer Amplitude von {1}, {2} Perioden in Folge.</translation>
+    </message>
+    <message>
+        <source>It does not oscillate.</source>
+        <translation>Schwingt nicht.</translation>
+    </message>
+    <message>
+        <source>The settings are the likely cause: with the model the loop swings at this period.</source>
+        <translation>Wahrscheinliche Ursache sind die Einstellungen: Mit dem Modell schwingt der Regelkreis mit dieser Periode.</translation>
+    </message>
+    <message>
+        <source>A valve that sticks is the likely cause: the output moves evenly, the process answers in jumps.</source>
+        <translation>Wahrscheinliche Ursache ist ein klemmendes Ventil: Der Ausgang bewegt sich gleichmäßig, die Strecke antwortet in Sprüngen.</translation>
+    </message>
+    <message>
+        <source>The likely cause is outside: neither the settings nor a valve that sticks explain it.</source>
+        <translation>Die wahrscheinliche Ursache liegt außerhalb: Weder die Einstellungen noch ein klemmendes Ventil erklären es.</translation>
+    </message>
+    <message>
+        <source>The output is at a limit for {0} % of the time.</source>
+        <translation>Der Ausgang ist während {0} % der Zeit an einer Grenze.</translation>
+    </message>
+    <message>
+        <source>{0} % of what the measured value does is noise.</source>
+        <translation>{0} % der Bewegung des Messwerts sind Rauschen.</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::ConversionDialog</name>
@@ -5886,6 +5926,10 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume from Here” continues from there.</source>
         <translation>Ziehen Sie den Zeitschieber, oder drücken Sie Strg+Alt+Links: Code, Diagramme und Panel werden im Zustand von damals angezeigt. „Ab hier fortsetzen“ läuft von dort weiter.</translation>
+    </message>
+    <message>
+        <source>Tuning</source>
+        <translation>Reglereinstellung</translation>
     </message>
 </context>
 <context>
@@ -7725,6 +7769,276 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Reset the statistics</source>
         <translation>Statistik zurücksetzen</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::TuningView</name>
+    <message>
+        <source>Control loop</source>
+        <translation>Regelkreis</translation>
+    </message>
+    <message>
+        <source>Find Steps</source>
+        <translation>Sprünge suchen</translation>
+    </message>
+    <message>
+        <source>Looks for steps of the set point and of the output in the recording and makes a model of the process.</source>
+        <translation>Sucht in der Aufzeichnung nach Sprüngen des Sollwerts und des Ausgangs und bildet ein Modell der Strecke.</translation>
+    </message>
+    <message>
+        <source>Write Parameters</source>
+        <translation>Parameter schreiben</translation>
+    </message>
+    <message>
+        <source>Writes all parameters in one scan.</source>
+        <translation>Schreibt alle Parameter in einem Zyklus.</translation>
+    </message>
+    <message>
+        <source>Take Back</source>
+        <translation>Zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Writes the parameters that were in force before.</source>
+        <translation>Schreibt die Parameter, die vorher galten.</translation>
+    </message>
+    <message>
+        <source>Loop:</source>
+        <translation>Regelkreis:</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Verwenden</translation>
+    </message>
+    <message>
+        <source>At</source>
+        <translation>Bei</translation>
+    </message>
+    <message>
+        <source>Moved</source>
+        <translation>Bewegt</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Beurteilung</translation>
+    </message>
+    <message>
+        <source>Steps found</source>
+        <translation>Gefundene Sprünge</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>Regel</translation>
+    </message>
+    <message>
+        <source>Kind of controller</source>
+        <translation>Reglerart</translation>
+    </message>
+    <message>
+        <source>Calm to brisk</source>
+        <translation>Ruhig bis zügig</translation>
+    </message>
+    <message>
+        <source>Disturbance to set point</source>
+        <translation>Störung bis Sollwert</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>Proposed</source>
+        <translation>Vorgeschlagen</translation>
+    </message>
+    <message>
+        <source>Before and after</source>
+        <translation>Vorher und nachher</translation>
+    </message>
+    <message>
+        <source>Model:</source>
+        <translation>Modell:</translation>
+    </message>
+    <message>
+        <source>Rule:</source>
+        <translation>Regel:</translation>
+    </message>
+    <message>
+        <source>Controller:</source>
+        <translation>Regler:</translation>
+    </message>
+    <message>
+        <source>Calm</source>
+        <translation>Ruhig</translation>
+    </message>
+    <message>
+        <source>Brisk</source>
+        <translation>Zügig</translation>
+    </message>
+    <message>
+        <source>Disturbance</source>
+        <translation>Störgröße</translation>
+    </message>
+    <message>
+        <source>Set point</source>
+        <translation>Sollwert</translation>
+    </message>
+    <message>
+        <source>Start the controller; its recording is what is looked at.</source>
+        <translation>Starten Sie die Steuerung; untersucht wird ihre Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>The program has no controller block.</source>
+        <translation>Das Programm hat keinen Reglerbaustein.</translation>
+    </message>
+    <message>
+        <source>Searching…</source>
+        <translation>Suche läuft…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s) found, %1 used.</source>
+        <translation>
+            <numerusform>%n Sprung gefunden, %1 verwendet.</numerusform>
+            <numerusform>%n Sprünge gefunden, %1 verwendet.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, explains %2 %</source>
+        <translation>%1, erklärt %2 %</translation>
+    </message>
+    <message>
+        <source>set point</source>
+        <translation>Sollwert</translation>
+    </message>
+    <message>
+        <source>output</source>
+        <translation>Ausgang</translation>
+    </message>
+    <message>
+        <source>Choose at least one step.</source>
+        <translation>Wählen Sie mindestens einen Sprung.</translation>
+    </message>
+    <message>
+        <source>The rule has no answer for this process.</source>
+        <translation>Die Regel hat für diese Strecke keine Lösung.</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>beliebig</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Verstärkung</translation>
+    </message>
+    <message>
+        <source>Integral time</source>
+        <translation>Nachstellzeit</translation>
+    </message>
+    <message>
+        <source>Derivative time</source>
+        <translation>Vorhaltzeit</translation>
+    </message>
+    <message>
+        <source>Sensitivity Ms</source>
+        <translation>Empfindlichkeit Ms</translation>
+    </message>
+    <message>
+        <source>unstable</source>
+        <translation>instabil</translation>
+    </message>
+    <message>
+        <source>Gain margin</source>
+        <translation>Amplitudenreserve</translation>
+    </message>
+    <message>
+        <source>Phase margin</source>
+        <translation>Phasenreserve</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>Überschwingen</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Settling time</source>
+        <translation>Ausregelzeit</translation>
+    </message>
+    <message>
+        <source>Error after a load step</source>
+        <translation>Regelabweichung nach einem Lastsprung</translation>
+    </message>
+    <message>
+        <source>Control effort</source>
+        <translation>Stellaufwand</translation>
+    </message>
+    <message>
+        <source>Noise in the output</source>
+        <translation>Rauschen im Ausgang</translation>
+    </message>
+    <message>
+        <source>Recorded and modelled</source>
+        <translation>Aufgezeichnet und modelliert</translation>
+    </message>
+    <message>
+        <source>time [s]</source>
+        <translation>Zeit [s]</translation>
+    </message>
+    <message>
+        <source>recorded</source>
+        <translation>aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
+    </message>
+    <message>
+        <source>proposed</source>
+        <translation>vorgeschlagen</translation>
+    </message>
+    <message>
+        <source>Step of the set point</source>
+        <translation>Sprung des Sollwerts</translation>
+    </message>
+    <message>
+        <source>Step of the load</source>
+        <translation>Sprung der Last</translation>
+    </message>
+    <message>
+        <source>The last step with these settings</source>
+        <translation>Der letzte Sprung mit diesen Einstellungen</translation>
+    </message>
+    <message>
+        <source>Tuning</source>
+        <translation>Reglereinstellung</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>Taken back: %1</source>
+        <translation>Zurückgenommen: %1</translation>
     </message>
 </context>
 <context>

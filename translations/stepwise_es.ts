@@ -2060,6 +2060,14 @@
         <source>The recording does not contain the program of this scan.</source>
         <translation>La grabación no contiene el programa de este ciclo.</translation>
     </message>
+    <message>
+        <source>This scan is no longer in the recording.</source>
+        <translation>Este ciclo ya no está en la grabación.</translation>
+    </message>
+    <message>
+        <source>The scan before it is not in the recording, so the values with which this scan began are not known.</source>
+        <translation>El ciclo anterior no está en la grabación, por lo que no se conocen los valores con los que empezó este ciclo.</translation>
+    </message>
 </context>
 <context>
     <name>Exchange</name>
@@ -4738,6 +4746,38 @@
         <source>Ziegler-Nichols</source>
         <translation>Ziegler-Nichols</translation>
     </message>
+    <message>
+        <source>the recording has a gap in it</source>
+        <translation>la grabación tiene un hueco ahí</translation>
+    </message>
+    <message>
+        <source>It oscillates with a period of {0} s and an amplitude of {1}, for {2} cycles in a row.</source>
+        <translation>Oscila con un período de {0} s y una amplitud de {1}, durante {2} períodos seguidos.</translation>
+    </message>
+    <message>
+        <source>It does not oscillate.</source>
+        <translation>No oscila.</translation>
+    </message>
+    <message>
+        <source>The settings are the likely cause: with the model the loop swings at this period.</source>
+        <translation>Los ajustes son la causa probable: con el modelo, el lazo oscila con este período.</translation>
+    </message>
+    <message>
+        <source>A valve that sticks is the likely cause: the output moves evenly, the process answers in jumps.</source>
+        <translation>Una válvula que se atasca es la causa probable: la salida se mueve de forma uniforme y el proceso responde a saltos.</translation>
+    </message>
+    <message>
+        <source>The likely cause is outside: neither the settings nor a valve that sticks explain it.</source>
+        <translation>La causa probable es externa: ni los ajustes ni una válvula que se atasca lo explican.</translation>
+    </message>
+    <message>
+        <source>The output is at a limit for {0} % of the time.</source>
+        <translation>La salida está en un límite el {0} % del tiempo.</translation>
+    </message>
+    <message>
+        <source>{0} % of what the measured value does is noise.</source>
+        <translation>El {0} % de lo que hace el valor medido es ruido.</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::ConversionDialog</name>
@@ -5886,6 +5926,10 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume from Here” continues from there.</source>
         <translation>Arrastre el control de tiempo o pulse Ctrl+Alt+Izquierda: el código, los gráficos y el panel muestran el pasado. «Reanudar desde aquí» sigue desde ese punto.</translation>
+    </message>
+    <message>
+        <source>Tuning</source>
+        <translation>Sintonización</translation>
     </message>
 </context>
 <context>
@@ -7725,6 +7769,276 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>Reset the statistics</source>
         <translation>Restablecer las estadísticas</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::TuningView</name>
+    <message>
+        <source>Control loop</source>
+        <translation>Lazo de control</translation>
+    </message>
+    <message>
+        <source>Find Steps</source>
+        <translation>Buscar escalones</translation>
+    </message>
+    <message>
+        <source>Looks for steps of the set point and of the output in the recording and makes a model of the process.</source>
+        <translation>Busca escalones de la consigna y de la salida en la grabación y crea un modelo del proceso.</translation>
+    </message>
+    <message>
+        <source>Write Parameters</source>
+        <translation>Escribir parámetros</translation>
+    </message>
+    <message>
+        <source>Writes all parameters in one scan.</source>
+        <translation>Escribe todos los parámetros en un ciclo.</translation>
+    </message>
+    <message>
+        <source>Take Back</source>
+        <translation>Revertir</translation>
+    </message>
+    <message>
+        <source>Writes the parameters that were in force before.</source>
+        <translation>Escribe los parámetros que estaban en vigor antes.</translation>
+    </message>
+    <message>
+        <source>Loop:</source>
+        <translation>Lazo:</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Usar</translation>
+    </message>
+    <message>
+        <source>At</source>
+        <translation>En</translation>
+    </message>
+    <message>
+        <source>Moved</source>
+        <translation>Movido</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Desde</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Hasta</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Valoración</translation>
+    </message>
+    <message>
+        <source>Steps found</source>
+        <translation>Escalones encontrados</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modelo</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>Regla</translation>
+    </message>
+    <message>
+        <source>Kind of controller</source>
+        <translation>Tipo de regulador</translation>
+    </message>
+    <message>
+        <source>Calm to brisk</source>
+        <translation>Tranquilo a ágil</translation>
+    </message>
+    <message>
+        <source>Disturbance to set point</source>
+        <translation>Perturbación a consigna</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Ahora</translation>
+    </message>
+    <message>
+        <source>Proposed</source>
+        <translation>Propuesto</translation>
+    </message>
+    <message>
+        <source>Before and after</source>
+        <translation>Antes y después</translation>
+    </message>
+    <message>
+        <source>Model:</source>
+        <translation>Modelo:</translation>
+    </message>
+    <message>
+        <source>Rule:</source>
+        <translation>Regla:</translation>
+    </message>
+    <message>
+        <source>Controller:</source>
+        <translation>Regulador:</translation>
+    </message>
+    <message>
+        <source>Calm</source>
+        <translation>Tranquilo</translation>
+    </message>
+    <message>
+        <source>Brisk</source>
+        <translation>Ágil</translation>
+    </message>
+    <message>
+        <source>Disturbance</source>
+        <translation>Perturbación</translation>
+    </message>
+    <message>
+        <source>Set point</source>
+        <translation>Consigna</translation>
+    </message>
+    <message>
+        <source>Start the controller; its recording is what is looked at.</source>
+        <translation>Arranque el controlador; lo que se examina es su grabación.</translation>
+    </message>
+    <message>
+        <source>The program has no controller block.</source>
+        <translation>El programa no tiene ningún bloque regulador.</translation>
+    </message>
+    <message>
+        <source>Searching…</source>
+        <translation>Buscando…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s) found, %1 used.</source>
+        <translation>
+            <numerusform>%n escalón encontrado, %1 usado.</numerusform>
+            <numerusform>%n escalones encontrados, %1 usados.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, explains %2 %</source>
+        <translation>%1, explica el %2 %</translation>
+    </message>
+    <message>
+        <source>set point</source>
+        <translation>consigna</translation>
+    </message>
+    <message>
+        <source>output</source>
+        <translation>salida</translation>
+    </message>
+    <message>
+        <source>Choose at least one step.</source>
+        <translation>Elija al menos un escalón.</translation>
+    </message>
+    <message>
+        <source>The rule has no answer for this process.</source>
+        <translation>La regla no tiene respuesta para este proceso.</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>cualquiera</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Ganancia</translation>
+    </message>
+    <message>
+        <source>Integral time</source>
+        <translation>Tiempo integral</translation>
+    </message>
+    <message>
+        <source>Derivative time</source>
+        <translation>Tiempo derivativo</translation>
+    </message>
+    <message>
+        <source>Sensitivity Ms</source>
+        <translation>Sensibilidad Ms</translation>
+    </message>
+    <message>
+        <source>unstable</source>
+        <translation>inestable</translation>
+    </message>
+    <message>
+        <source>Gain margin</source>
+        <translation>Margen de ganancia</translation>
+    </message>
+    <message>
+        <source>Phase margin</source>
+        <translation>Margen de fase</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>Sobreoscilación</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Settling time</source>
+        <translation>Tiempo de establecimiento</translation>
+    </message>
+    <message>
+        <source>Error after a load step</source>
+        <translation>Error tras un escalón de carga</translation>
+    </message>
+    <message>
+        <source>Control effort</source>
+        <translation>Esfuerzo de control</translation>
+    </message>
+    <message>
+        <source>Noise in the output</source>
+        <translation>Ruido en la salida</translation>
+    </message>
+    <message>
+        <source>Recorded and modelled</source>
+        <translation>Grabado y modelado</translation>
+    </message>
+    <message>
+        <source>time [s]</source>
+        <translation>tiempo [s]</translation>
+    </message>
+    <message>
+        <source>recorded</source>
+        <translation>grabado</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>modelo</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>ahora</translation>
+    </message>
+    <message>
+        <source>proposed</source>
+        <translation>propuesto</translation>
+    </message>
+    <message>
+        <source>Step of the set point</source>
+        <translation>Escalón de la consigna</translation>
+    </message>
+    <message>
+        <source>Step of the load</source>
+        <translation>Escalón de la carga</translation>
+    </message>
+    <message>
+        <source>The last step with these settings</source>
+        <translation>El último escalón con estos ajustes</translation>
+    </message>
+    <message>
+        <source>Tuning</source>
+        <translation>Sintonización</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Escrito: %1</translation>
+    </message>
+    <message>
+        <source>Taken back: %1</source>
+        <translation>Revertido: %1</translation>
     </message>
 </context>
 <context>

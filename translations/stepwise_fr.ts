@@ -2060,6 +2060,14 @@
         <source>The recording does not contain the program of this scan.</source>
         <translation>L’enregistrement ne contient pas le programme de ce cycle.</translation>
     </message>
+    <message>
+        <source>This scan is no longer in the recording.</source>
+        <translation>Ce cycle n’est plus dans l’enregistrement.</translation>
+    </message>
+    <message>
+        <source>The scan before it is not in the recording, so the values with which this scan began are not known.</source>
+        <translation>Le cycle précédent n’est pas dans l’enregistrement ; les valeurs au début de ce cycle sont donc inconnues.</translation>
+    </message>
 </context>
 <context>
     <name>Exchange</name>
@@ -4738,6 +4746,38 @@
         <source>Ziegler-Nichols</source>
         <translation>Ziegler-Nichols</translation>
     </message>
+    <message>
+        <source>the recording has a gap in it</source>
+        <translation>l’enregistrement y présente une lacune</translation>
+    </message>
+    <message>
+        <source>It oscillates with a period of {0} s and an amplitude of {1}, for {2} cycles in a row.</source>
+        <translation>Oscille avec une période de {0} s et une amplitude de {1}, pendant {2} périodes de suite.</translation>
+    </message>
+    <message>
+        <source>It does not oscillate.</source>
+        <translation>N’oscille pas.</translation>
+    </message>
+    <message>
+        <source>The settings are the likely cause: with the model the loop swings at this period.</source>
+        <translation>Les paramètres sont la cause probable : avec le modèle, la boucle oscille à cette période.</translation>
+    </message>
+    <message>
+        <source>A valve that sticks is the likely cause: the output moves evenly, the process answers in jumps.</source>
+        <translation>Une vanne qui colle est la cause probable : la sortie bouge régulièrement, le procédé répond par à-coups.</translation>
+    </message>
+    <message>
+        <source>The likely cause is outside: neither the settings nor a valve that sticks explain it.</source>
+        <translation>La cause probable est extérieure : ni les paramètres ni une vanne qui colle ne l’expliquent.</translation>
+    </message>
+    <message>
+        <source>The output is at a limit for {0} % of the time.</source>
+        <translation>La sortie est à une limite pendant {0} % du temps.</translation>
+    </message>
+    <message>
+        <source>{0} % of what the measured value does is noise.</source>
+        <translation>{0} % du comportement de la valeur mesurée est du bruit.</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::ConversionDialog</name>
@@ -5886,6 +5926,10 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <message>
         <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume from Here” continues from there.</source>
         <translation>Faites glisser le curseur temporel, ou appuyez sur Ctrl+Alt+Gauche&#xa0;: le code, les courbes et la vue affichent le passé. «&#xa0;Reprendre ici&#xa0;» repart de là.</translation>
+    </message>
+    <message>
+        <source>Tuning</source>
+        <translation>Réglage</translation>
     </message>
 </context>
 <context>
@@ -7725,6 +7769,276 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <message>
         <source>Reset the statistics</source>
         <translation>Réinitialiser les statistiques</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::TuningView</name>
+    <message>
+        <source>Control loop</source>
+        <translation>Boucle de régulation</translation>
+    </message>
+    <message>
+        <source>Find Steps</source>
+        <translation>Rechercher les échelons</translation>
+    </message>
+    <message>
+        <source>Looks for steps of the set point and of the output in the recording and makes a model of the process.</source>
+        <translation>Recherche des échelons de la consigne et de la sortie dans l’enregistrement et en tire un modèle du procédé.</translation>
+    </message>
+    <message>
+        <source>Write Parameters</source>
+        <translation>Écrire les paramètres</translation>
+    </message>
+    <message>
+        <source>Writes all parameters in one scan.</source>
+        <translation>Écrit tous les paramètres en un seul cycle.</translation>
+    </message>
+    <message>
+        <source>Take Back</source>
+        <translation>Revenir en arrière</translation>
+    </message>
+    <message>
+        <source>Writes the parameters that were in force before.</source>
+        <translation>Écrit les paramètres qui étaient en vigueur auparavant.</translation>
+    </message>
+    <message>
+        <source>Loop:</source>
+        <translation>Boucle :</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Utiliser</translation>
+    </message>
+    <message>
+        <source>At</source>
+        <translation>À</translation>
+    </message>
+    <message>
+        <source>Moved</source>
+        <translation>Modifié</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>À</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Évaluation</translation>
+    </message>
+    <message>
+        <source>Steps found</source>
+        <translation>Échelons trouvés</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modèle</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>Règle</translation>
+    </message>
+    <message>
+        <source>Kind of controller</source>
+        <translation>Type de régulateur</translation>
+    </message>
+    <message>
+        <source>Calm to brisk</source>
+        <translation>Calme à vif</translation>
+    </message>
+    <message>
+        <source>Disturbance to set point</source>
+        <translation>Perturbation à consigne</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Actuel</translation>
+    </message>
+    <message>
+        <source>Proposed</source>
+        <translation>Proposé</translation>
+    </message>
+    <message>
+        <source>Before and after</source>
+        <translation>Avant et après</translation>
+    </message>
+    <message>
+        <source>Model:</source>
+        <translation>Modèle :</translation>
+    </message>
+    <message>
+        <source>Rule:</source>
+        <translation>Règle :</translation>
+    </message>
+    <message>
+        <source>Controller:</source>
+        <translation>Régulateur :</translation>
+    </message>
+    <message>
+        <source>Calm</source>
+        <translation>Calme</translation>
+    </message>
+    <message>
+        <source>Brisk</source>
+        <translation>Vif</translation>
+    </message>
+    <message>
+        <source>Disturbance</source>
+        <translation>Perturbation</translation>
+    </message>
+    <message>
+        <source>Set point</source>
+        <translation>Consigne</translation>
+    </message>
+    <message>
+        <source>Start the controller; its recording is what is looked at.</source>
+        <translation>Démarrez l’automate ; c’est son enregistrement qui est examiné.</translation>
+    </message>
+    <message>
+        <source>The program has no controller block.</source>
+        <translation>Le programme n’a pas de bloc régulateur.</translation>
+    </message>
+    <message>
+        <source>Searching…</source>
+        <translation>Recherche…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s) found, %1 used.</source>
+        <translation>
+            <numerusform>%n échelon trouvé, %1 utilisé.</numerusform>
+            <numerusform>%n échelons trouvés, %1 utilisés.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, explains %2 %</source>
+        <translation>%1, explique %2 %</translation>
+    </message>
+    <message>
+        <source>set point</source>
+        <translation>consigne</translation>
+    </message>
+    <message>
+        <source>output</source>
+        <translation>sortie</translation>
+    </message>
+    <message>
+        <source>Choose at least one step.</source>
+        <translation>Choisissez au moins un échelon.</translation>
+    </message>
+    <message>
+        <source>The rule has no answer for this process.</source>
+        <translation>La règle n’a pas de réponse pour ce procédé.</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>tous</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Gain</translation>
+    </message>
+    <message>
+        <source>Integral time</source>
+        <translation>Temps d’intégration</translation>
+    </message>
+    <message>
+        <source>Derivative time</source>
+        <translation>Temps de dérivation</translation>
+    </message>
+    <message>
+        <source>Sensitivity Ms</source>
+        <translation>Sensibilité Ms</translation>
+    </message>
+    <message>
+        <source>unstable</source>
+        <translation>instable</translation>
+    </message>
+    <message>
+        <source>Gain margin</source>
+        <translation>Marge de gain</translation>
+    </message>
+    <message>
+        <source>Phase margin</source>
+        <translation>Marge de phase</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>Dépassement</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Settling time</source>
+        <translation>Temps de stabilisation</translation>
+    </message>
+    <message>
+        <source>Error after a load step</source>
+        <translation>Erreur après un échelon de charge</translation>
+    </message>
+    <message>
+        <source>Control effort</source>
+        <translation>Effort de commande</translation>
+    </message>
+    <message>
+        <source>Noise in the output</source>
+        <translation>Bruit en sortie</translation>
+    </message>
+    <message>
+        <source>Recorded and modelled</source>
+        <translation>Enregistré et modélisé</translation>
+    </message>
+    <message>
+        <source>time [s]</source>
+        <translation>temps [s]</translation>
+    </message>
+    <message>
+        <source>recorded</source>
+        <translation>enregistré</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>modèle</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>actuel</translation>
+    </message>
+    <message>
+        <source>proposed</source>
+        <translation>proposé</translation>
+    </message>
+    <message>
+        <source>Step of the set point</source>
+        <translation>Échelon de consigne</translation>
+    </message>
+    <message>
+        <source>Step of the load</source>
+        <translation>Échelon de charge</translation>
+    </message>
+    <message>
+        <source>The last step with these settings</source>
+        <translation>Le dernier échelon avec ces paramètres</translation>
+    </message>
+    <message>
+        <source>Tuning</source>
+        <translation>Réglage</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Écrit : %1</translation>
+    </message>
+    <message>
+        <source>Taken back: %1</source>
+        <translation>Annulé : %1</translation>
     </message>
 </context>
 <context>

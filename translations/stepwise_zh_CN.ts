@@ -2060,6 +2060,14 @@
         <source>The recording does not contain the program of this scan.</source>
         <translation>记录中没有此扫描周期的程序。</translation>
     </message>
+    <message>
+        <source>This scan is no longer in the recording.</source>
+        <translation>此扫描周期已不在记录中。</translation>
+    </message>
+    <message>
+        <source>The scan before it is not in the recording, so the values with which this scan began are not known.</source>
+        <translation>前一个扫描周期不在记录中，因此不知道此扫描周期开始时的值。</translation>
+    </message>
 </context>
 <context>
     <name>Exchange</name>
@@ -4737,6 +4745,38 @@
         <source>Ziegler-Nichols</source>
         <translation>Ziegler-Nichols</translation>
     </message>
+    <message>
+        <source>the recording has a gap in it</source>
+        <translation>记录中有间断</translation>
+    </message>
+    <message>
+        <source>It oscillates with a period of {0} s and an amplitude of {1}, for {2} cycles in a row.</source>
+        <translation>以周期 {0} s、幅值 {1} 振荡，连续 {2} 个周期。</translation>
+    </message>
+    <message>
+        <source>It does not oscillate.</source>
+        <translation>没有振荡。</translation>
+    </message>
+    <message>
+        <source>The settings are the likely cause: with the model the loop swings at this period.</source>
+        <translation>设置可能是原因：按模型，回路以此周期振荡。</translation>
+    </message>
+    <message>
+        <source>A valve that sticks is the likely cause: the output moves evenly, the process answers in jumps.</source>
+        <translation>阀门卡涩可能是原因：输出平稳变化，而过程以跳变响应。</translation>
+    </message>
+    <message>
+        <source>The likely cause is outside: neither the settings nor a valve that sticks explain it.</source>
+        <translation>可能的原因在外部：设置和阀门卡涩都无法解释。</translation>
+    </message>
+    <message>
+        <source>The output is at a limit for {0} % of the time.</source>
+        <translation>输出有 {0} % 的时间处于限值。</translation>
+    </message>
+    <message>
+        <source>{0} % of what the measured value does is noise.</source>
+        <translation>测量值变化的 {0} % 是噪声。</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::ConversionDialog</name>
@@ -5880,6 +5920,10 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume from Here” continues from there.</source>
         <translation>拖动时间滑块，或按 Ctrl+Alt+左箭头：代码、曲线图和画面显示过去的状态。“从此处继续”从该处接着运行。</translation>
+    </message>
+    <message>
+        <source>Tuning</source>
+        <translation>参数整定</translation>
     </message>
 </context>
 <context>
@@ -7712,6 +7756,275 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Reset the statistics</source>
         <translation>重置统计</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::TuningView</name>
+    <message>
+        <source>Control loop</source>
+        <translation>控制回路</translation>
+    </message>
+    <message>
+        <source>Find Steps</source>
+        <translation>查找阶跃</translation>
+    </message>
+    <message>
+        <source>Looks for steps of the set point and of the output in the recording and makes a model of the process.</source>
+        <translation>在记录中查找设定值和输出的阶跃，并建立过程模型。</translation>
+    </message>
+    <message>
+        <source>Write Parameters</source>
+        <translation>写入参数</translation>
+    </message>
+    <message>
+        <source>Writes all parameters in one scan.</source>
+        <translation>在一个扫描周期内写入全部参数。</translation>
+    </message>
+    <message>
+        <source>Take Back</source>
+        <translation>还原</translation>
+    </message>
+    <message>
+        <source>Writes the parameters that were in force before.</source>
+        <translation>写入之前生效的参数。</translation>
+    </message>
+    <message>
+        <source>Loop:</source>
+        <translation>回路：</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>使用</translation>
+    </message>
+    <message>
+        <source>At</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Moved</source>
+        <translation>变动量</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>从</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>到</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>评价</translation>
+    </message>
+    <message>
+        <source>Steps found</source>
+        <translation>找到的阶跃</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>模型</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>规则</translation>
+    </message>
+    <message>
+        <source>Kind of controller</source>
+        <translation>控制器类型</translation>
+    </message>
+    <message>
+        <source>Calm to brisk</source>
+        <translation>平稳到敏捷</translation>
+    </message>
+    <message>
+        <source>Disturbance to set point</source>
+        <translation>扰动到设定值</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>当前</translation>
+    </message>
+    <message>
+        <source>Proposed</source>
+        <translation>建议</translation>
+    </message>
+    <message>
+        <source>Before and after</source>
+        <translation>前后对比</translation>
+    </message>
+    <message>
+        <source>Model:</source>
+        <translation>模型：</translation>
+    </message>
+    <message>
+        <source>Rule:</source>
+        <translation>规则：</translation>
+    </message>
+    <message>
+        <source>Controller:</source>
+        <translation>控制器：</translation>
+    </message>
+    <message>
+        <source>Calm</source>
+        <translation>平稳</translation>
+    </message>
+    <message>
+        <source>Brisk</source>
+        <translation>敏捷</translation>
+    </message>
+    <message>
+        <source>Disturbance</source>
+        <translation>扰动</translation>
+    </message>
+    <message>
+        <source>Set point</source>
+        <translation>设定值</translation>
+    </message>
+    <message>
+        <source>Start the controller; its recording is what is looked at.</source>
+        <translation>请启动控制器；分析的是其记录。</translation>
+    </message>
+    <message>
+        <source>The program has no controller block.</source>
+        <translation>程序没有控制器块。</translation>
+    </message>
+    <message>
+        <source>Searching…</source>
+        <translation>正在查找…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s) found, %1 used.</source>
+        <translation>
+            <numerusform>找到 %n 个阶跃，使用 %1 个。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, explains %2 %</source>
+        <translation>%1，解释 %2 %</translation>
+    </message>
+    <message>
+        <source>set point</source>
+        <translation>设定值</translation>
+    </message>
+    <message>
+        <source>output</source>
+        <translation>输出</translation>
+    </message>
+    <message>
+        <source>Choose at least one step.</source>
+        <translation>请至少选择一个阶跃。</translation>
+    </message>
+    <message>
+        <source>The rule has no answer for this process.</source>
+        <translation>该规则不适合此过程。</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>任意</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>增益</translation>
+    </message>
+    <message>
+        <source>Integral time</source>
+        <translation>积分时间</translation>
+    </message>
+    <message>
+        <source>Derivative time</source>
+        <translation>微分时间</translation>
+    </message>
+    <message>
+        <source>Sensitivity Ms</source>
+        <translation>灵敏度 Ms</translation>
+    </message>
+    <message>
+        <source>unstable</source>
+        <translation>不稳定</translation>
+    </message>
+    <message>
+        <source>Gain margin</source>
+        <translation>增益裕度</translation>
+    </message>
+    <message>
+        <source>Phase margin</source>
+        <translation>相位裕度</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>超调</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Settling time</source>
+        <translation>稳定时间</translation>
+    </message>
+    <message>
+        <source>Error after a load step</source>
+        <translation>负载阶跃后的误差</translation>
+    </message>
+    <message>
+        <source>Control effort</source>
+        <translation>控制量消耗</translation>
+    </message>
+    <message>
+        <source>Noise in the output</source>
+        <translation>输出噪声</translation>
+    </message>
+    <message>
+        <source>Recorded and modelled</source>
+        <translation>记录与模型</translation>
+    </message>
+    <message>
+        <source>time [s]</source>
+        <translation>时间 [s]</translation>
+    </message>
+    <message>
+        <source>recorded</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>模型</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>当前</translation>
+    </message>
+    <message>
+        <source>proposed</source>
+        <translation>建议</translation>
+    </message>
+    <message>
+        <source>Step of the set point</source>
+        <translation>设定值阶跃</translation>
+    </message>
+    <message>
+        <source>Step of the load</source>
+        <translation>负载阶跃</translation>
+    </message>
+    <message>
+        <source>The last step with these settings</source>
+        <translation>采用这些设置的最后一次阶跃</translation>
+    </message>
+    <message>
+        <source>Tuning</source>
+        <translation>参数整定</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>已写入：%1</translation>
+    </message>
+    <message>
+        <source>Taken back: %1</source>
+        <translation>已还原：%1</translation>
     </message>
 </context>
 <context>

@@ -4,6 +4,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/timed_write.h"
+#include "hmi/model/faceplate.h"
 #include "hmi/model/walk.h"
 #include "hmi/player/panel_commands.h"
 #include "hmi/player/plc_values.h"
@@ -122,6 +123,13 @@ TEST_P(Example, TestsTheConditionsOfItsAlarms) {
         EXPECT_TRUE(isThere) << "no test of the project in which " << condition;
 }
 
+/// Nobody needs the README to see something happen: a line on the start panel says what to press.
+TEST_P(Example, SaysOnItsPanelWhatToPress) {
+    const std::string panel = textOf(folder + "/hmi/" + panels.startPanel.toStdString() + ".panel.json");
+    EXPECT_TRUE(panel.find("\"id\": \"press\"") != std::string::npos ||
+                panel.find("\"id\": \"hint\"") != std::string::npos);
+}
+
 TEST_P(Example, SpeaksEveryLanguageAndItsPanelsAreWithoutFindings) {
     for (const Error& problem : panels.problems) ADD_FAILURE() << problem.english();
     const driver::Checked checked = driver::check(project.buildInput());
@@ -193,13 +201,25 @@ TEST_P(Example, RunsAMinuteWithoutAFaultAndItsPanelMoves) {
 
     hmi::PlcValues values(session);
     std::map<std::string, Shown> elements;
-    for (const hmi::NamedPanel& panel : panels.panels)
-        for (const hmi::Element& element : panel.panel.elements())
-            hmi::forEachBinding(element, [&](const hmi::Found& found) {
-                if (found.type != hmi::PropertyType::Target)
-                    elements[(panel.name + "/" + element.caption()).toStdString()].bindings.push_back(
-                        values.bind(found.text));
-            });
+    const auto take = [&](const QString& panel, const hmi::Element& element) {
+        hmi::forEachBinding(element, [&](const hmi::Found& found) {
+            if (found.type != hmi::PropertyType::Target)
+                elements[(panel + "/" + element.caption()).toStdString()].bindings.push_back(values.bind(found.text));
+        });
+    };
+    const hmi::PanelLookup lookup = [&](const QString& name) -> const hmi::Panel* {
+        const hmi::NamedPanel* found = panels.find(name);
+        return found ? &found->panel : nullptr;
+    };
+    for (const hmi::NamedPanel& panel : panels.panels) {
+        if (!hmi::parametersOf(panel.panel).empty()) continue; // a faceplate is looked at where it is placed
+        for (const hmi::Element& element : panel.panel.elements()) {
+            if (element.kind() != hmi::ElementKind::Faceplate)
+                take(panel.name, element);
+            else
+                for (const hmi::Element& inner : hmi::contentsOf(element, lookup)) take(panel.name, inner);
+        }
+    }
     for (nanoseconds at{0}; at < length; at += std::chrono::milliseconds(250)) {
         values.setPosition(session.history().positionAt(at));
         values.refresh();

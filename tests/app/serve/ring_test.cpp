@@ -60,7 +60,7 @@ std::pair<history::Position, history::Position> scansOf(const fs::path& file) {
 TEST(RecordingRing, FilesFollowOneAnotherWithoutGapAndStayWithinTheirSize) {
     const QTemporaryDir folder;
     session::Settings settings;
-    settings.historyBudget = size_t(4) << 20;
+    settings.historyBudget = size_t(8) << 20;
     session::Session session(builtCounter(), settings);
     const uint64_t limit = uint64_t(3) << 20;
     {
@@ -81,7 +81,7 @@ TEST(RecordingRing, FilesFollowOneAnotherWithoutGapAndStayWithinTheirSize) {
     for (const fs::path& file : files) {
         const auto [first, last] = scansOf(file);
         EXPECT_LT(first, last) << file;
-        if (end > 0) EXPECT_LE(first, end) << file << ": a gap";
+        EXPECT_TRUE(end == 0 || first <= end) << file << ": a gap";
         end = last;
     }
     EXPECT_EQ(end, session.history().statistics().end) << "the last scan is there";
