@@ -374,6 +374,7 @@ void MainWindow::connectParts() {
     connect(m_breakpoints, &editor::BreakpointView::lineRequested, this,
             [this](const QString& file, int line) { m_tabs->goToLine(file, line); });
     connect(m_log, &editor::EventLog::lineRequested, m_tabs, &EditorTabs::goToLine);
+    connect(m_watch, &editor::WatchView::instanceRequested, this, &MainWindow::showInstance);
     connect(m_callPath, &editor::CallPathView::instanceChosen, m_control, &editor::RunControl::setPreferredInstance);
     connect(m_callPath, &editor::CallPathView::placeRequested, this,
             [this](const QString& file, uint32_t offset) { m_tabs->goTo(file, offset); });

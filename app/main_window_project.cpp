@@ -107,8 +107,10 @@ void MainWindow::restoreProjectState() {
     const QString folder = m_workspace->folder();
     if (const QByteArray layout = m_settings.projectValue(folder, "layout").toByteArray(); !layout.isEmpty())
         restoreState(layout);
-    else
+    else {
         restoreState(m_defaultLayout);
+        arrangeAtFirst();
+    }
     const QStringList pages = m_settings.projectValue(folder, "pages").toStringList();
     QStringList tabs;
     for (const QString& page : pages) {
@@ -207,6 +209,13 @@ bool MainWindow::openExample(const QString& example, bool fresh) {
     say(isNew ? tr("This is a copy of the example, in %1: change what you like").arg(copy)
               : tr("This is your copy of the example, in %1").arg(copy));
     return true;
+}
+
+void MainWindow::arrangeAtFirst() {
+    if (!m_guide->toPlainText().isEmpty()) showDock("guide"); // who opens it first wants to know what it is
+    resizeDocks({dock("trace")}, {std::min(400, height() * 38 / 100)}, Qt::Vertical);
+    resizeDocks({dock("watch")}, {std::min(440, width() * 30 / 100)}, Qt::Horizontal);
+    resizeDocks({dock("project")}, {std::min(230, width() * 15 / 100)}, Qt::Horizontal);
 }
 
 void MainWindow::arrangeForExample() {

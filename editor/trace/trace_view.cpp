@@ -59,6 +59,7 @@ TraceView::TraceView(QWidget* parent) : QWidget(parent), m_store(std::make_share
     splitter->setStretchFactor(0, 0);
     splitter->setStretchFactor(1, 1);
     splitter->setSizes({260, 900});
+    m_sides = splitter;
     auto* status = new QHBoxLayout;
     status->setContentsMargins(8, 2, 8, 3);
     status->addWidget(m_state);
@@ -275,6 +276,15 @@ void TraceView::exportSamples(const QString& path) {
     const kit::PlotModel model = m_plot->model(); // its own: the view goes on meanwhile
     kit::LongTask task(tr("Saving the samples…"), this);
     report(kit::exportCsv(model, model.from, model.to, path, [&](double share) { return task.reached(share); }));
+}
+
+/// In a narrow window the plot keeps the larger part.
+void TraceView::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    const QList<int> sizes = m_sides->sizes();
+    constexpr int LeastPlot = 360, LeastChannels = 120;
+    if (sizes.value(0) > 0 && sizes.value(1) < LeastPlot && sizes.value(0) > sizes.value(1) / 2)
+        m_sides->setSizes({std::max(LeastChannels, width() - LeastPlot), LeastPlot});
 }
 
 void TraceView::setFolder(const QString& folder) {

@@ -143,6 +143,7 @@ PanelDesigner::PanelDesigner(DesignContext& context, const QString& panelName, Q
 }
 
 PanelDesigner::~PanelDesigner() {
+    delete m_sheet; // a choice that is open in it would still ask for the document
     m_context.closeDocument(&m_document);
     m_document.disconnect(this);
     m_document.undoStack().disconnect(this);

@@ -53,9 +53,24 @@ constexpr std::array kKeys{
     "not_running",
     "in_the_past",
     "not_writable",
+    "password",
+    "wrong_password",
+    "too_many_tries",
+    "only_for",
+    "confirm_write",
+    "acknowledge",
+    "show_me",
+    "shelve_for",
+    "shelved_until",
+    "out_of_service",
+    "put_back",
+    "alarms_per_hour",
+    "alarm_floods",
+    "standing_alarms",
+    "chattering_alarms",
 };
 
-static_assert(kKeys.size() == static_cast<size_t>(SystemText::NotWritable) + 1);
+static_assert(kKeys.size() == static_cast<size_t>(SystemText::ChatteringAlarms) + 1);
 
 /// system_texts.csv, which is a table like that of a project.
 const TextTable& ownTable() {
