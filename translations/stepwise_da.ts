@@ -2068,6 +2068,122 @@
         <source>The scan before it is not in the recording, so the values with which this scan began are not known.</source>
         <translation>Scannet før er ikke i optagelsen, så de værdier, som dette scan begyndte med, er ikke kendt.</translation>
     </message>
+    <message>
+        <source>The users and roles are not valid JSON</source>
+        <translation>Brugerne og rollerne er ikke gyldig JSON</translation>
+    </message>
+    <message>
+        <source>A role has no name</source>
+        <translation>En rolle har intet navn</translation>
+    </message>
+    <message>
+        <source>Two roles are named {0}</source>
+        <translation>To roller hedder {0}</translation>
+    </message>
+    <message>
+        <source>There is no role {0}</source>
+        <translation>Rollen {0} findes ikke</translation>
+    </message>
+    <message>
+        <source>A user has no name</source>
+        <translation>En bruger har intet navn</translation>
+    </message>
+    <message>
+        <source>Two users are named {0}</source>
+        <translation>To brugere hedder {0}</translation>
+    </message>
+    <message>
+        <source>There is no user {0}</source>
+        <translation>Brugeren {0} findes ikke</translation>
+    </message>
+    <message>
+        <source>The password cannot be kept: {0}</source>
+        <translation>Adgangskoden kan ikke opbevares: {0}</translation>
+    </message>
+    <message>
+        <source>A password needs at least {0} characters</source>
+        <translation>En adgangskode skal have mindst {0} tegn</translation>
+    </message>
+    <message>
+        <source>The password must not be the name of the user</source>
+        <translation>Adgangskoden må ikke være brugerens navn</translation>
+    </message>
+    <message>
+        <source>The audit trail cannot be written: {0}</source>
+        <translation>Revisionssporet kan ikke skrives: {0}</translation>
+    </message>
+    <message>
+        <source>The audit trail cannot be read: {0}</source>
+        <translation>Revisionssporet kan ikke læses: {0}</translation>
+    </message>
+    <message>
+        <source>The frame {0} has no panel area, so no panel is seen in it</source>
+        <translation>Rammen {0} har intet panelområde, så intet panel ses i den</translation>
+    </message>
+    <message>
+        <source>Only for the roles {0}, but the project has no users; anybody may operate it</source>
+        <translation>Kun for rollerne {0}, men projektet har ingen brugere; enhver må betjene det</translation>
+    </message>
+    <message>
+        <source>The recipes are not valid JSON</source>
+        <translation>Recepterne er ikke gyldig JSON</translation>
+    </message>
+    <message>
+        <source>A recipe has no name</source>
+        <translation>En recept har intet navn</translation>
+    </message>
+    <message>
+        <source>Two recipes are named {0}</source>
+        <translation>To recepter hedder {0}</translation>
+    </message>
+    <message>
+        <source>A row of a recipe names no variable</source>
+        <translation>En række i en recept angiver ingen variabel</translation>
+    </message>
+    <message>
+        <source>The recipe has the variable {0} twice</source>
+        <translation>Recepten har variablen {0} to gange</translation>
+    </message>
+    <message>
+        <source>A set of a recipe has no name</source>
+        <translation>Et sæt i en recept har intet navn</translation>
+    </message>
+    <message>
+        <source>Two sets of the recipe are named {0}</source>
+        <translation>To sæt i recepten hedder {0}</translation>
+    </message>
+    <message>
+        <source>The first column must be named variable, and each set has a column of its own</source>
+        <translation>Den første kolonne skal hedde variable, og hvert sæt har sin egen kolonne</translation>
+    </message>
+    <message>
+        <source>The recipe {0} has no variable {1}</source>
+        <translation>Recepten {0} har ingen variabel {1}</translation>
+    </message>
+    <message>
+        <source>There is no recipe {0}</source>
+        <translation>Recepten {0} findes ikke</translation>
+    </message>
+    <message>
+        <source>The recipe {0} has no set {1}</source>
+        <translation>Recepten {0} har intet sæt {1}</translation>
+    </message>
+    <message>
+        <source>The set {0} has no value for {1}</source>
+        <translation>Sættet {0} har ingen værdi for {1}</translation>
+    </message>
+    <message>
+        <source>{0} is outside the limits of {1}, {2} to {3}</source>
+        <translation>{0} er uden for grænserne for {1}, {2} til {3}</translation>
+    </message>
+    <message>
+        <source>The list of shelved alarms cannot be read, so none is shelved: {0}</source>
+        <translation>Listen over udsatte alarmer kan ikke læses, så ingen er udsat: {0}</translation>
+    </message>
+    <message>
+        <source>The list of shelved alarms cannot be written: {0}</source>
+        <translation>Listen over udsatte alarmer kan ikke skrives: {0}</translation>
+    </message>
 </context>
 <context>
     <name>Exchange</name>
@@ -3205,6 +3321,78 @@
         <source>Arguments</source>
         <translation>Argumenter</translation>
     </message>
+    <message>
+        <source>Adapts to the screen by</source>
+        <translation>Tilpasser sig skærmen ved</translation>
+    </message>
+    <message>
+        <source>On a tall screen</source>
+        <translation>På en høj skærm</translation>
+    </message>
+    <message>
+        <source>Shown in the frame</source>
+        <translation>Vises i rammen</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hjælp</translation>
+    </message>
+    <message>
+        <source>Panel to show</source>
+        <translation>Panel, der vises</translation>
+    </message>
+    <message>
+        <source>First-out group</source>
+        <translation>Førstalarmgruppe</translation>
+    </message>
+    <message>
+        <source>Horizontal anchor</source>
+        <translation>Vandret anker</translation>
+    </message>
+    <message>
+        <source>Vertical anchor</source>
+        <translation>Lodret anker</translation>
+    </message>
+    <message>
+        <source>Only for the roles</source>
+        <translation>Kun for rollerne</translation>
+    </message>
+    <message>
+        <source>For all others</source>
+        <translation>For alle andre</translation>
+    </message>
+    <message>
+        <source>Writes are confirmed</source>
+        <translation>Skrivning bekræftes</translation>
+    </message>
+    <message>
+        <source>Navigation bar</source>
+        <translation>Navigationslinje</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Paneler</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>Bruger</translation>
+    </message>
+    <message>
+        <source>Recipe</source>
+        <translation>Recept</translation>
+    </message>
+    <message>
+        <source>Alarm statistics</source>
+        <translation>Alarmstatistik</translation>
+    </message>
+    <message>
+        <source>Hours to look back</source>
+        <translation>Timer tilbage i tiden</translation>
+    </message>
+    <message>
+        <source>Panel area</source>
+        <translation>Panelområde</translation>
+    </message>
 </context>
 <context>
     <name>HmiChoices</name>
@@ -3675,6 +3863,66 @@
     <message>
         <source>any type</source>
         <translation>enhver type</translation>
+    </message>
+    <message>
+        <source>Left and right</source>
+        <translation>Venstre og højre</translation>
+    </message>
+    <message>
+        <source>Top and bottom</source>
+        <translation>Top og bund</translation>
+    </message>
+    <message>
+        <source>Scaling to its size</source>
+        <translation>Skalering til dens størrelse</translation>
+    </message>
+    <message>
+        <source>Moving what is anchored</source>
+        <translation>Flytning af det forankrede</translation>
+    </message>
+    <message>
+        <source>Keep the proportions</source>
+        <translation>Bevar proportionerne</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Top</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Bund</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Låst</translation>
+    </message>
+    <message>
+        <source>Hidden</source>
+        <translation>Skjult</translation>
+    </message>
+    <message>
+        <source>Open a panel in a window</source>
+        <translation>Åbn et panel i et vindue</translation>
+    </message>
+    <message>
+        <source>Close the window</source>
+        <translation>Luk vinduet</translation>
+    </message>
+    <message>
+        <source>Go back</source>
+        <translation>Gå tilbage</translation>
+    </message>
+    <message>
+        <source>Go to the start panel</source>
+        <translation>Gå til startpanelet</translation>
+    </message>
+    <message>
+        <source>Log out</source>
+        <translation>Log ud</translation>
+    </message>
+    <message>
+        <source>Shelved alarms</source>
+        <translation>Udsatte alarmer</translation>
     </message>
 </context>
 <context>
@@ -5931,6 +6179,10 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>Tuning</source>
         <translation>Regulatorindstilling</translation>
     </message>
+    <message>
+        <source>%1 is not a source of this project</source>
+        <translation>%1 er ikke en kildefil i dette projekt</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MergeDialog</name>
@@ -8181,6 +8433,10 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>As in the list</source>
         <translation>Som listen</translation>
     </message>
+    <message>
+        <source>Source of %1 with the values of %2</source>
+        <translation>Kildetekst til %1 med værdierne fra %2</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::AlarmEditor</name>
@@ -8720,6 +8976,10 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
             <numerusform>%n tekst uden oversættelse.</numerusform>
             <numerusform>%n tekster uden oversættelse.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>XLIFF %1</source>
+        <translation>XLIFF %1</translation>
     </message>
 </context>
 <context>

@@ -2068,6 +2068,122 @@
         <source>The scan before it is not in the recording, so the values with which this scan began are not known.</source>
         <translation>Der Zyklus davor ist nicht in der Aufzeichnung; die Werte, mit denen dieser Zyklus begann, sind daher nicht bekannt.</translation>
     </message>
+    <message>
+        <source>The users and roles are not valid JSON</source>
+        <translation>Die Benutzer und Rollen sind kein gültiges JSON</translation>
+    </message>
+    <message>
+        <source>A role has no name</source>
+        <translation>Eine Rolle hat keinen Namen</translation>
+    </message>
+    <message>
+        <source>Two roles are named {0}</source>
+        <translation>Zwei Rollen heißen {0}</translation>
+    </message>
+    <message>
+        <source>There is no role {0}</source>
+        <translation>Die Rolle {0} gibt es nicht</translation>
+    </message>
+    <message>
+        <source>A user has no name</source>
+        <translation>Ein Benutzer hat keinen Namen</translation>
+    </message>
+    <message>
+        <source>Two users are named {0}</source>
+        <translation>Zwei Benutzer heißen {0}</translation>
+    </message>
+    <message>
+        <source>There is no user {0}</source>
+        <translation>Den Benutzer {0} gibt es nicht</translation>
+    </message>
+    <message>
+        <source>The password cannot be kept: {0}</source>
+        <translation>Das Passwort kann nicht abgelegt werden: {0}</translation>
+    </message>
+    <message>
+        <source>A password needs at least {0} characters</source>
+        <translation>Ein Passwort braucht mindestens {0} Zeichen</translation>
+    </message>
+    <message>
+        <source>The password must not be the name of the user</source>
+        <translation>Das Passwort darf nicht der Name des Benutzers sein</translation>
+    </message>
+    <message>
+        <source>The audit trail cannot be written: {0}</source>
+        <translation>Das Audit-Protokoll kann nicht geschrieben werden: {0}</translation>
+    </message>
+    <message>
+        <source>The audit trail cannot be read: {0}</source>
+        <translation>Das Audit-Protokoll kann nicht gelesen werden: {0}</translation>
+    </message>
+    <message>
+        <source>The frame {0} has no panel area, so no panel is seen in it</source>
+        <translation>Der Rahmen {0} hat keinen Panelbereich, darin ist also kein Panel zu sehen</translation>
+    </message>
+    <message>
+        <source>Only for the roles {0}, but the project has no users; anybody may operate it</source>
+        <translation>Nur für die Rollen {0}, aber das Projekt hat keine Benutzer; jeder darf es bedienen</translation>
+    </message>
+    <message>
+        <source>The recipes are not valid JSON</source>
+        <translation>Die Rezepte sind kein gültiges JSON</translation>
+    </message>
+    <message>
+        <source>A recipe has no name</source>
+        <translation>Ein Rezept hat keinen Namen</translation>
+    </message>
+    <message>
+        <source>Two recipes are named {0}</source>
+        <translation>Zwei Rezepte heißen {0}</translation>
+    </message>
+    <message>
+        <source>A row of a recipe names no variable</source>
+        <translation>Eine Zeile eines Rezepts nennt keine Variable</translation>
+    </message>
+    <message>
+        <source>The recipe has the variable {0} twice</source>
+        <translation>Das Rezept enthält die Variable {0} doppelt</translation>
+    </message>
+    <message>
+        <source>A set of a recipe has no name</source>
+        <translation>Ein Datensatz eines Rezepts hat keinen Namen</translation>
+    </message>
+    <message>
+        <source>Two sets of the recipe are named {0}</source>
+        <translation>Zwei Datensätze des Rezepts heißen {0}</translation>
+    </message>
+    <message>
+        <source>The first column must be named variable, and each set has a column of its own</source>
+        <translation>Die erste Spalte muss variable heißen, und jeder Datensatz hat eine eigene Spalte</translation>
+    </message>
+    <message>
+        <source>The recipe {0} has no variable {1}</source>
+        <translation>Das Rezept {0} hat keine Variable {1}</translation>
+    </message>
+    <message>
+        <source>There is no recipe {0}</source>
+        <translation>Das Rezept {0} gibt es nicht</translation>
+    </message>
+    <message>
+        <source>The recipe {0} has no set {1}</source>
+        <translation>Das Rezept {0} hat keinen Datensatz {1}</translation>
+    </message>
+    <message>
+        <source>The set {0} has no value for {1}</source>
+        <translation>Der Datensatz {0} hat keinen Wert für {1}</translation>
+    </message>
+    <message>
+        <source>{0} is outside the limits of {1}, {2} to {3}</source>
+        <translation>{0} liegt außerhalb der Grenzen von {1}, {2} bis {3}</translation>
+    </message>
+    <message>
+        <source>The list of shelved alarms cannot be read, so none is shelved: {0}</source>
+        <translation>Die Liste der zurückgestellten Alarme kann nicht gelesen werden; es ist also keiner zurückgestellt: {0}</translation>
+    </message>
+    <message>
+        <source>The list of shelved alarms cannot be written: {0}</source>
+        <translation>Die Liste der zurückgestellten Alarme kann nicht geschrieben werden: {0}</translation>
+    </message>
 </context>
 <context>
     <name>Exchange</name>
@@ -3205,6 +3321,78 @@
         <source>Arguments</source>
         <translation>Argumente</translation>
     </message>
+    <message>
+        <source>Adapts to the screen by</source>
+        <translation>Passt sich dem Bildschirm an durch</translation>
+    </message>
+    <message>
+        <source>On a tall screen</source>
+        <translation>Auf hohem Bildschirm</translation>
+    </message>
+    <message>
+        <source>Shown in the frame</source>
+        <translation>Im Rahmen angezeigt</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>Panel to show</source>
+        <translation>Anzuzeigendes Panel</translation>
+    </message>
+    <message>
+        <source>First-out group</source>
+        <translation>Erstmeldegruppe</translation>
+    </message>
+    <message>
+        <source>Horizontal anchor</source>
+        <translation>Anker waagrecht</translation>
+    </message>
+    <message>
+        <source>Vertical anchor</source>
+        <translation>Anker senkrecht</translation>
+    </message>
+    <message>
+        <source>Only for the roles</source>
+        <translation>Nur für die Rollen</translation>
+    </message>
+    <message>
+        <source>For all others</source>
+        <translation>Für alle anderen</translation>
+    </message>
+    <message>
+        <source>Writes are confirmed</source>
+        <translation>Schreiben wird bestätigt</translation>
+    </message>
+    <message>
+        <source>Navigation bar</source>
+        <translation>Navigationsleiste</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Panels</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>Benutzer</translation>
+    </message>
+    <message>
+        <source>Recipe</source>
+        <translation>Rezept</translation>
+    </message>
+    <message>
+        <source>Alarm statistics</source>
+        <translation>Alarmstatistik</translation>
+    </message>
+    <message>
+        <source>Hours to look back</source>
+        <translation>Betrachtete Stunden</translation>
+    </message>
+    <message>
+        <source>Panel area</source>
+        <translation>Panelbereich</translation>
+    </message>
 </context>
 <context>
     <name>HmiChoices</name>
@@ -3675,6 +3863,66 @@
     <message>
         <source>any type</source>
         <translation>beliebiger Typ</translation>
+    </message>
+    <message>
+        <source>Left and right</source>
+        <translation>Links und rechts</translation>
+    </message>
+    <message>
+        <source>Top and bottom</source>
+        <translation>Oben und unten</translation>
+    </message>
+    <message>
+        <source>Scaling to its size</source>
+        <translation>Skalieren auf seine Größe</translation>
+    </message>
+    <message>
+        <source>Moving what is anchored</source>
+        <translation>Verschieben der verankerten Elemente</translation>
+    </message>
+    <message>
+        <source>Keep the proportions</source>
+        <translation>Seitenverhältnis behalten</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Unten</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Gesperrt</translation>
+    </message>
+    <message>
+        <source>Hidden</source>
+        <translation>Ausgeblendet</translation>
+    </message>
+    <message>
+        <source>Open a panel in a window</source>
+        <translation>Panel in einem Fenster öffnen</translation>
+    </message>
+    <message>
+        <source>Close the window</source>
+        <translation>Fenster schließen</translation>
+    </message>
+    <message>
+        <source>Go back</source>
+        <translation>Zurückgehen</translation>
+    </message>
+    <message>
+        <source>Go to the start panel</source>
+        <translation>Zum Startpanel gehen</translation>
+    </message>
+    <message>
+        <source>Log out</source>
+        <translation>Abmelden</translation>
+    </message>
+    <message>
+        <source>Shelved alarms</source>
+        <translation>Zurückgestellte Alarme</translation>
     </message>
 </context>
 <context>
@@ -5931,6 +6179,10 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>Tuning</source>
         <translation>Reglereinstellung</translation>
     </message>
+    <message>
+        <source>%1 is not a source of this project</source>
+        <translation>%1 ist keine Quelldatei dieses Projekts</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MergeDialog</name>
@@ -8181,6 +8433,10 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>As in the list</source>
         <translation>Wie die Liste</translation>
     </message>
+    <message>
+        <source>Source of %1 with the values of %2</source>
+        <translation>Quelltext von %1 mit den Werten von %2</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::AlarmEditor</name>
@@ -8720,6 +8976,10 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
             <numerusform>%n Text ohne Übersetzung.</numerusform>
             <numerusform>%n Texte ohne Übersetzung.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>XLIFF %1</source>
+        <translation>XLIFF %1</translation>
     </message>
 </context>
 <context>

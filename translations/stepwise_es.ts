@@ -2068,6 +2068,122 @@
         <source>The scan before it is not in the recording, so the values with which this scan began are not known.</source>
         <translation>El ciclo anterior no está en la grabación, por lo que no se conocen los valores con los que empezó este ciclo.</translation>
     </message>
+    <message>
+        <source>The users and roles are not valid JSON</source>
+        <translation>Los usuarios y las funciones no son JSON válido</translation>
+    </message>
+    <message>
+        <source>A role has no name</source>
+        <translation>Una función no tiene nombre</translation>
+    </message>
+    <message>
+        <source>Two roles are named {0}</source>
+        <translation>Dos funciones se llaman {0}</translation>
+    </message>
+    <message>
+        <source>There is no role {0}</source>
+        <translation>No existe la función {0}</translation>
+    </message>
+    <message>
+        <source>A user has no name</source>
+        <translation>Un usuario no tiene nombre</translation>
+    </message>
+    <message>
+        <source>Two users are named {0}</source>
+        <translation>Dos usuarios se llaman {0}</translation>
+    </message>
+    <message>
+        <source>There is no user {0}</source>
+        <translation>No existe el usuario {0}</translation>
+    </message>
+    <message>
+        <source>The password cannot be kept: {0}</source>
+        <translation>No se puede conservar la contraseña: {0}</translation>
+    </message>
+    <message>
+        <source>A password needs at least {0} characters</source>
+        <translation>Una contraseña necesita al menos {0} caracteres</translation>
+    </message>
+    <message>
+        <source>The password must not be the name of the user</source>
+        <translation>La contraseña no debe ser el nombre del usuario</translation>
+    </message>
+    <message>
+        <source>The audit trail cannot be written: {0}</source>
+        <translation>No se puede escribir el registro de auditoría: {0}</translation>
+    </message>
+    <message>
+        <source>The audit trail cannot be read: {0}</source>
+        <translation>No se puede leer el registro de auditoría: {0}</translation>
+    </message>
+    <message>
+        <source>The frame {0} has no panel area, so no panel is seen in it</source>
+        <translation>El marco {0} no tiene área de panel, por lo que no se ve ningún panel en él</translation>
+    </message>
+    <message>
+        <source>Only for the roles {0}, but the project has no users; anybody may operate it</source>
+        <translation>Solo para las funciones {0}, pero el proyecto no tiene usuarios; cualquiera puede operarlo</translation>
+    </message>
+    <message>
+        <source>The recipes are not valid JSON</source>
+        <translation>Las recetas no son JSON válido</translation>
+    </message>
+    <message>
+        <source>A recipe has no name</source>
+        <translation>Una receta no tiene nombre</translation>
+    </message>
+    <message>
+        <source>Two recipes are named {0}</source>
+        <translation>Dos recetas se llaman {0}</translation>
+    </message>
+    <message>
+        <source>A row of a recipe names no variable</source>
+        <translation>Una fila de una receta no indica ninguna variable</translation>
+    </message>
+    <message>
+        <source>The recipe has the variable {0} twice</source>
+        <translation>La receta tiene la variable {0} dos veces</translation>
+    </message>
+    <message>
+        <source>A set of a recipe has no name</source>
+        <translation>Un juego de valores de una receta no tiene nombre</translation>
+    </message>
+    <message>
+        <source>Two sets of the recipe are named {0}</source>
+        <translation>Dos juegos de valores de la receta se llaman {0}</translation>
+    </message>
+    <message>
+        <source>The first column must be named variable, and each set has a column of its own</source>
+        <translation>La primera columna debe llamarse variable, y cada juego de valores tiene su propia columna</translation>
+    </message>
+    <message>
+        <source>The recipe {0} has no variable {1}</source>
+        <translation>La receta {0} no tiene ninguna variable {1}</translation>
+    </message>
+    <message>
+        <source>There is no recipe {0}</source>
+        <translation>No existe la receta {0}</translation>
+    </message>
+    <message>
+        <source>The recipe {0} has no set {1}</source>
+        <translation>La receta {0} no tiene ningún juego de valores {1}</translation>
+    </message>
+    <message>
+        <source>The set {0} has no value for {1}</source>
+        <translation>El juego de valores {0} no tiene valor para {1}</translation>
+    </message>
+    <message>
+        <source>{0} is outside the limits of {1}, {2} to {3}</source>
+        <translation>{0} está fuera de los límites de {1}, de {2} a {3}</translation>
+    </message>
+    <message>
+        <source>The list of shelved alarms cannot be read, so none is shelved: {0}</source>
+        <translation>No se puede leer la lista de alarmas aplazadas, por lo que no hay ninguna aplazada: {0}</translation>
+    </message>
+    <message>
+        <source>The list of shelved alarms cannot be written: {0}</source>
+        <translation>No se puede escribir la lista de alarmas aplazadas: {0}</translation>
+    </message>
 </context>
 <context>
     <name>Exchange</name>
@@ -3205,6 +3321,78 @@
         <source>Arguments</source>
         <translation>Argumentos</translation>
     </message>
+    <message>
+        <source>Adapts to the screen by</source>
+        <translation>Se adapta a la pantalla mediante</translation>
+    </message>
+    <message>
+        <source>On a tall screen</source>
+        <translation>En una pantalla vertical</translation>
+    </message>
+    <message>
+        <source>Shown in the frame</source>
+        <translation>Se muestra en el marco</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Ayuda</translation>
+    </message>
+    <message>
+        <source>Panel to show</source>
+        <translation>Panel que se muestra</translation>
+    </message>
+    <message>
+        <source>First-out group</source>
+        <translation>Grupo de primera alarma</translation>
+    </message>
+    <message>
+        <source>Horizontal anchor</source>
+        <translation>Anclaje horizontal</translation>
+    </message>
+    <message>
+        <source>Vertical anchor</source>
+        <translation>Anclaje vertical</translation>
+    </message>
+    <message>
+        <source>Only for the roles</source>
+        <translation>Solo para las funciones</translation>
+    </message>
+    <message>
+        <source>For all others</source>
+        <translation>Para todos los demás</translation>
+    </message>
+    <message>
+        <source>Writes are confirmed</source>
+        <translation>Las escrituras se confirman</translation>
+    </message>
+    <message>
+        <source>Navigation bar</source>
+        <translation>Barra de navegación</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Paneles</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>Usuario</translation>
+    </message>
+    <message>
+        <source>Recipe</source>
+        <translation>Receta</translation>
+    </message>
+    <message>
+        <source>Alarm statistics</source>
+        <translation>Estadística de alarmas</translation>
+    </message>
+    <message>
+        <source>Hours to look back</source>
+        <translation>Horas consideradas</translation>
+    </message>
+    <message>
+        <source>Panel area</source>
+        <translation>Área de panel</translation>
+    </message>
 </context>
 <context>
     <name>HmiChoices</name>
@@ -3675,6 +3863,66 @@
     <message>
         <source>any type</source>
         <translation>cualquier tipo</translation>
+    </message>
+    <message>
+        <source>Left and right</source>
+        <translation>Izquierda y derecha</translation>
+    </message>
+    <message>
+        <source>Top and bottom</source>
+        <translation>Arriba y abajo</translation>
+    </message>
+    <message>
+        <source>Scaling to its size</source>
+        <translation>Escalado a su tamaño</translation>
+    </message>
+    <message>
+        <source>Moving what is anchored</source>
+        <translation>Desplazamiento de lo anclado</translation>
+    </message>
+    <message>
+        <source>Keep the proportions</source>
+        <translation>Mantener las proporciones</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Arriba</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Abajo</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Bloqueado</translation>
+    </message>
+    <message>
+        <source>Hidden</source>
+        <translation>Oculto</translation>
+    </message>
+    <message>
+        <source>Open a panel in a window</source>
+        <translation>Abrir un panel en una ventana</translation>
+    </message>
+    <message>
+        <source>Close the window</source>
+        <translation>Cerrar la ventana</translation>
+    </message>
+    <message>
+        <source>Go back</source>
+        <translation>Volver atrás</translation>
+    </message>
+    <message>
+        <source>Go to the start panel</source>
+        <translation>Ir al panel inicial</translation>
+    </message>
+    <message>
+        <source>Log out</source>
+        <translation>Cerrar sesión</translation>
+    </message>
+    <message>
+        <source>Shelved alarms</source>
+        <translation>Alarmas aplazadas</translation>
     </message>
 </context>
 <context>
@@ -4772,11 +5020,11 @@
     </message>
     <message>
         <source>The output is at a limit for {0} % of the time.</source>
-        <translation>La salida está en un límite el {0} % del tiempo.</translation>
+        <translation>La salida está en un límite el {0}&#xa0;% del tiempo.</translation>
     </message>
     <message>
         <source>{0} % of what the measured value does is noise.</source>
-        <translation>El {0} % de lo que hace el valor medido es ruido.</translation>
+        <translation>El {0}&#xa0;% de lo que hace el valor medido es ruido.</translation>
     </message>
 </context>
 <context>
@@ -5930,6 +6178,10 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>Tuning</source>
         <translation>Sintonización</translation>
+    </message>
+    <message>
+        <source>%1 is not a source of this project</source>
+        <translation>%1 no es un archivo fuente de este proyecto</translation>
     </message>
 </context>
 <context>
@@ -7914,7 +8166,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>%1, explains %2 %</source>
-        <translation>%1, explica el %2 %</translation>
+        <translation>%1, explica el %2&#xa0;%</translation>
     </message>
     <message>
         <source>set point</source>
@@ -7974,7 +8226,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>%1 %</source>
-        <translation>%1 %</translation>
+        <translation>%1&#xa0;%</translation>
     </message>
     <message>
         <source>Settling time</source>
@@ -8180,6 +8432,10 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>As in the list</source>
         <translation>Como la lista</translation>
+    </message>
+    <message>
+        <source>Source of %1 with the values of %2</source>
+        <translation>Código fuente de %1 con los valores de %2</translation>
     </message>
 </context>
 <context>
@@ -8720,6 +8976,10 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
             <numerusform>%n texto sin traducción.</numerusform>
             <numerusform>%n textos sin traducción.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>XLIFF %1</source>
+        <translation>XLIFF %1</translation>
     </message>
 </context>
 <context>

@@ -2068,6 +2068,122 @@
         <source>The scan before it is not in the recording, so the values with which this scan began are not known.</source>
         <translation>前一个扫描周期不在记录中，因此不知道此扫描周期开始时的值。</translation>
     </message>
+    <message>
+        <source>The users and roles are not valid JSON</source>
+        <translation>用户和角色不是有效的 JSON</translation>
+    </message>
+    <message>
+        <source>A role has no name</source>
+        <translation>有一个角色没有名称</translation>
+    </message>
+    <message>
+        <source>Two roles are named {0}</source>
+        <translation>有两个角色名为 {0}</translation>
+    </message>
+    <message>
+        <source>There is no role {0}</source>
+        <translation>没有角色 {0}</translation>
+    </message>
+    <message>
+        <source>A user has no name</source>
+        <translation>有一个用户没有名称</translation>
+    </message>
+    <message>
+        <source>Two users are named {0}</source>
+        <translation>有两个用户名为 {0}</translation>
+    </message>
+    <message>
+        <source>There is no user {0}</source>
+        <translation>没有用户 {0}</translation>
+    </message>
+    <message>
+        <source>The password cannot be kept: {0}</source>
+        <translation>无法保存密码：{0}</translation>
+    </message>
+    <message>
+        <source>A password needs at least {0} characters</source>
+        <translation>密码至少需要 {0} 个字符</translation>
+    </message>
+    <message>
+        <source>The password must not be the name of the user</source>
+        <translation>密码不能是用户名</translation>
+    </message>
+    <message>
+        <source>The audit trail cannot be written: {0}</source>
+        <translation>无法写入审计追踪：{0}</translation>
+    </message>
+    <message>
+        <source>The audit trail cannot be read: {0}</source>
+        <translation>无法读取审计追踪：{0}</translation>
+    </message>
+    <message>
+        <source>The frame {0} has no panel area, so no panel is seen in it</source>
+        <translation>框架 {0} 没有画面区域，因此其中看不到画面</translation>
+    </message>
+    <message>
+        <source>Only for the roles {0}, but the project has no users; anybody may operate it</source>
+        <translation>仅限角色 {0}，但项目没有用户；任何人都可操作</translation>
+    </message>
+    <message>
+        <source>The recipes are not valid JSON</source>
+        <translation>配方不是有效的 JSON</translation>
+    </message>
+    <message>
+        <source>A recipe has no name</source>
+        <translation>有一个配方没有名称</translation>
+    </message>
+    <message>
+        <source>Two recipes are named {0}</source>
+        <translation>有两个配方名为 {0}</translation>
+    </message>
+    <message>
+        <source>A row of a recipe names no variable</source>
+        <translation>配方的一行未指定变量</translation>
+    </message>
+    <message>
+        <source>The recipe has the variable {0} twice</source>
+        <translation>配方中变量 {0} 出现两次</translation>
+    </message>
+    <message>
+        <source>A set of a recipe has no name</source>
+        <translation>配方的一组数据没有名称</translation>
+    </message>
+    <message>
+        <source>Two sets of the recipe are named {0}</source>
+        <translation>配方的两组数据名为 {0}</translation>
+    </message>
+    <message>
+        <source>The first column must be named variable, and each set has a column of its own</source>
+        <translation>第一列必须名为 variable（变量），且每组数据占一列</translation>
+    </message>
+    <message>
+        <source>The recipe {0} has no variable {1}</source>
+        <translation>配方 {0} 没有变量 {1}</translation>
+    </message>
+    <message>
+        <source>There is no recipe {0}</source>
+        <translation>没有配方 {0}</translation>
+    </message>
+    <message>
+        <source>The recipe {0} has no set {1}</source>
+        <translation>配方 {0} 没有数据组 {1}</translation>
+    </message>
+    <message>
+        <source>The set {0} has no value for {1}</source>
+        <translation>数据组 {0} 没有 {1} 的值</translation>
+    </message>
+    <message>
+        <source>{0} is outside the limits of {1}, {2} to {3}</source>
+        <translation>{0} 超出 {1} 的限值 {2} 到 {3}</translation>
+    </message>
+    <message>
+        <source>The list of shelved alarms cannot be read, so none is shelved: {0}</source>
+        <translation>无法读取搁置的报警列表，因此没有搁置任何报警：{0}</translation>
+    </message>
+    <message>
+        <source>The list of shelved alarms cannot be written: {0}</source>
+        <translation>无法写入搁置的报警列表：{0}</translation>
+    </message>
 </context>
 <context>
     <name>Exchange</name>
@@ -3205,6 +3321,78 @@
         <source>Arguments</source>
         <translation>实参</translation>
     </message>
+    <message>
+        <source>Adapts to the screen by</source>
+        <translation>适应屏幕的方式</translation>
+    </message>
+    <message>
+        <source>On a tall screen</source>
+        <translation>竖屏时</translation>
+    </message>
+    <message>
+        <source>Shown in the frame</source>
+        <translation>在框架中显示</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>帮助</translation>
+    </message>
+    <message>
+        <source>Panel to show</source>
+        <translation>显示的画面</translation>
+    </message>
+    <message>
+        <source>First-out group</source>
+        <translation>首出报警组</translation>
+    </message>
+    <message>
+        <source>Horizontal anchor</source>
+        <translation>水平锚定</translation>
+    </message>
+    <message>
+        <source>Vertical anchor</source>
+        <translation>垂直锚定</translation>
+    </message>
+    <message>
+        <source>Only for the roles</source>
+        <translation>仅限角色</translation>
+    </message>
+    <message>
+        <source>For all others</source>
+        <translation>对其他人</translation>
+    </message>
+    <message>
+        <source>Writes are confirmed</source>
+        <translation>写入需确认</translation>
+    </message>
+    <message>
+        <source>Navigation bar</source>
+        <translation>导航栏</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>画面</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>用户</translation>
+    </message>
+    <message>
+        <source>Recipe</source>
+        <translation>配方</translation>
+    </message>
+    <message>
+        <source>Alarm statistics</source>
+        <translation>报警统计</translation>
+    </message>
+    <message>
+        <source>Hours to look back</source>
+        <translation>统计的小时数</translation>
+    </message>
+    <message>
+        <source>Panel area</source>
+        <translation>画面区域</translation>
+    </message>
 </context>
 <context>
     <name>HmiChoices</name>
@@ -3675,6 +3863,66 @@
     <message>
         <source>any type</source>
         <translation>任意类型</translation>
+    </message>
+    <message>
+        <source>Left and right</source>
+        <translation>左和右</translation>
+    </message>
+    <message>
+        <source>Top and bottom</source>
+        <translation>上和下</translation>
+    </message>
+    <message>
+        <source>Scaling to its size</source>
+        <translation>按大小缩放</translation>
+    </message>
+    <message>
+        <source>Moving what is anchored</source>
+        <translation>移动已锚定的元素</translation>
+    </message>
+    <message>
+        <source>Keep the proportions</source>
+        <translation>保持比例</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>顶部</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>底部</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>锁定</translation>
+    </message>
+    <message>
+        <source>Hidden</source>
+        <translation>隐藏</translation>
+    </message>
+    <message>
+        <source>Open a panel in a window</source>
+        <translation>在窗口中打开画面</translation>
+    </message>
+    <message>
+        <source>Close the window</source>
+        <translation>关闭窗口</translation>
+    </message>
+    <message>
+        <source>Go back</source>
+        <translation>返回</translation>
+    </message>
+    <message>
+        <source>Go to the start panel</source>
+        <translation>转到起始画面</translation>
+    </message>
+    <message>
+        <source>Log out</source>
+        <translation>退出登录</translation>
+    </message>
+    <message>
+        <source>Shelved alarms</source>
+        <translation>搁置的报警</translation>
     </message>
 </context>
 <context>
@@ -5925,6 +6173,10 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <source>Tuning</source>
         <translation>参数整定</translation>
     </message>
+    <message>
+        <source>%1 is not a source of this project</source>
+        <translation>%1 不是此项目的源文件</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MergeDialog</name>
@@ -8167,6 +8419,10 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <source>As in the list</source>
         <translation>与列表相同</translation>
     </message>
+    <message>
+        <source>Source of %1 with the values of %2</source>
+        <translation>%1 的源代码，带 %2 的值</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::AlarmEditor</name>
@@ -8701,6 +8957,10 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>
             <numerusform>%n 条文本没有译文。</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>XLIFF %1</source>
+        <translation>XLIFF %1</translation>
     </message>
 </context>
 <context>
