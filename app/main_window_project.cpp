@@ -213,7 +213,7 @@ bool MainWindow::openExample(const QString& example, bool fresh) {
 
 void MainWindow::arrangeAtFirst() {
     if (!m_guide->toPlainText().isEmpty()) showDock("guide"); // who opens it first wants to know what it is
-    resizeDocks({dock("trace")}, {std::min(400, height() * 38 / 100)}, Qt::Vertical);
+    if (height() < 780) resizeDocks({dock("trace")}, {height() * 38 / 100}, Qt::Vertical);
     resizeDocks({dock("watch")}, {std::min(440, width() * 30 / 100)}, Qt::Horizontal);
     resizeDocks({dock("project")}, {std::min(230, width() * 15 / 100)}, Qt::Horizontal);
 }

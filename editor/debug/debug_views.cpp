@@ -398,6 +398,9 @@ EventLog::EventLog(RunControl& control, QWidget* parent) : QWidget(parent), m_co
     connect(&control, &RunControl::refreshed, this, &EventLog::refresh);
     connect(&control, &RunControl::sessionChanged, this, [this] { m_seen = 0; });
     connect(&control, &RunControl::messageAdded, this, &EventLog::addMessage);
+    connect(m_tree->verticalScrollBar(), &QScrollBar::rangeChanged, this, [this](int, int last) {
+        if (m_follows) m_tree->verticalScrollBar()->setValue(last); // also when the window gets another size
+    });
     connect(m_tree->verticalScrollBar(), &QScrollBar::actionTriggered, this, [this] { // by the user only
         const QScrollBar& bar = *m_tree->verticalScrollBar();
         m_follows = bar.sliderPosition() >= bar.maximum();
