@@ -2060,6 +2060,130 @@
         <source>The recording does not contain the program of this scan.</source>
         <translation>Optagelsen indeholder ikke programmet for dette scan.</translation>
     </message>
+    <message>
+        <source>This scan is no longer in the recording.</source>
+        <translation>Dette scan er ikke længere i optagelsen.</translation>
+    </message>
+    <message>
+        <source>The scan before it is not in the recording, so the values with which this scan began are not known.</source>
+        <translation>Scannet før er ikke i optagelsen, så de værdier, som dette scan begyndte med, er ikke kendt.</translation>
+    </message>
+    <message>
+        <source>The users and roles are not valid JSON</source>
+        <translation>Brugerne og rollerne er ikke gyldig JSON</translation>
+    </message>
+    <message>
+        <source>A role has no name</source>
+        <translation>En rolle har intet navn</translation>
+    </message>
+    <message>
+        <source>Two roles are named {0}</source>
+        <translation>To roller hedder {0}</translation>
+    </message>
+    <message>
+        <source>There is no role {0}</source>
+        <translation>Rollen {0} findes ikke</translation>
+    </message>
+    <message>
+        <source>A user has no name</source>
+        <translation>En bruger har intet navn</translation>
+    </message>
+    <message>
+        <source>Two users are named {0}</source>
+        <translation>To brugere hedder {0}</translation>
+    </message>
+    <message>
+        <source>There is no user {0}</source>
+        <translation>Brugeren {0} findes ikke</translation>
+    </message>
+    <message>
+        <source>The password cannot be kept: {0}</source>
+        <translation>Adgangskoden kan ikke opbevares: {0}</translation>
+    </message>
+    <message>
+        <source>A password needs at least {0} characters</source>
+        <translation>En adgangskode skal have mindst {0} tegn</translation>
+    </message>
+    <message>
+        <source>The password must not be the name of the user</source>
+        <translation>Adgangskoden må ikke være brugerens navn</translation>
+    </message>
+    <message>
+        <source>The audit trail cannot be written: {0}</source>
+        <translation>Revisionssporet kan ikke skrives: {0}</translation>
+    </message>
+    <message>
+        <source>The audit trail cannot be read: {0}</source>
+        <translation>Revisionssporet kan ikke læses: {0}</translation>
+    </message>
+    <message>
+        <source>The frame {0} has no panel area, so no panel is seen in it</source>
+        <translation>Rammen {0} har intet panelområde, så intet panel ses i den</translation>
+    </message>
+    <message>
+        <source>Only for the roles {0}, but the project has no users; anybody may operate it</source>
+        <translation>Kun for rollerne {0}, men projektet har ingen brugere; enhver må betjene det</translation>
+    </message>
+    <message>
+        <source>The recipes are not valid JSON</source>
+        <translation>Recepterne er ikke gyldig JSON</translation>
+    </message>
+    <message>
+        <source>A recipe has no name</source>
+        <translation>En recept har intet navn</translation>
+    </message>
+    <message>
+        <source>Two recipes are named {0}</source>
+        <translation>To recepter hedder {0}</translation>
+    </message>
+    <message>
+        <source>A row of a recipe names no variable</source>
+        <translation>En række i en recept angiver ingen variabel</translation>
+    </message>
+    <message>
+        <source>The recipe has the variable {0} twice</source>
+        <translation>Recepten har variablen {0} to gange</translation>
+    </message>
+    <message>
+        <source>A set of a recipe has no name</source>
+        <translation>Et sæt i en recept har intet navn</translation>
+    </message>
+    <message>
+        <source>Two sets of the recipe are named {0}</source>
+        <translation>To sæt i recepten hedder {0}</translation>
+    </message>
+    <message>
+        <source>The first column must be named variable, and each set has a column of its own</source>
+        <translation>Den første kolonne skal hedde variable, og hvert sæt har sin egen kolonne</translation>
+    </message>
+    <message>
+        <source>The recipe {0} has no variable {1}</source>
+        <translation>Recepten {0} har ingen variabel {1}</translation>
+    </message>
+    <message>
+        <source>There is no recipe {0}</source>
+        <translation>Recepten {0} findes ikke</translation>
+    </message>
+    <message>
+        <source>The recipe {0} has no set {1}</source>
+        <translation>Recepten {0} har intet sæt {1}</translation>
+    </message>
+    <message>
+        <source>The set {0} has no value for {1}</source>
+        <translation>Sættet {0} har ingen værdi for {1}</translation>
+    </message>
+    <message>
+        <source>{0} is outside the limits of {1}, {2} to {3}</source>
+        <translation>{0} er uden for grænserne for {1}, {2} til {3}</translation>
+    </message>
+    <message>
+        <source>The list of shelved alarms cannot be read, so none is shelved: {0}</source>
+        <translation>Listen over udsatte alarmer kan ikke læses, så ingen er udsat: {0}</translation>
+    </message>
+    <message>
+        <source>The list of shelved alarms cannot be written: {0}</source>
+        <translation>Listen over udsatte alarmer kan ikke skrives: {0}</translation>
+    </message>
 </context>
 <context>
     <name>Exchange</name>
@@ -3197,6 +3321,78 @@
         <source>Arguments</source>
         <translation>Argumenter</translation>
     </message>
+    <message>
+        <source>Adapts to the screen by</source>
+        <translation>Tilpasser sig skærmen ved</translation>
+    </message>
+    <message>
+        <source>On a tall screen</source>
+        <translation>På en høj skærm</translation>
+    </message>
+    <message>
+        <source>Shown in the frame</source>
+        <translation>Vises i rammen</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hjælp</translation>
+    </message>
+    <message>
+        <source>Panel to show</source>
+        <translation>Panel, der vises</translation>
+    </message>
+    <message>
+        <source>First-out group</source>
+        <translation>Førstalarmgruppe</translation>
+    </message>
+    <message>
+        <source>Horizontal anchor</source>
+        <translation>Vandret anker</translation>
+    </message>
+    <message>
+        <source>Vertical anchor</source>
+        <translation>Lodret anker</translation>
+    </message>
+    <message>
+        <source>Only for the roles</source>
+        <translation>Kun for rollerne</translation>
+    </message>
+    <message>
+        <source>For all others</source>
+        <translation>For alle andre</translation>
+    </message>
+    <message>
+        <source>Writes are confirmed</source>
+        <translation>Skrivning bekræftes</translation>
+    </message>
+    <message>
+        <source>Navigation bar</source>
+        <translation>Navigationslinje</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Paneler</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>Bruger</translation>
+    </message>
+    <message>
+        <source>Recipe</source>
+        <translation>Recept</translation>
+    </message>
+    <message>
+        <source>Alarm statistics</source>
+        <translation>Alarmstatistik</translation>
+    </message>
+    <message>
+        <source>Hours to look back</source>
+        <translation>Timer tilbage i tiden</translation>
+    </message>
+    <message>
+        <source>Panel area</source>
+        <translation>Panelområde</translation>
+    </message>
 </context>
 <context>
     <name>HmiChoices</name>
@@ -3667,6 +3863,66 @@
     <message>
         <source>any type</source>
         <translation>enhver type</translation>
+    </message>
+    <message>
+        <source>Left and right</source>
+        <translation>Venstre og højre</translation>
+    </message>
+    <message>
+        <source>Top and bottom</source>
+        <translation>Top og bund</translation>
+    </message>
+    <message>
+        <source>Scaling to its size</source>
+        <translation>Skalering til dens størrelse</translation>
+    </message>
+    <message>
+        <source>Moving what is anchored</source>
+        <translation>Flytning af det forankrede</translation>
+    </message>
+    <message>
+        <source>Keep the proportions</source>
+        <translation>Bevar proportionerne</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Top</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Bund</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Låst</translation>
+    </message>
+    <message>
+        <source>Hidden</source>
+        <translation>Skjult</translation>
+    </message>
+    <message>
+        <source>Open a panel in a window</source>
+        <translation>Åbn et panel i et vindue</translation>
+    </message>
+    <message>
+        <source>Close the window</source>
+        <translation>Luk vinduet</translation>
+    </message>
+    <message>
+        <source>Go back</source>
+        <translation>Gå tilbage</translation>
+    </message>
+    <message>
+        <source>Go to the start panel</source>
+        <translation>Gå til startpanelet</translation>
+    </message>
+    <message>
+        <source>Log out</source>
+        <translation>Log ud</translation>
+    </message>
+    <message>
+        <source>Shelved alarms</source>
+        <translation>Udsatte alarmer</translation>
     </message>
 </context>
 <context>
@@ -4737,6 +4993,38 @@
     <message>
         <source>Ziegler-Nichols</source>
         <translation>Ziegler-Nichols</translation>
+    </message>
+    <message>
+        <source>the recording has a gap in it</source>
+        <translation>optagelsen har et hul i det</translation>
+    </message>
+    <message>
+        <source>It oscillates with a period of {0} s and an amplitude of {1}, for {2} cycles in a row.</source>
+        <translation>Det svinger med en periode på {0} s og en amplitude på {1}, {2} perioder i træk.</translation>
+    </message>
+    <message>
+        <source>It does not oscillate.</source>
+        <translation>Det svinger ikke.</translation>
+    </message>
+    <message>
+        <source>The settings are the likely cause: with the model the loop swings at this period.</source>
+        <translation>Indstillingerne er den sandsynlige årsag: Med modellen svinger sløjfen med denne periode.</translation>
+    </message>
+    <message>
+        <source>A valve that sticks is the likely cause: the output moves evenly, the process answers in jumps.</source>
+        <translation>En ventil, der hænger, er den sandsynlige årsag: Udgangen bevæger sig jævnt, processen svarer i spring.</translation>
+    </message>
+    <message>
+        <source>The likely cause is outside: neither the settings nor a valve that sticks explain it.</source>
+        <translation>Den sandsynlige årsag er udefra: Hverken indstillingerne eller en ventil, der hænger, forklarer det.</translation>
+    </message>
+    <message>
+        <source>The output is at a limit for {0} % of the time.</source>
+        <translation>Udgangen er ved en grænse i {0} % af tiden.</translation>
+    </message>
+    <message>
+        <source>{0} % of what the measured value does is noise.</source>
+        <translation>{0} % af det, måleværdien gør, er støj.</translation>
     </message>
 </context>
 <context>
@@ -5886,6 +6174,14 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume from Here” continues from there.</source>
         <translation>Træk tidsskyderen, eller tryk på Ctrl+Alt+Venstre: kode, diagrammer og panel viser fortiden. ”Fortsæt herfra” kører videre derfra.</translation>
+    </message>
+    <message>
+        <source>Tuning</source>
+        <translation>Regulatorindstilling</translation>
+    </message>
+    <message>
+        <source>%1 is not a source of this project</source>
+        <translation>%1 er ikke en kildefil i dette projekt</translation>
     </message>
 </context>
 <context>
@@ -7728,6 +8024,276 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
 </context>
 <context>
+    <name>plc::editor::TuningView</name>
+    <message>
+        <source>Control loop</source>
+        <translation>Reguleringssløjfe</translation>
+    </message>
+    <message>
+        <source>Find Steps</source>
+        <translation>Find spring</translation>
+    </message>
+    <message>
+        <source>Looks for steps of the set point and of the output in the recording and makes a model of the process.</source>
+        <translation>Leder efter spring i setpunktet og udgangen i optagelsen og laver en model af processen.</translation>
+    </message>
+    <message>
+        <source>Write Parameters</source>
+        <translation>Skriv parametre</translation>
+    </message>
+    <message>
+        <source>Writes all parameters in one scan.</source>
+        <translation>Skriver alle parametre i ét scan.</translation>
+    </message>
+    <message>
+        <source>Take Back</source>
+        <translation>Tag tilbage</translation>
+    </message>
+    <message>
+        <source>Writes the parameters that were in force before.</source>
+        <translation>Skriver de parametre, der gjaldt før.</translation>
+    </message>
+    <message>
+        <source>Loop:</source>
+        <translation>Sløjfe:</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Brug</translation>
+    </message>
+    <message>
+        <source>At</source>
+        <translation>Ved</translation>
+    </message>
+    <message>
+        <source>Moved</source>
+        <translation>Flyttet</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Fra</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Til</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Vurdering</translation>
+    </message>
+    <message>
+        <source>Steps found</source>
+        <translation>Fundne spring</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Model</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>Regel</translation>
+    </message>
+    <message>
+        <source>Kind of controller</source>
+        <translation>Regulatortype</translation>
+    </message>
+    <message>
+        <source>Calm to brisk</source>
+        <translation>Rolig til rask</translation>
+    </message>
+    <message>
+        <source>Disturbance to set point</source>
+        <translation>Forstyrrelse til setpunkt</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Nu</translation>
+    </message>
+    <message>
+        <source>Proposed</source>
+        <translation>Foreslået</translation>
+    </message>
+    <message>
+        <source>Before and after</source>
+        <translation>Før og efter</translation>
+    </message>
+    <message>
+        <source>Model:</source>
+        <translation>Model:</translation>
+    </message>
+    <message>
+        <source>Rule:</source>
+        <translation>Regel:</translation>
+    </message>
+    <message>
+        <source>Controller:</source>
+        <translation>Regulator:</translation>
+    </message>
+    <message>
+        <source>Calm</source>
+        <translation>Rolig</translation>
+    </message>
+    <message>
+        <source>Brisk</source>
+        <translation>Rask</translation>
+    </message>
+    <message>
+        <source>Disturbance</source>
+        <translation>Forstyrrelse</translation>
+    </message>
+    <message>
+        <source>Set point</source>
+        <translation>Setpunkt</translation>
+    </message>
+    <message>
+        <source>Start the controller; its recording is what is looked at.</source>
+        <translation>Start styringen; det er dens optagelse, der undersøges.</translation>
+    </message>
+    <message>
+        <source>The program has no controller block.</source>
+        <translation>Programmet har ingen regulatorblok.</translation>
+    </message>
+    <message>
+        <source>Searching…</source>
+        <translation>Søger…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s) found, %1 used.</source>
+        <translation>
+            <numerusform>%n spring fundet, %1 brugt.</numerusform>
+            <numerusform>%n spring fundet, %1 brugt.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, explains %2 %</source>
+        <translation>%1, forklarer %2 %</translation>
+    </message>
+    <message>
+        <source>set point</source>
+        <translation>setpunkt</translation>
+    </message>
+    <message>
+        <source>output</source>
+        <translation>udgang</translation>
+    </message>
+    <message>
+        <source>Choose at least one step.</source>
+        <translation>Vælg mindst ét spring.</translation>
+    </message>
+    <message>
+        <source>The rule has no answer for this process.</source>
+        <translation>Reglen har intet svar for denne proces.</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>enhver</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Forstærkning</translation>
+    </message>
+    <message>
+        <source>Integral time</source>
+        <translation>Integraltid</translation>
+    </message>
+    <message>
+        <source>Derivative time</source>
+        <translation>Differentialtid</translation>
+    </message>
+    <message>
+        <source>Sensitivity Ms</source>
+        <translation>Følsomhed Ms</translation>
+    </message>
+    <message>
+        <source>unstable</source>
+        <translation>ustabil</translation>
+    </message>
+    <message>
+        <source>Gain margin</source>
+        <translation>Forstærkningsmargin</translation>
+    </message>
+    <message>
+        <source>Phase margin</source>
+        <translation>Fasemargin</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>Oversving</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Settling time</source>
+        <translation>Indsvingningstid</translation>
+    </message>
+    <message>
+        <source>Error after a load step</source>
+        <translation>Fejl efter et lastspring</translation>
+    </message>
+    <message>
+        <source>Control effort</source>
+        <translation>Styreindsats</translation>
+    </message>
+    <message>
+        <source>Noise in the output</source>
+        <translation>Støj i udgangen</translation>
+    </message>
+    <message>
+        <source>Recorded and modelled</source>
+        <translation>Optaget og modelleret</translation>
+    </message>
+    <message>
+        <source>time [s]</source>
+        <translation>tid [s]</translation>
+    </message>
+    <message>
+        <source>recorded</source>
+        <translation>optaget</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>model</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>nu</translation>
+    </message>
+    <message>
+        <source>proposed</source>
+        <translation>foreslået</translation>
+    </message>
+    <message>
+        <source>Step of the set point</source>
+        <translation>Spring i setpunktet</translation>
+    </message>
+    <message>
+        <source>Step of the load</source>
+        <translation>Spring i lasten</translation>
+    </message>
+    <message>
+        <source>The last step with these settings</source>
+        <translation>Det sidste spring med disse indstillinger</translation>
+    </message>
+    <message>
+        <source>Tuning</source>
+        <translation>Regulatorindstilling</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Skrevet: %1</translation>
+    </message>
+    <message>
+        <source>Taken back: %1</source>
+        <translation>Taget tilbage: %1</translation>
+    </message>
+</context>
+<context>
     <name>plc::editor::WatchView</name>
     <message>
         <source>Expression</source>
@@ -7866,6 +8432,10 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>As in the list</source>
         <translation>Som listen</translation>
+    </message>
+    <message>
+        <source>Source of %1 with the values of %2</source>
+        <translation>Kildetekst til %1 med værdierne fra %2</translation>
     </message>
 </context>
 <context>
@@ -8406,6 +8976,10 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
             <numerusform>%n tekst uden oversættelse.</numerusform>
             <numerusform>%n tekster uden oversættelse.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>XLIFF %1</source>
+        <translation>XLIFF %1</translation>
     </message>
 </context>
 <context>

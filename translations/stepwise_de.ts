@@ -2060,6 +2060,130 @@
         <source>The recording does not contain the program of this scan.</source>
         <translation>Die Aufzeichnung enthält das Programm dieses Zyklus nicht.</translation>
     </message>
+    <message>
+        <source>This scan is no longer in the recording.</source>
+        <translation>Dieser Zyklus ist nicht mehr in der Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>The scan before it is not in the recording, so the values with which this scan began are not known.</source>
+        <translation>Der Zyklus davor ist nicht in der Aufzeichnung; die Werte, mit denen dieser Zyklus begann, sind daher nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>The users and roles are not valid JSON</source>
+        <translation>Die Benutzer und Rollen sind kein gültiges JSON</translation>
+    </message>
+    <message>
+        <source>A role has no name</source>
+        <translation>Eine Rolle hat keinen Namen</translation>
+    </message>
+    <message>
+        <source>Two roles are named {0}</source>
+        <translation>Zwei Rollen heißen {0}</translation>
+    </message>
+    <message>
+        <source>There is no role {0}</source>
+        <translation>Die Rolle {0} gibt es nicht</translation>
+    </message>
+    <message>
+        <source>A user has no name</source>
+        <translation>Ein Benutzer hat keinen Namen</translation>
+    </message>
+    <message>
+        <source>Two users are named {0}</source>
+        <translation>Zwei Benutzer heißen {0}</translation>
+    </message>
+    <message>
+        <source>There is no user {0}</source>
+        <translation>Den Benutzer {0} gibt es nicht</translation>
+    </message>
+    <message>
+        <source>The password cannot be kept: {0}</source>
+        <translation>Das Passwort kann nicht abgelegt werden: {0}</translation>
+    </message>
+    <message>
+        <source>A password needs at least {0} characters</source>
+        <translation>Ein Passwort braucht mindestens {0} Zeichen</translation>
+    </message>
+    <message>
+        <source>The password must not be the name of the user</source>
+        <translation>Das Passwort darf nicht der Name des Benutzers sein</translation>
+    </message>
+    <message>
+        <source>The audit trail cannot be written: {0}</source>
+        <translation>Das Audit-Protokoll kann nicht geschrieben werden: {0}</translation>
+    </message>
+    <message>
+        <source>The audit trail cannot be read: {0}</source>
+        <translation>Das Audit-Protokoll kann nicht gelesen werden: {0}</translation>
+    </message>
+    <message>
+        <source>The frame {0} has no panel area, so no panel is seen in it</source>
+        <translation>Der Rahmen {0} hat keinen Panelbereich, darin ist also kein Panel zu sehen</translation>
+    </message>
+    <message>
+        <source>Only for the roles {0}, but the project has no users; anybody may operate it</source>
+        <translation>Nur für die Rollen {0}, aber das Projekt hat keine Benutzer; jeder darf es bedienen</translation>
+    </message>
+    <message>
+        <source>The recipes are not valid JSON</source>
+        <translation>Die Rezepte sind kein gültiges JSON</translation>
+    </message>
+    <message>
+        <source>A recipe has no name</source>
+        <translation>Ein Rezept hat keinen Namen</translation>
+    </message>
+    <message>
+        <source>Two recipes are named {0}</source>
+        <translation>Zwei Rezepte heißen {0}</translation>
+    </message>
+    <message>
+        <source>A row of a recipe names no variable</source>
+        <translation>Eine Zeile eines Rezepts nennt keine Variable</translation>
+    </message>
+    <message>
+        <source>The recipe has the variable {0} twice</source>
+        <translation>Das Rezept enthält die Variable {0} doppelt</translation>
+    </message>
+    <message>
+        <source>A set of a recipe has no name</source>
+        <translation>Ein Datensatz eines Rezepts hat keinen Namen</translation>
+    </message>
+    <message>
+        <source>Two sets of the recipe are named {0}</source>
+        <translation>Zwei Datensätze des Rezepts heißen {0}</translation>
+    </message>
+    <message>
+        <source>The first column must be named variable, and each set has a column of its own</source>
+        <translation>Die erste Spalte muss variable heißen, und jeder Datensatz hat eine eigene Spalte</translation>
+    </message>
+    <message>
+        <source>The recipe {0} has no variable {1}</source>
+        <translation>Das Rezept {0} hat keine Variable {1}</translation>
+    </message>
+    <message>
+        <source>There is no recipe {0}</source>
+        <translation>Das Rezept {0} gibt es nicht</translation>
+    </message>
+    <message>
+        <source>The recipe {0} has no set {1}</source>
+        <translation>Das Rezept {0} hat keinen Datensatz {1}</translation>
+    </message>
+    <message>
+        <source>The set {0} has no value for {1}</source>
+        <translation>Der Datensatz {0} hat keinen Wert für {1}</translation>
+    </message>
+    <message>
+        <source>{0} is outside the limits of {1}, {2} to {3}</source>
+        <translation>{0} liegt außerhalb der Grenzen von {1}, {2} bis {3}</translation>
+    </message>
+    <message>
+        <source>The list of shelved alarms cannot be read, so none is shelved: {0}</source>
+        <translation>Die Liste der zurückgestellten Alarme kann nicht gelesen werden; es ist also keiner zurückgestellt: {0}</translation>
+    </message>
+    <message>
+        <source>The list of shelved alarms cannot be written: {0}</source>
+        <translation>Die Liste der zurückgestellten Alarme kann nicht geschrieben werden: {0}</translation>
+    </message>
 </context>
 <context>
     <name>Exchange</name>
@@ -3197,6 +3321,78 @@
         <source>Arguments</source>
         <translation>Argumente</translation>
     </message>
+    <message>
+        <source>Adapts to the screen by</source>
+        <translation>Passt sich dem Bildschirm an durch</translation>
+    </message>
+    <message>
+        <source>On a tall screen</source>
+        <translation>Auf hohem Bildschirm</translation>
+    </message>
+    <message>
+        <source>Shown in the frame</source>
+        <translation>Im Rahmen angezeigt</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>Panel to show</source>
+        <translation>Anzuzeigendes Panel</translation>
+    </message>
+    <message>
+        <source>First-out group</source>
+        <translation>Erstmeldegruppe</translation>
+    </message>
+    <message>
+        <source>Horizontal anchor</source>
+        <translation>Anker waagrecht</translation>
+    </message>
+    <message>
+        <source>Vertical anchor</source>
+        <translation>Anker senkrecht</translation>
+    </message>
+    <message>
+        <source>Only for the roles</source>
+        <translation>Nur für die Rollen</translation>
+    </message>
+    <message>
+        <source>For all others</source>
+        <translation>Für alle anderen</translation>
+    </message>
+    <message>
+        <source>Writes are confirmed</source>
+        <translation>Schreiben wird bestätigt</translation>
+    </message>
+    <message>
+        <source>Navigation bar</source>
+        <translation>Navigationsleiste</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Panels</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>Benutzer</translation>
+    </message>
+    <message>
+        <source>Recipe</source>
+        <translation>Rezept</translation>
+    </message>
+    <message>
+        <source>Alarm statistics</source>
+        <translation>Alarmstatistik</translation>
+    </message>
+    <message>
+        <source>Hours to look back</source>
+        <translation>Betrachtete Stunden</translation>
+    </message>
+    <message>
+        <source>Panel area</source>
+        <translation>Panelbereich</translation>
+    </message>
 </context>
 <context>
     <name>HmiChoices</name>
@@ -3667,6 +3863,66 @@
     <message>
         <source>any type</source>
         <translation>beliebiger Typ</translation>
+    </message>
+    <message>
+        <source>Left and right</source>
+        <translation>Links und rechts</translation>
+    </message>
+    <message>
+        <source>Top and bottom</source>
+        <translation>Oben und unten</translation>
+    </message>
+    <message>
+        <source>Scaling to its size</source>
+        <translation>Skalieren auf seine Größe</translation>
+    </message>
+    <message>
+        <source>Moving what is anchored</source>
+        <translation>Verschieben der verankerten Elemente</translation>
+    </message>
+    <message>
+        <source>Keep the proportions</source>
+        <translation>Seitenverhältnis behalten</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Unten</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Gesperrt</translation>
+    </message>
+    <message>
+        <source>Hidden</source>
+        <translation>Ausgeblendet</translation>
+    </message>
+    <message>
+        <source>Open a panel in a window</source>
+        <translation>Panel in einem Fenster öffnen</translation>
+    </message>
+    <message>
+        <source>Close the window</source>
+        <translation>Fenster schließen</translation>
+    </message>
+    <message>
+        <source>Go back</source>
+        <translation>Zurückgehen</translation>
+    </message>
+    <message>
+        <source>Go to the start panel</source>
+        <translation>Zum Startpanel gehen</translation>
+    </message>
+    <message>
+        <source>Log out</source>
+        <translation>Abmelden</translation>
+    </message>
+    <message>
+        <source>Shelved alarms</source>
+        <translation>Zurückgestellte Alarme</translation>
     </message>
 </context>
 <context>
@@ -4737,6 +4993,38 @@
     <message>
         <source>Ziegler-Nichols</source>
         <translation>Ziegler-Nichols</translation>
+    </message>
+    <message>
+        <source>the recording has a gap in it</source>
+        <translation>die Aufzeichnung hat darin eine Lücke</translation>
+    </message>
+    <message>
+        <source>It oscillates with a period of {0} s and an amplitude of {1}, for {2} cycles in a row.</source>
+        <translation>Schwingt mit einer Periode von {0} s und einer Amplitude von {1}, {2} Perioden in Folge.</translation>
+    </message>
+    <message>
+        <source>It does not oscillate.</source>
+        <translation>Schwingt nicht.</translation>
+    </message>
+    <message>
+        <source>The settings are the likely cause: with the model the loop swings at this period.</source>
+        <translation>Wahrscheinliche Ursache sind die Einstellungen: Mit dem Modell schwingt der Regelkreis mit dieser Periode.</translation>
+    </message>
+    <message>
+        <source>A valve that sticks is the likely cause: the output moves evenly, the process answers in jumps.</source>
+        <translation>Wahrscheinliche Ursache ist ein klemmendes Ventil: Der Ausgang bewegt sich gleichmäßig, die Strecke antwortet in Sprüngen.</translation>
+    </message>
+    <message>
+        <source>The likely cause is outside: neither the settings nor a valve that sticks explain it.</source>
+        <translation>Die wahrscheinliche Ursache liegt außerhalb: Weder die Einstellungen noch ein klemmendes Ventil erklären es.</translation>
+    </message>
+    <message>
+        <source>The output is at a limit for {0} % of the time.</source>
+        <translation>Der Ausgang ist während {0} % der Zeit an einer Grenze.</translation>
+    </message>
+    <message>
+        <source>{0} % of what the measured value does is noise.</source>
+        <translation>{0} % der Bewegung des Messwerts sind Rauschen.</translation>
     </message>
 </context>
 <context>
@@ -5886,6 +6174,14 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume from Here” continues from there.</source>
         <translation>Ziehen Sie den Zeitschieber, oder drücken Sie Strg+Alt+Links: Code, Diagramme und Panel werden im Zustand von damals angezeigt. „Ab hier fortsetzen“ läuft von dort weiter.</translation>
+    </message>
+    <message>
+        <source>Tuning</source>
+        <translation>Reglereinstellung</translation>
+    </message>
+    <message>
+        <source>%1 is not a source of this project</source>
+        <translation>%1 ist keine Quelldatei dieses Projekts</translation>
     </message>
 </context>
 <context>
@@ -7728,6 +8024,276 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
 </context>
 <context>
+    <name>plc::editor::TuningView</name>
+    <message>
+        <source>Control loop</source>
+        <translation>Regelkreis</translation>
+    </message>
+    <message>
+        <source>Find Steps</source>
+        <translation>Sprünge suchen</translation>
+    </message>
+    <message>
+        <source>Looks for steps of the set point and of the output in the recording and makes a model of the process.</source>
+        <translation>Sucht in der Aufzeichnung nach Sprüngen des Sollwerts und des Ausgangs und bildet ein Modell der Strecke.</translation>
+    </message>
+    <message>
+        <source>Write Parameters</source>
+        <translation>Parameter schreiben</translation>
+    </message>
+    <message>
+        <source>Writes all parameters in one scan.</source>
+        <translation>Schreibt alle Parameter in einem Zyklus.</translation>
+    </message>
+    <message>
+        <source>Take Back</source>
+        <translation>Zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Writes the parameters that were in force before.</source>
+        <translation>Schreibt die Parameter, die vorher galten.</translation>
+    </message>
+    <message>
+        <source>Loop:</source>
+        <translation>Regelkreis:</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Verwenden</translation>
+    </message>
+    <message>
+        <source>At</source>
+        <translation>Bei</translation>
+    </message>
+    <message>
+        <source>Moved</source>
+        <translation>Bewegt</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Beurteilung</translation>
+    </message>
+    <message>
+        <source>Steps found</source>
+        <translation>Gefundene Sprünge</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>Regel</translation>
+    </message>
+    <message>
+        <source>Kind of controller</source>
+        <translation>Reglerart</translation>
+    </message>
+    <message>
+        <source>Calm to brisk</source>
+        <translation>Ruhig bis zügig</translation>
+    </message>
+    <message>
+        <source>Disturbance to set point</source>
+        <translation>Störung bis Sollwert</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>Proposed</source>
+        <translation>Vorgeschlagen</translation>
+    </message>
+    <message>
+        <source>Before and after</source>
+        <translation>Vorher und nachher</translation>
+    </message>
+    <message>
+        <source>Model:</source>
+        <translation>Modell:</translation>
+    </message>
+    <message>
+        <source>Rule:</source>
+        <translation>Regel:</translation>
+    </message>
+    <message>
+        <source>Controller:</source>
+        <translation>Regler:</translation>
+    </message>
+    <message>
+        <source>Calm</source>
+        <translation>Ruhig</translation>
+    </message>
+    <message>
+        <source>Brisk</source>
+        <translation>Zügig</translation>
+    </message>
+    <message>
+        <source>Disturbance</source>
+        <translation>Störgröße</translation>
+    </message>
+    <message>
+        <source>Set point</source>
+        <translation>Sollwert</translation>
+    </message>
+    <message>
+        <source>Start the controller; its recording is what is looked at.</source>
+        <translation>Starten Sie die Steuerung; untersucht wird ihre Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>The program has no controller block.</source>
+        <translation>Das Programm hat keinen Reglerbaustein.</translation>
+    </message>
+    <message>
+        <source>Searching…</source>
+        <translation>Suche läuft…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s) found, %1 used.</source>
+        <translation>
+            <numerusform>%n Sprung gefunden, %1 verwendet.</numerusform>
+            <numerusform>%n Sprünge gefunden, %1 verwendet.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, explains %2 %</source>
+        <translation>%1, erklärt %2 %</translation>
+    </message>
+    <message>
+        <source>set point</source>
+        <translation>Sollwert</translation>
+    </message>
+    <message>
+        <source>output</source>
+        <translation>Ausgang</translation>
+    </message>
+    <message>
+        <source>Choose at least one step.</source>
+        <translation>Wählen Sie mindestens einen Sprung.</translation>
+    </message>
+    <message>
+        <source>The rule has no answer for this process.</source>
+        <translation>Die Regel hat für diese Strecke keine Lösung.</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>beliebig</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Verstärkung</translation>
+    </message>
+    <message>
+        <source>Integral time</source>
+        <translation>Nachstellzeit</translation>
+    </message>
+    <message>
+        <source>Derivative time</source>
+        <translation>Vorhaltzeit</translation>
+    </message>
+    <message>
+        <source>Sensitivity Ms</source>
+        <translation>Empfindlichkeit Ms</translation>
+    </message>
+    <message>
+        <source>unstable</source>
+        <translation>instabil</translation>
+    </message>
+    <message>
+        <source>Gain margin</source>
+        <translation>Amplitudenreserve</translation>
+    </message>
+    <message>
+        <source>Phase margin</source>
+        <translation>Phasenreserve</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>Überschwingen</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Settling time</source>
+        <translation>Ausregelzeit</translation>
+    </message>
+    <message>
+        <source>Error after a load step</source>
+        <translation>Regelabweichung nach einem Lastsprung</translation>
+    </message>
+    <message>
+        <source>Control effort</source>
+        <translation>Stellaufwand</translation>
+    </message>
+    <message>
+        <source>Noise in the output</source>
+        <translation>Rauschen im Ausgang</translation>
+    </message>
+    <message>
+        <source>Recorded and modelled</source>
+        <translation>Aufgezeichnet und modelliert</translation>
+    </message>
+    <message>
+        <source>time [s]</source>
+        <translation>Zeit [s]</translation>
+    </message>
+    <message>
+        <source>recorded</source>
+        <translation>aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
+    </message>
+    <message>
+        <source>proposed</source>
+        <translation>vorgeschlagen</translation>
+    </message>
+    <message>
+        <source>Step of the set point</source>
+        <translation>Sprung des Sollwerts</translation>
+    </message>
+    <message>
+        <source>Step of the load</source>
+        <translation>Sprung der Last</translation>
+    </message>
+    <message>
+        <source>The last step with these settings</source>
+        <translation>Der letzte Sprung mit diesen Einstellungen</translation>
+    </message>
+    <message>
+        <source>Tuning</source>
+        <translation>Reglereinstellung</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>Taken back: %1</source>
+        <translation>Zurückgenommen: %1</translation>
+    </message>
+</context>
+<context>
     <name>plc::editor::WatchView</name>
     <message>
         <source>Expression</source>
@@ -7866,6 +8432,10 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>As in the list</source>
         <translation>Wie die Liste</translation>
+    </message>
+    <message>
+        <source>Source of %1 with the values of %2</source>
+        <translation>Quelltext von %1 mit den Werten von %2</translation>
     </message>
 </context>
 <context>
@@ -8406,6 +8976,10 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
             <numerusform>%n Text ohne Übersetzung.</numerusform>
             <numerusform>%n Texte ohne Übersetzung.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>XLIFF %1</source>
+        <translation>XLIFF %1</translation>
     </message>
 </context>
 <context>

@@ -114,6 +114,16 @@
     </message>
 </context>
 <context>
+    <name>plc::editor::TuningView</name>
+    <message numerus="yes">
+        <source>%n step(s) found, %1 used.</source>
+        <translation>
+            <numerusform>%n step found, %1 used.</numerusform>
+            <numerusform>%n steps found, %1 used.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>plc::hmi::PropertySheet</name>
     <message numerus="yes">
         <source>%n elements</source>

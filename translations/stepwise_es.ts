@@ -2060,6 +2060,130 @@
         <source>The recording does not contain the program of this scan.</source>
         <translation>La grabación no contiene el programa de este ciclo.</translation>
     </message>
+    <message>
+        <source>This scan is no longer in the recording.</source>
+        <translation>Este ciclo ya no está en la grabación.</translation>
+    </message>
+    <message>
+        <source>The scan before it is not in the recording, so the values with which this scan began are not known.</source>
+        <translation>El ciclo anterior no está en la grabación, por lo que no se conocen los valores con los que empezó este ciclo.</translation>
+    </message>
+    <message>
+        <source>The users and roles are not valid JSON</source>
+        <translation>Los usuarios y las funciones no son JSON válido</translation>
+    </message>
+    <message>
+        <source>A role has no name</source>
+        <translation>Una función no tiene nombre</translation>
+    </message>
+    <message>
+        <source>Two roles are named {0}</source>
+        <translation>Dos funciones se llaman {0}</translation>
+    </message>
+    <message>
+        <source>There is no role {0}</source>
+        <translation>No existe la función {0}</translation>
+    </message>
+    <message>
+        <source>A user has no name</source>
+        <translation>Un usuario no tiene nombre</translation>
+    </message>
+    <message>
+        <source>Two users are named {0}</source>
+        <translation>Dos usuarios se llaman {0}</translation>
+    </message>
+    <message>
+        <source>There is no user {0}</source>
+        <translation>No existe el usuario {0}</translation>
+    </message>
+    <message>
+        <source>The password cannot be kept: {0}</source>
+        <translation>No se puede conservar la contraseña: {0}</translation>
+    </message>
+    <message>
+        <source>A password needs at least {0} characters</source>
+        <translation>Una contraseña necesita al menos {0} caracteres</translation>
+    </message>
+    <message>
+        <source>The password must not be the name of the user</source>
+        <translation>La contraseña no debe ser el nombre del usuario</translation>
+    </message>
+    <message>
+        <source>The audit trail cannot be written: {0}</source>
+        <translation>No se puede escribir el registro de auditoría: {0}</translation>
+    </message>
+    <message>
+        <source>The audit trail cannot be read: {0}</source>
+        <translation>No se puede leer el registro de auditoría: {0}</translation>
+    </message>
+    <message>
+        <source>The frame {0} has no panel area, so no panel is seen in it</source>
+        <translation>El marco {0} no tiene área de panel, por lo que no se ve ningún panel en él</translation>
+    </message>
+    <message>
+        <source>Only for the roles {0}, but the project has no users; anybody may operate it</source>
+        <translation>Solo para las funciones {0}, pero el proyecto no tiene usuarios; cualquiera puede operarlo</translation>
+    </message>
+    <message>
+        <source>The recipes are not valid JSON</source>
+        <translation>Las recetas no son JSON válido</translation>
+    </message>
+    <message>
+        <source>A recipe has no name</source>
+        <translation>Una receta no tiene nombre</translation>
+    </message>
+    <message>
+        <source>Two recipes are named {0}</source>
+        <translation>Dos recetas se llaman {0}</translation>
+    </message>
+    <message>
+        <source>A row of a recipe names no variable</source>
+        <translation>Una fila de una receta no indica ninguna variable</translation>
+    </message>
+    <message>
+        <source>The recipe has the variable {0} twice</source>
+        <translation>La receta tiene la variable {0} dos veces</translation>
+    </message>
+    <message>
+        <source>A set of a recipe has no name</source>
+        <translation>Un juego de valores de una receta no tiene nombre</translation>
+    </message>
+    <message>
+        <source>Two sets of the recipe are named {0}</source>
+        <translation>Dos juegos de valores de la receta se llaman {0}</translation>
+    </message>
+    <message>
+        <source>The first column must be named variable, and each set has a column of its own</source>
+        <translation>La primera columna debe llamarse variable, y cada juego de valores tiene su propia columna</translation>
+    </message>
+    <message>
+        <source>The recipe {0} has no variable {1}</source>
+        <translation>La receta {0} no tiene ninguna variable {1}</translation>
+    </message>
+    <message>
+        <source>There is no recipe {0}</source>
+        <translation>No existe la receta {0}</translation>
+    </message>
+    <message>
+        <source>The recipe {0} has no set {1}</source>
+        <translation>La receta {0} no tiene ningún juego de valores {1}</translation>
+    </message>
+    <message>
+        <source>The set {0} has no value for {1}</source>
+        <translation>El juego de valores {0} no tiene valor para {1}</translation>
+    </message>
+    <message>
+        <source>{0} is outside the limits of {1}, {2} to {3}</source>
+        <translation>{0} está fuera de los límites de {1}, de {2} a {3}</translation>
+    </message>
+    <message>
+        <source>The list of shelved alarms cannot be read, so none is shelved: {0}</source>
+        <translation>No se puede leer la lista de alarmas aplazadas, por lo que no hay ninguna aplazada: {0}</translation>
+    </message>
+    <message>
+        <source>The list of shelved alarms cannot be written: {0}</source>
+        <translation>No se puede escribir la lista de alarmas aplazadas: {0}</translation>
+    </message>
 </context>
 <context>
     <name>Exchange</name>
@@ -3197,6 +3321,78 @@
         <source>Arguments</source>
         <translation>Argumentos</translation>
     </message>
+    <message>
+        <source>Adapts to the screen by</source>
+        <translation>Se adapta a la pantalla mediante</translation>
+    </message>
+    <message>
+        <source>On a tall screen</source>
+        <translation>En una pantalla vertical</translation>
+    </message>
+    <message>
+        <source>Shown in the frame</source>
+        <translation>Se muestra en el marco</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Ayuda</translation>
+    </message>
+    <message>
+        <source>Panel to show</source>
+        <translation>Panel que se muestra</translation>
+    </message>
+    <message>
+        <source>First-out group</source>
+        <translation>Grupo de primera alarma</translation>
+    </message>
+    <message>
+        <source>Horizontal anchor</source>
+        <translation>Anclaje horizontal</translation>
+    </message>
+    <message>
+        <source>Vertical anchor</source>
+        <translation>Anclaje vertical</translation>
+    </message>
+    <message>
+        <source>Only for the roles</source>
+        <translation>Solo para las funciones</translation>
+    </message>
+    <message>
+        <source>For all others</source>
+        <translation>Para todos los demás</translation>
+    </message>
+    <message>
+        <source>Writes are confirmed</source>
+        <translation>Las escrituras se confirman</translation>
+    </message>
+    <message>
+        <source>Navigation bar</source>
+        <translation>Barra de navegación</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Paneles</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>Usuario</translation>
+    </message>
+    <message>
+        <source>Recipe</source>
+        <translation>Receta</translation>
+    </message>
+    <message>
+        <source>Alarm statistics</source>
+        <translation>Estadística de alarmas</translation>
+    </message>
+    <message>
+        <source>Hours to look back</source>
+        <translation>Horas consideradas</translation>
+    </message>
+    <message>
+        <source>Panel area</source>
+        <translation>Área de panel</translation>
+    </message>
 </context>
 <context>
     <name>HmiChoices</name>
@@ -3667,6 +3863,66 @@
     <message>
         <source>any type</source>
         <translation>cualquier tipo</translation>
+    </message>
+    <message>
+        <source>Left and right</source>
+        <translation>Izquierda y derecha</translation>
+    </message>
+    <message>
+        <source>Top and bottom</source>
+        <translation>Arriba y abajo</translation>
+    </message>
+    <message>
+        <source>Scaling to its size</source>
+        <translation>Escalado a su tamaño</translation>
+    </message>
+    <message>
+        <source>Moving what is anchored</source>
+        <translation>Desplazamiento de lo anclado</translation>
+    </message>
+    <message>
+        <source>Keep the proportions</source>
+        <translation>Mantener las proporciones</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Arriba</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Abajo</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Bloqueado</translation>
+    </message>
+    <message>
+        <source>Hidden</source>
+        <translation>Oculto</translation>
+    </message>
+    <message>
+        <source>Open a panel in a window</source>
+        <translation>Abrir un panel en una ventana</translation>
+    </message>
+    <message>
+        <source>Close the window</source>
+        <translation>Cerrar la ventana</translation>
+    </message>
+    <message>
+        <source>Go back</source>
+        <translation>Volver atrás</translation>
+    </message>
+    <message>
+        <source>Go to the start panel</source>
+        <translation>Ir al panel inicial</translation>
+    </message>
+    <message>
+        <source>Log out</source>
+        <translation>Cerrar sesión</translation>
+    </message>
+    <message>
+        <source>Shelved alarms</source>
+        <translation>Alarmas aplazadas</translation>
     </message>
 </context>
 <context>
@@ -4737,6 +4993,38 @@
     <message>
         <source>Ziegler-Nichols</source>
         <translation>Ziegler-Nichols</translation>
+    </message>
+    <message>
+        <source>the recording has a gap in it</source>
+        <translation>la grabación tiene un hueco ahí</translation>
+    </message>
+    <message>
+        <source>It oscillates with a period of {0} s and an amplitude of {1}, for {2} cycles in a row.</source>
+        <translation>Oscila con un período de {0} s y una amplitud de {1}, durante {2} períodos seguidos.</translation>
+    </message>
+    <message>
+        <source>It does not oscillate.</source>
+        <translation>No oscila.</translation>
+    </message>
+    <message>
+        <source>The settings are the likely cause: with the model the loop swings at this period.</source>
+        <translation>Los ajustes son la causa probable: con el modelo, el lazo oscila con este período.</translation>
+    </message>
+    <message>
+        <source>A valve that sticks is the likely cause: the output moves evenly, the process answers in jumps.</source>
+        <translation>Una válvula que se atasca es la causa probable: la salida se mueve de forma uniforme y el proceso responde a saltos.</translation>
+    </message>
+    <message>
+        <source>The likely cause is outside: neither the settings nor a valve that sticks explain it.</source>
+        <translation>La causa probable es externa: ni los ajustes ni una válvula que se atasca lo explican.</translation>
+    </message>
+    <message>
+        <source>The output is at a limit for {0} % of the time.</source>
+        <translation>La salida está en un límite el {0}&#xa0;% del tiempo.</translation>
+    </message>
+    <message>
+        <source>{0} % of what the measured value does is noise.</source>
+        <translation>El {0}&#xa0;% de lo que hace el valor medido es ruido.</translation>
     </message>
 </context>
 <context>
@@ -5886,6 +6174,14 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume from Here” continues from there.</source>
         <translation>Arrastre el control de tiempo o pulse Ctrl+Alt+Izquierda: el código, los gráficos y el panel muestran el pasado. «Reanudar desde aquí» sigue desde ese punto.</translation>
+    </message>
+    <message>
+        <source>Tuning</source>
+        <translation>Sintonización</translation>
+    </message>
+    <message>
+        <source>%1 is not a source of this project</source>
+        <translation>%1 no es un archivo fuente de este proyecto</translation>
     </message>
 </context>
 <context>
@@ -7728,6 +8024,276 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
 </context>
 <context>
+    <name>plc::editor::TuningView</name>
+    <message>
+        <source>Control loop</source>
+        <translation>Lazo de control</translation>
+    </message>
+    <message>
+        <source>Find Steps</source>
+        <translation>Buscar escalones</translation>
+    </message>
+    <message>
+        <source>Looks for steps of the set point and of the output in the recording and makes a model of the process.</source>
+        <translation>Busca escalones de la consigna y de la salida en la grabación y crea un modelo del proceso.</translation>
+    </message>
+    <message>
+        <source>Write Parameters</source>
+        <translation>Escribir parámetros</translation>
+    </message>
+    <message>
+        <source>Writes all parameters in one scan.</source>
+        <translation>Escribe todos los parámetros en un ciclo.</translation>
+    </message>
+    <message>
+        <source>Take Back</source>
+        <translation>Revertir</translation>
+    </message>
+    <message>
+        <source>Writes the parameters that were in force before.</source>
+        <translation>Escribe los parámetros que estaban en vigor antes.</translation>
+    </message>
+    <message>
+        <source>Loop:</source>
+        <translation>Lazo:</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Usar</translation>
+    </message>
+    <message>
+        <source>At</source>
+        <translation>En</translation>
+    </message>
+    <message>
+        <source>Moved</source>
+        <translation>Movido</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Desde</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Hasta</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Valoración</translation>
+    </message>
+    <message>
+        <source>Steps found</source>
+        <translation>Escalones encontrados</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modelo</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>Regla</translation>
+    </message>
+    <message>
+        <source>Kind of controller</source>
+        <translation>Tipo de regulador</translation>
+    </message>
+    <message>
+        <source>Calm to brisk</source>
+        <translation>Tranquilo a ágil</translation>
+    </message>
+    <message>
+        <source>Disturbance to set point</source>
+        <translation>Perturbación a consigna</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Ahora</translation>
+    </message>
+    <message>
+        <source>Proposed</source>
+        <translation>Propuesto</translation>
+    </message>
+    <message>
+        <source>Before and after</source>
+        <translation>Antes y después</translation>
+    </message>
+    <message>
+        <source>Model:</source>
+        <translation>Modelo:</translation>
+    </message>
+    <message>
+        <source>Rule:</source>
+        <translation>Regla:</translation>
+    </message>
+    <message>
+        <source>Controller:</source>
+        <translation>Regulador:</translation>
+    </message>
+    <message>
+        <source>Calm</source>
+        <translation>Tranquilo</translation>
+    </message>
+    <message>
+        <source>Brisk</source>
+        <translation>Ágil</translation>
+    </message>
+    <message>
+        <source>Disturbance</source>
+        <translation>Perturbación</translation>
+    </message>
+    <message>
+        <source>Set point</source>
+        <translation>Consigna</translation>
+    </message>
+    <message>
+        <source>Start the controller; its recording is what is looked at.</source>
+        <translation>Arranque el controlador; lo que se examina es su grabación.</translation>
+    </message>
+    <message>
+        <source>The program has no controller block.</source>
+        <translation>El programa no tiene ningún bloque regulador.</translation>
+    </message>
+    <message>
+        <source>Searching…</source>
+        <translation>Buscando…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s) found, %1 used.</source>
+        <translation>
+            <numerusform>%n escalón encontrado, %1 usado.</numerusform>
+            <numerusform>%n escalones encontrados, %1 usados.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, explains %2 %</source>
+        <translation>%1, explica el %2&#xa0;%</translation>
+    </message>
+    <message>
+        <source>set point</source>
+        <translation>consigna</translation>
+    </message>
+    <message>
+        <source>output</source>
+        <translation>salida</translation>
+    </message>
+    <message>
+        <source>Choose at least one step.</source>
+        <translation>Elija al menos un escalón.</translation>
+    </message>
+    <message>
+        <source>The rule has no answer for this process.</source>
+        <translation>La regla no tiene respuesta para este proceso.</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>cualquiera</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Ganancia</translation>
+    </message>
+    <message>
+        <source>Integral time</source>
+        <translation>Tiempo integral</translation>
+    </message>
+    <message>
+        <source>Derivative time</source>
+        <translation>Tiempo derivativo</translation>
+    </message>
+    <message>
+        <source>Sensitivity Ms</source>
+        <translation>Sensibilidad Ms</translation>
+    </message>
+    <message>
+        <source>unstable</source>
+        <translation>inestable</translation>
+    </message>
+    <message>
+        <source>Gain margin</source>
+        <translation>Margen de ganancia</translation>
+    </message>
+    <message>
+        <source>Phase margin</source>
+        <translation>Margen de fase</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>Sobreoscilación</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1&#xa0;%</translation>
+    </message>
+    <message>
+        <source>Settling time</source>
+        <translation>Tiempo de establecimiento</translation>
+    </message>
+    <message>
+        <source>Error after a load step</source>
+        <translation>Error tras un escalón de carga</translation>
+    </message>
+    <message>
+        <source>Control effort</source>
+        <translation>Esfuerzo de control</translation>
+    </message>
+    <message>
+        <source>Noise in the output</source>
+        <translation>Ruido en la salida</translation>
+    </message>
+    <message>
+        <source>Recorded and modelled</source>
+        <translation>Grabado y modelado</translation>
+    </message>
+    <message>
+        <source>time [s]</source>
+        <translation>tiempo [s]</translation>
+    </message>
+    <message>
+        <source>recorded</source>
+        <translation>grabado</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>modelo</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>ahora</translation>
+    </message>
+    <message>
+        <source>proposed</source>
+        <translation>propuesto</translation>
+    </message>
+    <message>
+        <source>Step of the set point</source>
+        <translation>Escalón de la consigna</translation>
+    </message>
+    <message>
+        <source>Step of the load</source>
+        <translation>Escalón de la carga</translation>
+    </message>
+    <message>
+        <source>The last step with these settings</source>
+        <translation>El último escalón con estos ajustes</translation>
+    </message>
+    <message>
+        <source>Tuning</source>
+        <translation>Sintonización</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Escrito: %1</translation>
+    </message>
+    <message>
+        <source>Taken back: %1</source>
+        <translation>Revertido: %1</translation>
+    </message>
+</context>
+<context>
     <name>plc::editor::WatchView</name>
     <message>
         <source>Expression</source>
@@ -7866,6 +8432,10 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>As in the list</source>
         <translation>Como la lista</translation>
+    </message>
+    <message>
+        <source>Source of %1 with the values of %2</source>
+        <translation>Código fuente de %1 con los valores de %2</translation>
     </message>
 </context>
 <context>
@@ -8406,6 +8976,10 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
             <numerusform>%n texto sin traducción.</numerusform>
             <numerusform>%n textos sin traducción.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>XLIFF %1</source>
+        <translation>XLIFF %1</translation>
     </message>
 </context>
 <context>

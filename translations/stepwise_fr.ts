@@ -2060,6 +2060,130 @@
         <source>The recording does not contain the program of this scan.</source>
         <translation>L’enregistrement ne contient pas le programme de ce cycle.</translation>
     </message>
+    <message>
+        <source>This scan is no longer in the recording.</source>
+        <translation>Ce cycle n’est plus dans l’enregistrement.</translation>
+    </message>
+    <message>
+        <source>The scan before it is not in the recording, so the values with which this scan began are not known.</source>
+        <translation>Le cycle précédent n’est pas dans l’enregistrement&#x202f;; les valeurs au début de ce cycle sont donc inconnues.</translation>
+    </message>
+    <message>
+        <source>The users and roles are not valid JSON</source>
+        <translation>Les utilisateurs et les rôles ne sont pas du JSON valide</translation>
+    </message>
+    <message>
+        <source>A role has no name</source>
+        <translation>Un rôle n’a pas de nom</translation>
+    </message>
+    <message>
+        <source>Two roles are named {0}</source>
+        <translation>Deux rôles s’appellent {0}</translation>
+    </message>
+    <message>
+        <source>There is no role {0}</source>
+        <translation>Le rôle {0} n’existe pas</translation>
+    </message>
+    <message>
+        <source>A user has no name</source>
+        <translation>Un utilisateur n’a pas de nom</translation>
+    </message>
+    <message>
+        <source>Two users are named {0}</source>
+        <translation>Deux utilisateurs s’appellent {0}</translation>
+    </message>
+    <message>
+        <source>There is no user {0}</source>
+        <translation>L’utilisateur {0} n’existe pas</translation>
+    </message>
+    <message>
+        <source>The password cannot be kept: {0}</source>
+        <translation>Le mot de passe ne peut pas être conservé : {0}</translation>
+    </message>
+    <message>
+        <source>A password needs at least {0} characters</source>
+        <translation>Un mot de passe doit avoir au moins {0} caractères</translation>
+    </message>
+    <message>
+        <source>The password must not be the name of the user</source>
+        <translation>Le mot de passe ne doit pas être le nom de l’utilisateur</translation>
+    </message>
+    <message>
+        <source>The audit trail cannot be written: {0}</source>
+        <translation>La piste d’audit ne peut pas être écrite : {0}</translation>
+    </message>
+    <message>
+        <source>The audit trail cannot be read: {0}</source>
+        <translation>La piste d’audit ne peut pas être lue : {0}</translation>
+    </message>
+    <message>
+        <source>The frame {0} has no panel area, so no panel is seen in it</source>
+        <translation>Le cadre {0} n’a pas de zone de vue, aucune vue n’y apparaît donc</translation>
+    </message>
+    <message>
+        <source>Only for the roles {0}, but the project has no users; anybody may operate it</source>
+        <translation>Seulement pour les rôles {0}, mais le projet n’a pas d’utilisateurs ; tout le monde peut le commander</translation>
+    </message>
+    <message>
+        <source>The recipes are not valid JSON</source>
+        <translation>Les recettes ne sont pas du JSON valide</translation>
+    </message>
+    <message>
+        <source>A recipe has no name</source>
+        <translation>Une recette n’a pas de nom</translation>
+    </message>
+    <message>
+        <source>Two recipes are named {0}</source>
+        <translation>Deux recettes s’appellent {0}</translation>
+    </message>
+    <message>
+        <source>A row of a recipe names no variable</source>
+        <translation>Une ligne d’une recette n’indique pas de variable</translation>
+    </message>
+    <message>
+        <source>The recipe has the variable {0} twice</source>
+        <translation>La recette contient deux fois la variable {0}</translation>
+    </message>
+    <message>
+        <source>A set of a recipe has no name</source>
+        <translation>Un jeu de valeurs d’une recette n’a pas de nom</translation>
+    </message>
+    <message>
+        <source>Two sets of the recipe are named {0}</source>
+        <translation>Deux jeux de valeurs de la recette s’appellent {0}</translation>
+    </message>
+    <message>
+        <source>The first column must be named variable, and each set has a column of its own</source>
+        <translation>La première colonne doit s’appeler variable, et chaque jeu de valeurs a sa propre colonne</translation>
+    </message>
+    <message>
+        <source>The recipe {0} has no variable {1}</source>
+        <translation>La recette {0} n’a pas de variable {1}</translation>
+    </message>
+    <message>
+        <source>There is no recipe {0}</source>
+        <translation>La recette {0} n’existe pas</translation>
+    </message>
+    <message>
+        <source>The recipe {0} has no set {1}</source>
+        <translation>La recette {0} n’a pas de jeu de valeurs {1}</translation>
+    </message>
+    <message>
+        <source>The set {0} has no value for {1}</source>
+        <translation>Le jeu de valeurs {0} n’a pas de valeur pour {1}</translation>
+    </message>
+    <message>
+        <source>{0} is outside the limits of {1}, {2} to {3}</source>
+        <translation>{0} est hors des limites de {1}, {2} à {3}</translation>
+    </message>
+    <message>
+        <source>The list of shelved alarms cannot be read, so none is shelved: {0}</source>
+        <translation>La liste des alarmes mises de côté ne peut pas être lue, aucune n’est donc mise de côté : {0}</translation>
+    </message>
+    <message>
+        <source>The list of shelved alarms cannot be written: {0}</source>
+        <translation>La liste des alarmes mises de côté ne peut pas être écrite : {0}</translation>
+    </message>
 </context>
 <context>
     <name>Exchange</name>
@@ -3197,6 +3321,78 @@
         <source>Arguments</source>
         <translation>Arguments</translation>
     </message>
+    <message>
+        <source>Adapts to the screen by</source>
+        <translation>S’adapte à l’écran par</translation>
+    </message>
+    <message>
+        <source>On a tall screen</source>
+        <translation>Sur un écran en hauteur</translation>
+    </message>
+    <message>
+        <source>Shown in the frame</source>
+        <translation>Affiché dans le cadre</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Aide</translation>
+    </message>
+    <message>
+        <source>Panel to show</source>
+        <translation>Vue à afficher</translation>
+    </message>
+    <message>
+        <source>First-out group</source>
+        <translation>Groupe de première alarme</translation>
+    </message>
+    <message>
+        <source>Horizontal anchor</source>
+        <translation>Ancrage horizontal</translation>
+    </message>
+    <message>
+        <source>Vertical anchor</source>
+        <translation>Ancrage vertical</translation>
+    </message>
+    <message>
+        <source>Only for the roles</source>
+        <translation>Seulement pour les rôles</translation>
+    </message>
+    <message>
+        <source>For all others</source>
+        <translation>Pour tous les autres</translation>
+    </message>
+    <message>
+        <source>Writes are confirmed</source>
+        <translation>Les écritures sont confirmées</translation>
+    </message>
+    <message>
+        <source>Navigation bar</source>
+        <translation>Barre de navigation</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Vues</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>Utilisateur</translation>
+    </message>
+    <message>
+        <source>Recipe</source>
+        <translation>Recette</translation>
+    </message>
+    <message>
+        <source>Alarm statistics</source>
+        <translation>Statistique des alarmes</translation>
+    </message>
+    <message>
+        <source>Hours to look back</source>
+        <translation>Heures à considérer</translation>
+    </message>
+    <message>
+        <source>Panel area</source>
+        <translation>Zone de vue</translation>
+    </message>
 </context>
 <context>
     <name>HmiChoices</name>
@@ -3667,6 +3863,66 @@
     <message>
         <source>any type</source>
         <translation>type quelconque</translation>
+    </message>
+    <message>
+        <source>Left and right</source>
+        <translation>Gauche et droite</translation>
+    </message>
+    <message>
+        <source>Top and bottom</source>
+        <translation>Haut et bas</translation>
+    </message>
+    <message>
+        <source>Scaling to its size</source>
+        <translation>Mise à l’échelle</translation>
+    </message>
+    <message>
+        <source>Moving what is anchored</source>
+        <translation>Déplacement des éléments ancrés</translation>
+    </message>
+    <message>
+        <source>Keep the proportions</source>
+        <translation>Garder les proportions</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Haut</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Bas</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Verrouillé</translation>
+    </message>
+    <message>
+        <source>Hidden</source>
+        <translation>Masqué</translation>
+    </message>
+    <message>
+        <source>Open a panel in a window</source>
+        <translation>Ouvrir une vue dans une fenêtre</translation>
+    </message>
+    <message>
+        <source>Close the window</source>
+        <translation>Fermer la fenêtre</translation>
+    </message>
+    <message>
+        <source>Go back</source>
+        <translation>Revenir en arrière</translation>
+    </message>
+    <message>
+        <source>Go to the start panel</source>
+        <translation>Aller à la vue de départ</translation>
+    </message>
+    <message>
+        <source>Log out</source>
+        <translation>Se déconnecter</translation>
+    </message>
+    <message>
+        <source>Shelved alarms</source>
+        <translation>Alarmes mises de côté</translation>
     </message>
 </context>
 <context>
@@ -4737,6 +4993,38 @@
     <message>
         <source>Ziegler-Nichols</source>
         <translation>Ziegler-Nichols</translation>
+    </message>
+    <message>
+        <source>the recording has a gap in it</source>
+        <translation>l’enregistrement y présente une lacune</translation>
+    </message>
+    <message>
+        <source>It oscillates with a period of {0} s and an amplitude of {1}, for {2} cycles in a row.</source>
+        <translation>Oscille avec une période de {0} s et une amplitude de {1}, pendant {2} périodes de suite.</translation>
+    </message>
+    <message>
+        <source>It does not oscillate.</source>
+        <translation>N’oscille pas.</translation>
+    </message>
+    <message>
+        <source>The settings are the likely cause: with the model the loop swings at this period.</source>
+        <translation>Les paramètres sont la cause probable&#xa0;: avec le modèle, la boucle oscille à cette période.</translation>
+    </message>
+    <message>
+        <source>A valve that sticks is the likely cause: the output moves evenly, the process answers in jumps.</source>
+        <translation>Une vanne qui colle est la cause probable&#xa0;: la sortie bouge régulièrement, le procédé répond par à-coups.</translation>
+    </message>
+    <message>
+        <source>The likely cause is outside: neither the settings nor a valve that sticks explain it.</source>
+        <translation>La cause probable est extérieure&#xa0;: ni les paramètres ni une vanne qui colle ne l’expliquent.</translation>
+    </message>
+    <message>
+        <source>The output is at a limit for {0} % of the time.</source>
+        <translation>La sortie est à une limite pendant {0}&#xa0;% du temps.</translation>
+    </message>
+    <message>
+        <source>{0} % of what the measured value does is noise.</source>
+        <translation>{0}&#xa0;% du comportement de la valeur mesurée est du bruit.</translation>
     </message>
 </context>
 <context>
@@ -5886,6 +6174,14 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <message>
         <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume from Here” continues from there.</source>
         <translation>Faites glisser le curseur temporel, ou appuyez sur Ctrl+Alt+Gauche&#xa0;: le code, les courbes et la vue affichent le passé. «&#xa0;Reprendre ici&#xa0;» repart de là.</translation>
+    </message>
+    <message>
+        <source>Tuning</source>
+        <translation>Réglage</translation>
+    </message>
+    <message>
+        <source>%1 is not a source of this project</source>
+        <translation>%1 n’est pas un fichier source de ce projet</translation>
     </message>
 </context>
 <context>
@@ -7728,6 +8024,276 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
 </context>
 <context>
+    <name>plc::editor::TuningView</name>
+    <message>
+        <source>Control loop</source>
+        <translation>Boucle de régulation</translation>
+    </message>
+    <message>
+        <source>Find Steps</source>
+        <translation>Rechercher les échelons</translation>
+    </message>
+    <message>
+        <source>Looks for steps of the set point and of the output in the recording and makes a model of the process.</source>
+        <translation>Recherche des échelons de la consigne et de la sortie dans l’enregistrement et en tire un modèle du procédé.</translation>
+    </message>
+    <message>
+        <source>Write Parameters</source>
+        <translation>Écrire les paramètres</translation>
+    </message>
+    <message>
+        <source>Writes all parameters in one scan.</source>
+        <translation>Écrit tous les paramètres en un seul cycle.</translation>
+    </message>
+    <message>
+        <source>Take Back</source>
+        <translation>Revenir en arrière</translation>
+    </message>
+    <message>
+        <source>Writes the parameters that were in force before.</source>
+        <translation>Écrit les paramètres qui étaient en vigueur auparavant.</translation>
+    </message>
+    <message>
+        <source>Loop:</source>
+        <translation>Boucle&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Utiliser</translation>
+    </message>
+    <message>
+        <source>At</source>
+        <translation>À</translation>
+    </message>
+    <message>
+        <source>Moved</source>
+        <translation>Modifié</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>À</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Évaluation</translation>
+    </message>
+    <message>
+        <source>Steps found</source>
+        <translation>Échelons trouvés</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modèle</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>Règle</translation>
+    </message>
+    <message>
+        <source>Kind of controller</source>
+        <translation>Type de régulateur</translation>
+    </message>
+    <message>
+        <source>Calm to brisk</source>
+        <translation>Calme à vif</translation>
+    </message>
+    <message>
+        <source>Disturbance to set point</source>
+        <translation>Perturbation à consigne</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Actuel</translation>
+    </message>
+    <message>
+        <source>Proposed</source>
+        <translation>Proposé</translation>
+    </message>
+    <message>
+        <source>Before and after</source>
+        <translation>Avant et après</translation>
+    </message>
+    <message>
+        <source>Model:</source>
+        <translation>Modèle&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Rule:</source>
+        <translation>Règle&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Controller:</source>
+        <translation>Régulateur&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Calm</source>
+        <translation>Calme</translation>
+    </message>
+    <message>
+        <source>Brisk</source>
+        <translation>Vif</translation>
+    </message>
+    <message>
+        <source>Disturbance</source>
+        <translation>Perturbation</translation>
+    </message>
+    <message>
+        <source>Set point</source>
+        <translation>Consigne</translation>
+    </message>
+    <message>
+        <source>Start the controller; its recording is what is looked at.</source>
+        <translation>Démarrez l’automate&#x202f;; c’est son enregistrement qui est examiné.</translation>
+    </message>
+    <message>
+        <source>The program has no controller block.</source>
+        <translation>Le programme n’a pas de bloc régulateur.</translation>
+    </message>
+    <message>
+        <source>Searching…</source>
+        <translation>Recherche…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s) found, %1 used.</source>
+        <translation>
+            <numerusform>%n échelon trouvé, %1 utilisé.</numerusform>
+            <numerusform>%n échelons trouvés, %1 utilisés.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, explains %2 %</source>
+        <translation>%1, explique %2&#xa0;%</translation>
+    </message>
+    <message>
+        <source>set point</source>
+        <translation>consigne</translation>
+    </message>
+    <message>
+        <source>output</source>
+        <translation>sortie</translation>
+    </message>
+    <message>
+        <source>Choose at least one step.</source>
+        <translation>Choisissez au moins un échelon.</translation>
+    </message>
+    <message>
+        <source>The rule has no answer for this process.</source>
+        <translation>La règle n’a pas de réponse pour ce procédé.</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>tous</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Gain</translation>
+    </message>
+    <message>
+        <source>Integral time</source>
+        <translation>Temps d’intégration</translation>
+    </message>
+    <message>
+        <source>Derivative time</source>
+        <translation>Temps de dérivation</translation>
+    </message>
+    <message>
+        <source>Sensitivity Ms</source>
+        <translation>Sensibilité Ms</translation>
+    </message>
+    <message>
+        <source>unstable</source>
+        <translation>instable</translation>
+    </message>
+    <message>
+        <source>Gain margin</source>
+        <translation>Marge de gain</translation>
+    </message>
+    <message>
+        <source>Phase margin</source>
+        <translation>Marge de phase</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>Dépassement</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1&#xa0;%</translation>
+    </message>
+    <message>
+        <source>Settling time</source>
+        <translation>Temps de stabilisation</translation>
+    </message>
+    <message>
+        <source>Error after a load step</source>
+        <translation>Erreur après un échelon de charge</translation>
+    </message>
+    <message>
+        <source>Control effort</source>
+        <translation>Effort de commande</translation>
+    </message>
+    <message>
+        <source>Noise in the output</source>
+        <translation>Bruit en sortie</translation>
+    </message>
+    <message>
+        <source>Recorded and modelled</source>
+        <translation>Enregistré et modélisé</translation>
+    </message>
+    <message>
+        <source>time [s]</source>
+        <translation>temps [s]</translation>
+    </message>
+    <message>
+        <source>recorded</source>
+        <translation>enregistré</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>modèle</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>actuel</translation>
+    </message>
+    <message>
+        <source>proposed</source>
+        <translation>proposé</translation>
+    </message>
+    <message>
+        <source>Step of the set point</source>
+        <translation>Échelon de consigne</translation>
+    </message>
+    <message>
+        <source>Step of the load</source>
+        <translation>Échelon de charge</translation>
+    </message>
+    <message>
+        <source>The last step with these settings</source>
+        <translation>Le dernier échelon avec ces paramètres</translation>
+    </message>
+    <message>
+        <source>Tuning</source>
+        <translation>Réglage</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Écrit&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Taken back: %1</source>
+        <translation>Annulé&#xa0;: %1</translation>
+    </message>
+</context>
+<context>
     <name>plc::editor::WatchView</name>
     <message>
         <source>Expression</source>
@@ -7866,6 +8432,10 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <message>
         <source>As in the list</source>
         <translation>Comme la liste</translation>
+    </message>
+    <message>
+        <source>Source of %1 with the values of %2</source>
+        <translation>Source de %1 avec les valeurs de %2</translation>
     </message>
 </context>
 <context>
@@ -8406,6 +8976,10 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
             <numerusform>%n texte sans traduction.</numerusform>
             <numerusform>%n textes sans traduction.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>XLIFF %1</source>
+        <translation>XLIFF %1</translation>
     </message>
 </context>
 <context>

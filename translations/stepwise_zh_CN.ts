@@ -2060,6 +2060,130 @@
         <source>The recording does not contain the program of this scan.</source>
         <translation>记录中没有此扫描周期的程序。</translation>
     </message>
+    <message>
+        <source>This scan is no longer in the recording.</source>
+        <translation>此扫描周期已不在记录中。</translation>
+    </message>
+    <message>
+        <source>The scan before it is not in the recording, so the values with which this scan began are not known.</source>
+        <translation>前一个扫描周期不在记录中，因此不知道此扫描周期开始时的值。</translation>
+    </message>
+    <message>
+        <source>The users and roles are not valid JSON</source>
+        <translation>用户和角色不是有效的 JSON</translation>
+    </message>
+    <message>
+        <source>A role has no name</source>
+        <translation>有一个角色没有名称</translation>
+    </message>
+    <message>
+        <source>Two roles are named {0}</source>
+        <translation>有两个角色名为 {0}</translation>
+    </message>
+    <message>
+        <source>There is no role {0}</source>
+        <translation>没有角色 {0}</translation>
+    </message>
+    <message>
+        <source>A user has no name</source>
+        <translation>有一个用户没有名称</translation>
+    </message>
+    <message>
+        <source>Two users are named {0}</source>
+        <translation>有两个用户名为 {0}</translation>
+    </message>
+    <message>
+        <source>There is no user {0}</source>
+        <translation>没有用户 {0}</translation>
+    </message>
+    <message>
+        <source>The password cannot be kept: {0}</source>
+        <translation>无法保存密码：{0}</translation>
+    </message>
+    <message>
+        <source>A password needs at least {0} characters</source>
+        <translation>密码至少需要 {0} 个字符</translation>
+    </message>
+    <message>
+        <source>The password must not be the name of the user</source>
+        <translation>密码不能是用户名</translation>
+    </message>
+    <message>
+        <source>The audit trail cannot be written: {0}</source>
+        <translation>无法写入审计追踪：{0}</translation>
+    </message>
+    <message>
+        <source>The audit trail cannot be read: {0}</source>
+        <translation>无法读取审计追踪：{0}</translation>
+    </message>
+    <message>
+        <source>The frame {0} has no panel area, so no panel is seen in it</source>
+        <translation>框架 {0} 没有画面区域，因此其中看不到画面</translation>
+    </message>
+    <message>
+        <source>Only for the roles {0}, but the project has no users; anybody may operate it</source>
+        <translation>仅限角色 {0}，但项目没有用户；任何人都可操作</translation>
+    </message>
+    <message>
+        <source>The recipes are not valid JSON</source>
+        <translation>配方不是有效的 JSON</translation>
+    </message>
+    <message>
+        <source>A recipe has no name</source>
+        <translation>有一个配方没有名称</translation>
+    </message>
+    <message>
+        <source>Two recipes are named {0}</source>
+        <translation>有两个配方名为 {0}</translation>
+    </message>
+    <message>
+        <source>A row of a recipe names no variable</source>
+        <translation>配方的一行未指定变量</translation>
+    </message>
+    <message>
+        <source>The recipe has the variable {0} twice</source>
+        <translation>配方中变量 {0} 出现两次</translation>
+    </message>
+    <message>
+        <source>A set of a recipe has no name</source>
+        <translation>配方的一组数据没有名称</translation>
+    </message>
+    <message>
+        <source>Two sets of the recipe are named {0}</source>
+        <translation>配方的两组数据名为 {0}</translation>
+    </message>
+    <message>
+        <source>The first column must be named variable, and each set has a column of its own</source>
+        <translation>第一列必须名为 variable（变量），且每组数据占一列</translation>
+    </message>
+    <message>
+        <source>The recipe {0} has no variable {1}</source>
+        <translation>配方 {0} 没有变量 {1}</translation>
+    </message>
+    <message>
+        <source>There is no recipe {0}</source>
+        <translation>没有配方 {0}</translation>
+    </message>
+    <message>
+        <source>The recipe {0} has no set {1}</source>
+        <translation>配方 {0} 没有数据组 {1}</translation>
+    </message>
+    <message>
+        <source>The set {0} has no value for {1}</source>
+        <translation>数据组 {0} 没有 {1} 的值</translation>
+    </message>
+    <message>
+        <source>{0} is outside the limits of {1}, {2} to {3}</source>
+        <translation>{0} 超出 {1} 的限值 {2} 到 {3}</translation>
+    </message>
+    <message>
+        <source>The list of shelved alarms cannot be read, so none is shelved: {0}</source>
+        <translation>无法读取搁置的报警列表，因此没有搁置任何报警：{0}</translation>
+    </message>
+    <message>
+        <source>The list of shelved alarms cannot be written: {0}</source>
+        <translation>无法写入搁置的报警列表：{0}</translation>
+    </message>
 </context>
 <context>
     <name>Exchange</name>
@@ -3197,6 +3321,78 @@
         <source>Arguments</source>
         <translation>实参</translation>
     </message>
+    <message>
+        <source>Adapts to the screen by</source>
+        <translation>适应屏幕的方式</translation>
+    </message>
+    <message>
+        <source>On a tall screen</source>
+        <translation>竖屏时</translation>
+    </message>
+    <message>
+        <source>Shown in the frame</source>
+        <translation>在框架中显示</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>帮助</translation>
+    </message>
+    <message>
+        <source>Panel to show</source>
+        <translation>显示的画面</translation>
+    </message>
+    <message>
+        <source>First-out group</source>
+        <translation>首出报警组</translation>
+    </message>
+    <message>
+        <source>Horizontal anchor</source>
+        <translation>水平锚定</translation>
+    </message>
+    <message>
+        <source>Vertical anchor</source>
+        <translation>垂直锚定</translation>
+    </message>
+    <message>
+        <source>Only for the roles</source>
+        <translation>仅限角色</translation>
+    </message>
+    <message>
+        <source>For all others</source>
+        <translation>对其他人</translation>
+    </message>
+    <message>
+        <source>Writes are confirmed</source>
+        <translation>写入需确认</translation>
+    </message>
+    <message>
+        <source>Navigation bar</source>
+        <translation>导航栏</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>画面</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>用户</translation>
+    </message>
+    <message>
+        <source>Recipe</source>
+        <translation>配方</translation>
+    </message>
+    <message>
+        <source>Alarm statistics</source>
+        <translation>报警统计</translation>
+    </message>
+    <message>
+        <source>Hours to look back</source>
+        <translation>统计的小时数</translation>
+    </message>
+    <message>
+        <source>Panel area</source>
+        <translation>画面区域</translation>
+    </message>
 </context>
 <context>
     <name>HmiChoices</name>
@@ -3667,6 +3863,66 @@
     <message>
         <source>any type</source>
         <translation>任意类型</translation>
+    </message>
+    <message>
+        <source>Left and right</source>
+        <translation>左和右</translation>
+    </message>
+    <message>
+        <source>Top and bottom</source>
+        <translation>上和下</translation>
+    </message>
+    <message>
+        <source>Scaling to its size</source>
+        <translation>按大小缩放</translation>
+    </message>
+    <message>
+        <source>Moving what is anchored</source>
+        <translation>移动已锚定的元素</translation>
+    </message>
+    <message>
+        <source>Keep the proportions</source>
+        <translation>保持比例</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>顶部</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>底部</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>锁定</translation>
+    </message>
+    <message>
+        <source>Hidden</source>
+        <translation>隐藏</translation>
+    </message>
+    <message>
+        <source>Open a panel in a window</source>
+        <translation>在窗口中打开画面</translation>
+    </message>
+    <message>
+        <source>Close the window</source>
+        <translation>关闭窗口</translation>
+    </message>
+    <message>
+        <source>Go back</source>
+        <translation>返回</translation>
+    </message>
+    <message>
+        <source>Go to the start panel</source>
+        <translation>转到起始画面</translation>
+    </message>
+    <message>
+        <source>Log out</source>
+        <translation>退出登录</translation>
+    </message>
+    <message>
+        <source>Shelved alarms</source>
+        <translation>搁置的报警</translation>
     </message>
 </context>
 <context>
@@ -4736,6 +4992,38 @@
     <message>
         <source>Ziegler-Nichols</source>
         <translation>Ziegler-Nichols</translation>
+    </message>
+    <message>
+        <source>the recording has a gap in it</source>
+        <translation>记录中有间断</translation>
+    </message>
+    <message>
+        <source>It oscillates with a period of {0} s and an amplitude of {1}, for {2} cycles in a row.</source>
+        <translation>以周期 {0} s、幅值 {1} 振荡，连续 {2} 个周期。</translation>
+    </message>
+    <message>
+        <source>It does not oscillate.</source>
+        <translation>没有振荡。</translation>
+    </message>
+    <message>
+        <source>The settings are the likely cause: with the model the loop swings at this period.</source>
+        <translation>设置可能是原因：按模型，回路以此周期振荡。</translation>
+    </message>
+    <message>
+        <source>A valve that sticks is the likely cause: the output moves evenly, the process answers in jumps.</source>
+        <translation>阀门卡涩可能是原因：输出平稳变化，而过程以跳变响应。</translation>
+    </message>
+    <message>
+        <source>The likely cause is outside: neither the settings nor a valve that sticks explain it.</source>
+        <translation>可能的原因在外部：设置和阀门卡涩都无法解释。</translation>
+    </message>
+    <message>
+        <source>The output is at a limit for {0} % of the time.</source>
+        <translation>输出有 {0} % 的时间处于限值。</translation>
+    </message>
+    <message>
+        <source>{0} % of what the measured value does is noise.</source>
+        <translation>测量值变化的 {0} % 是噪声。</translation>
     </message>
 </context>
 <context>
@@ -5880,6 +6168,14 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume from Here” continues from there.</source>
         <translation>拖动时间滑块，或按 Ctrl+Alt+左箭头：代码、曲线图和画面显示过去的状态。“从此处继续”从该处接着运行。</translation>
+    </message>
+    <message>
+        <source>Tuning</source>
+        <translation>参数整定</translation>
+    </message>
+    <message>
+        <source>%1 is not a source of this project</source>
+        <translation>%1 不是此项目的源文件</translation>
     </message>
 </context>
 <context>
@@ -7715,6 +8011,275 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     </message>
 </context>
 <context>
+    <name>plc::editor::TuningView</name>
+    <message>
+        <source>Control loop</source>
+        <translation>控制回路</translation>
+    </message>
+    <message>
+        <source>Find Steps</source>
+        <translation>查找阶跃</translation>
+    </message>
+    <message>
+        <source>Looks for steps of the set point and of the output in the recording and makes a model of the process.</source>
+        <translation>在记录中查找设定值和输出的阶跃，并建立过程模型。</translation>
+    </message>
+    <message>
+        <source>Write Parameters</source>
+        <translation>写入参数</translation>
+    </message>
+    <message>
+        <source>Writes all parameters in one scan.</source>
+        <translation>在一个扫描周期内写入全部参数。</translation>
+    </message>
+    <message>
+        <source>Take Back</source>
+        <translation>还原</translation>
+    </message>
+    <message>
+        <source>Writes the parameters that were in force before.</source>
+        <translation>写入之前生效的参数。</translation>
+    </message>
+    <message>
+        <source>Loop:</source>
+        <translation>回路：</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>使用</translation>
+    </message>
+    <message>
+        <source>At</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Moved</source>
+        <translation>变动量</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>从</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>到</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>评价</translation>
+    </message>
+    <message>
+        <source>Steps found</source>
+        <translation>找到的阶跃</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>模型</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>规则</translation>
+    </message>
+    <message>
+        <source>Kind of controller</source>
+        <translation>控制器类型</translation>
+    </message>
+    <message>
+        <source>Calm to brisk</source>
+        <translation>平稳到敏捷</translation>
+    </message>
+    <message>
+        <source>Disturbance to set point</source>
+        <translation>扰动到设定值</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>当前</translation>
+    </message>
+    <message>
+        <source>Proposed</source>
+        <translation>建议</translation>
+    </message>
+    <message>
+        <source>Before and after</source>
+        <translation>前后对比</translation>
+    </message>
+    <message>
+        <source>Model:</source>
+        <translation>模型：</translation>
+    </message>
+    <message>
+        <source>Rule:</source>
+        <translation>规则：</translation>
+    </message>
+    <message>
+        <source>Controller:</source>
+        <translation>控制器：</translation>
+    </message>
+    <message>
+        <source>Calm</source>
+        <translation>平稳</translation>
+    </message>
+    <message>
+        <source>Brisk</source>
+        <translation>敏捷</translation>
+    </message>
+    <message>
+        <source>Disturbance</source>
+        <translation>扰动</translation>
+    </message>
+    <message>
+        <source>Set point</source>
+        <translation>设定值</translation>
+    </message>
+    <message>
+        <source>Start the controller; its recording is what is looked at.</source>
+        <translation>请启动控制器；分析的是其记录。</translation>
+    </message>
+    <message>
+        <source>The program has no controller block.</source>
+        <translation>程序没有控制器块。</translation>
+    </message>
+    <message>
+        <source>Searching…</source>
+        <translation>正在查找…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s) found, %1 used.</source>
+        <translation>
+            <numerusform>找到 %n 个阶跃，使用 %1 个。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, explains %2 %</source>
+        <translation>%1，解释 %2 %</translation>
+    </message>
+    <message>
+        <source>set point</source>
+        <translation>设定值</translation>
+    </message>
+    <message>
+        <source>output</source>
+        <translation>输出</translation>
+    </message>
+    <message>
+        <source>Choose at least one step.</source>
+        <translation>请至少选择一个阶跃。</translation>
+    </message>
+    <message>
+        <source>The rule has no answer for this process.</source>
+        <translation>该规则不适合此过程。</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>任意</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>增益</translation>
+    </message>
+    <message>
+        <source>Integral time</source>
+        <translation>积分时间</translation>
+    </message>
+    <message>
+        <source>Derivative time</source>
+        <translation>微分时间</translation>
+    </message>
+    <message>
+        <source>Sensitivity Ms</source>
+        <translation>灵敏度 Ms</translation>
+    </message>
+    <message>
+        <source>unstable</source>
+        <translation>不稳定</translation>
+    </message>
+    <message>
+        <source>Gain margin</source>
+        <translation>增益裕度</translation>
+    </message>
+    <message>
+        <source>Phase margin</source>
+        <translation>相位裕度</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>超调</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Settling time</source>
+        <translation>稳定时间</translation>
+    </message>
+    <message>
+        <source>Error after a load step</source>
+        <translation>负载阶跃后的误差</translation>
+    </message>
+    <message>
+        <source>Control effort</source>
+        <translation>控制量消耗</translation>
+    </message>
+    <message>
+        <source>Noise in the output</source>
+        <translation>输出噪声</translation>
+    </message>
+    <message>
+        <source>Recorded and modelled</source>
+        <translation>记录与模型</translation>
+    </message>
+    <message>
+        <source>time [s]</source>
+        <translation>时间 [s]</translation>
+    </message>
+    <message>
+        <source>recorded</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>模型</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>当前</translation>
+    </message>
+    <message>
+        <source>proposed</source>
+        <translation>建议</translation>
+    </message>
+    <message>
+        <source>Step of the set point</source>
+        <translation>设定值阶跃</translation>
+    </message>
+    <message>
+        <source>Step of the load</source>
+        <translation>负载阶跃</translation>
+    </message>
+    <message>
+        <source>The last step with these settings</source>
+        <translation>采用这些设置的最后一次阶跃</translation>
+    </message>
+    <message>
+        <source>Tuning</source>
+        <translation>参数整定</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>已写入：%1</translation>
+    </message>
+    <message>
+        <source>Taken back: %1</source>
+        <translation>已还原：%1</translation>
+    </message>
+</context>
+<context>
     <name>plc::editor::WatchView</name>
     <message>
         <source>Expression</source>
@@ -7853,6 +8418,10 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>As in the list</source>
         <translation>与列表相同</translation>
+    </message>
+    <message>
+        <source>Source of %1 with the values of %2</source>
+        <translation>%1 的源代码，带 %2 的值</translation>
     </message>
 </context>
 <context>
@@ -8388,6 +8957,10 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>
             <numerusform>%n 条文本没有译文。</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>XLIFF %1</source>
+        <translation>XLIFF %1</translation>
     </message>
 </context>
 <context>

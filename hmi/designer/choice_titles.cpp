@@ -25,6 +25,10 @@ constexpr Title kChoices[] = {
     {"icon", "reset", QT_TRANSLATE_NOOP("HmiChoices", "Circular arrow")},
     {"shows", "time", QT_TRANSLATE_NOOP("HmiChoices", "Time of day")},
     {"sort", "time", QT_TRANSLATE_NOOP("HmiChoices", "By time")},
+    {"anchorX", "both", QT_TRANSLATE_NOOP("HmiChoices", "Left and right")},
+    {"anchorY", "both", QT_TRANSLATE_NOOP("HmiChoices", "Top and bottom")},
+    {"adapts", "scale", QT_TRANSLATE_NOOP("HmiChoices", "Scaling to its size")},
+    {"adapts", "anchors", QT_TRANSLATE_NOOP("HmiChoices", "Moving what is anchored")},
     {"", "solid", QT_TRANSLATE_NOOP("HmiChoices", "Solid")},
     {"", "dash", QT_TRANSLATE_NOOP("HmiChoices", "Dashed")},
     {"", "dot", QT_TRANSLATE_NOOP("HmiChoices", "Dotted")},
@@ -74,6 +78,17 @@ constexpr Title kChoices[] = {
     {"", "menu", QT_TRANSLATE_NOOP("HmiChoices", "Menu")},
     {"", "native", QT_TRANSLATE_NOOP("HmiChoices", "In their own language")},
     {"", "tag", QT_TRANSLATE_NOOP("HmiChoices", "Language tags")},
+    {"", "scale", QT_TRANSLATE_NOOP("HmiChoices", "Keep the proportions")},
+    {"", "top", QT_TRANSLATE_NOOP("HmiChoices", "Top")},
+    {"", "bottom", QT_TRANSLATE_NOOP("HmiChoices", "Bottom")},
+    {"", "locked", QT_TRANSLATE_NOOP("HmiChoices", "Locked")},
+    {"", "hidden", QT_TRANSLATE_NOOP("HmiChoices", "Hidden")},
+    {"", "popup", QT_TRANSLATE_NOOP("HmiChoices", "Open a panel in a window")},
+    {"", "close", QT_TRANSLATE_NOOP("HmiChoices", "Close the window")},
+    {"", "back", QT_TRANSLATE_NOOP("HmiChoices", "Go back")},
+    {"", "home", QT_TRANSLATE_NOOP("HmiChoices", "Go to the start panel")},
+    {"", "logOut", QT_TRANSLATE_NOOP("HmiChoices", "Log out")},
+    {"", "aside", QT_TRANSLATE_NOOP("HmiChoices", "Shelved alarms")},
 };
 
 constexpr Title kSymbols[] = {
