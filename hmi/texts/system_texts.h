@@ -21,7 +21,7 @@ enum class SystemText {
     Unacknowledged,
     Acknowledged,
     Returned,
-    Gone, // states of alarms
+    Gone,         // states of alarms
     UntilRestart, // neither gone nor acknowledged when the controller was started again
     Stopped,
     Paused,
