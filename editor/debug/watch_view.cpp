@@ -547,6 +547,9 @@ void WatchView::showMenu(const QPoint& position) {
                 [this, item] { m_control.unforce(expressionOf(item)); });
         connect(menu.addAction(kit::icon(kit::Icon::Trace), tr("Show in trace")), &QAction::triggered, this,
                 [this, item] { emit traceRequested(expressionOf(item)); });
+        kit::addWhyActions(menu, [this, expression = expressionOf(item)](kit::AskWhy question) {
+            emit whyRequested(question, expression);
+        });
         QMenu* format = menu.addMenu(tr("Number Format"));
         const QStringList names{tr("As the list"), tr("Decimal"), tr("Hexadecimal"), tr("Binary"),
                                 tr("Time", "number format")};

@@ -3,6 +3,7 @@
 // shown.
 #pragma once
 #include "editor/debug/run_control.h"
+#include "editor/kit/ask_why.h"
 
 #include <QTreeWidget>
 #include <QWidget>
@@ -63,6 +64,7 @@ public:
 signals:
     void expressionsChanged();
     void traceRequested(const QString& expression);
+    void whyRequested(plc::kit::AskWhy question, const QString& expression);
 
 protected:
     void dragEnterEvent(QDragEnterEvent* event) override;

@@ -33,6 +33,7 @@ PanelPlayer::PanelPlayer(const PanelProject& project, session::Session* session,
 }
 
 PanelPlayer::~PanelPlayer() {
+    closeAnswer();
     // A button that is down must not stay down because the window was closed.
     if (scene().pressedView()) scene().release(QPointF(-1e6, -1e6));
     scene().setValues(nullptr);
@@ -79,6 +80,7 @@ void PanelPlayer::connectScene() {
 }
 
 void PanelPlayer::setSession(session::Session* session) {
+    closeAnswer();
     scene().setValues(nullptr);
     m_watch.reset();
     m_values.reset();
@@ -186,6 +188,7 @@ void PanelPlayer::setPosition(std::optional<history::Position> position) {
 
 void PanelPlayer::setRecording(std::optional<PanelRecording> recording) {
     if (!recording && !m_recording) return;
+    closeAnswer();
     if (scene().pressedView()) scene().release(QPointF(-1e6, -1e6)); // what is down on the controller does not stay so
     m_recordedEvaluator.reset();
     m_recording = std::move(recording);

@@ -2,16 +2,19 @@
 // and what the controller's state means for what is seen. A widget for a dock or full screen, also used for pictures.
 // The project and the session must outlive it; main thread.
 #pragma once
+#include "editor/kit/ask_why.h"
 #include "hmi/player/alarm_evaluator.h"
 #include "hmi/player/panel_project.h"
 #include "hmi/player/plc_values.h"
 #include "hmi/view/panel_view.h"
 
+#include <QPointer>
 #include <QWidget>
 
 namespace plc::hmi {
 
 class Overlay;
+class PanelWhy;
 class PlayerStatus;
 
 class PanelPlayer final : public QWidget {
@@ -54,6 +57,9 @@ public:
     AlarmBook& liveAlarms() { return m_alarms; }
     QString lastRefusal() const { return m_refusal; }
 
+    /// Answers over the panel, in its language, where nobody else is asked.
+    void askWhy(kit::AskWhy question, const QString& expression);
+    [[nodiscard]] PanelWhy* answer() const; // null: none is shown
     /// Posts a write as a press on the panel would; the answer says why it was refused, or nothing.
     QString post(const WriteRequest& write);
 
@@ -61,8 +67,11 @@ signals:
     void languageChanged(const QString& tag);
     void panelChanged(const QString& name);
     void writeRefused(const QString& reason);
+    /// Of an expression that an element shows or writes.
+    void whyRequested(plc::kit::AskWhy question, const QString& expression);
 
 protected:
+    void contextMenuEvent(QContextMenuEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void showEvent(QShowEvent* event) override;
@@ -83,6 +92,8 @@ private:
     std::unique_ptr<PlcValues> m_values;
     AlarmBook m_alarms;
     std::unique_ptr<AlarmWatch> m_watch;
+    void closeAnswer();
+    QPointer<PanelWhy> m_why;
     std::optional<PanelRecording> m_recording;
     AlarmBook m_recordedAlarms; // those of the recording
     std::unique_ptr<AlarmEvaluator> m_recordedEvaluator;
