@@ -1,4 +1,5 @@
-// "What if?": which variables shall have had another value in the scan that is shown. Modal; GUI thread.
+// "What if?": which variables shall have had another value in the scan that is shown, before the controller goes on
+// from there. Made by the main window for one question; modal; GUI thread.
 #pragma once
 #include "editor/debug/run_control.h"
 #include "editor/kit/expression_edit.h"
