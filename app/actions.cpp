@@ -3,6 +3,7 @@
 #include "app/editor_tabs.h"
 #include "app/exchange_dialogs.h"
 #include "app/focus_command.h"
+#include "app/inside_views.h"
 #include "app/main_window.h"
 #include "app/perspectives.h"
 #include "app/problems_view.h"
@@ -96,9 +97,9 @@ const std::vector<ActionSpec> kActions = {
     {"run.pause", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Pause"), "Ctrl+F5", drawn(Icon::Pause), [](MainWindow& w) { w.control().pause(); }},
     {"run.stop", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Stop"), "Shift+F8", drawn(Icon::Stop), [](MainWindow& w) { w.control().stop(); }},
     {"run.scan", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Single Scan"), "Ctrl+F8", drawn(Icon::Step), [](MainWindow& w) { w.control().singleScan(); }},
-    {"run.stepIn", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Step Into"), "F8", drawn(Icon::StepInto), [](MainWindow& w) { w.control().step(session::Step::In); }},
-    {"run.stepOver", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Step Over"), "F10", drawn(Icon::StepOver), [](MainWindow& w) { w.control().step(session::Step::Over); }},
-    {"run.stepOut", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Step Out"), "Shift+F10", drawn(Icon::StepOut), [](MainWindow& w) { w.control().step(session::Step::Out); }},
+    {"run.stepIn", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Step Into"), "F8", drawn(Icon::StepInto), [](MainWindow& w) { w.step(session::Step::In); }},
+    {"run.stepOver", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Step Over"), "F10", drawn(Icon::StepOver), [](MainWindow& w) { w.step(session::Step::Over); }},
+    {"run.stepOut", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Step Out"), "Shift+F10", drawn(Icon::StepOut), [](MainWindow& w) { w.step(session::Step::Out); }},
     {"run.toCursor", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run to Cursor"), "Ctrl+F10", drawn(Icon::RunToCursor),
      [](MainWindow& w) {
          auto* e = w.tabs().currentEditor();
@@ -132,6 +133,18 @@ const std::vector<ActionSpec> kActions = {
     {"time.forward", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Time"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "One Scan Forward"), "Ctrl+Alt+Right", drawn(Icon::Step), [](MainWindow& w) { w.control().stepView(1); }},
     {"time.live", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Time"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Back to Live"), "Ctrl+Alt+End", drawn(Icon::Live), [](MainWindow& w) { w.backToLive(); }},
     {"time.resume", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Time"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Resume from Here"), "", drawn(Icon::Resume), [](MainWindow& w) { say(w, w.control().resumeFromView()); }},
+
+    {"time.walk", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Time"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Walk Through the Scan"), "Ctrl+Alt+F8", drawn(Icon::Clock), [](MainWindow& w) { w.inside().walk(); }},
+    {"time.backIn", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Time"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Step Back In"), "Ctrl+Shift+F8", drawn(Icon::StepBack), [](MainWindow& w) { w.stepBack(session::Step::In); }},
+    {"time.backOver", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Time"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Step Back Over"), "Ctrl+Shift+F10", none, [](MainWindow& w) { w.stepBack(session::Step::Over); }},
+    {"time.backOut", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Time"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Step Back Out"), "Ctrl+Alt+Shift+F10", none, [](MainWindow& w) { w.stepBack(session::Step::Out); }},
+    {"time.why", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Time"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Why?"), "Ctrl+Alt+W", drawn(Icon::Question), [](MainWindow& w) { w.inside().askAboutFocus(kit::AskWhy::Why); }},
+    {"time.whyNot", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Time"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Why Not?"), "Ctrl+Alt+N", drawn(Icon::Lightbulb), [](MainWindow& w) { w.inside().askAboutFocus(kit::AskWhy::WhyNot); }},
+    {"time.who", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Time"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Who Set This?"), "Ctrl+Alt+Q", drawn(Icon::Write), [](MainWindow& w) { w.inside().askAboutFocus(kit::AskWhy::Who); }},
+
+    {"time.whatIf", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Time"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "What If…"), "Ctrl+Alt+F5", drawn(Icon::Split), [](MainWindow& w) { w.whatIf(); }},
+    {"time.coverage", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Time"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Coverage of the Recording"), "", drawn(Icon::Layers), [](MainWindow& w) { w.inside().coverRecording(); }},
+    {"time.noCoverage", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Time"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Hide the Coverage"), "", none, [](MainWindow& w) { w.inside().hideCoverage(); }},
 
     {"view.palette", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Command Palette"), "Ctrl+Shift+P", drawn(Icon::Command), [](MainWindow& w) { w.openPalette(); }},
     {"view.split", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Split the Editor"), "Ctrl+\\", drawn(Icon::Split), [](MainWindow& w) { if (auto* p = w.tabs().currentPage()) p->toggleSplit(); }},

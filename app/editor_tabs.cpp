@@ -696,18 +696,25 @@ void EditorTabs::showBreakpoints() {
     }
 }
 
+void EditorTabs::showWalk(std::optional<editor::RunControl::TextPlace> place) {
+    m_walk = std::move(place);
+    showExecutedLine();
+}
+
 /// Where the controller stands: at a breakpoint, after a step, or where a fault has stopped it.
 void EditorTabs::showExecutedLine() {
     using controller::State;
-    const State state = m_control.status().state;
+    const State state = m_walk ? State::Halted : m_control.status().state;
     SourceRange range;
-    if (m_control.session() && state == State::Halted) {
+    if (m_walk) {
+        range.begin = m_walk->offset;
+    } else if (m_control.session() && state == State::Halted) {
         const auto frames = m_control.session()->haltFrames();
         if (!frames.empty()) range = frames.front().range;
     } else if (m_control.session() && state == State::Fault && m_control.status().fault) {
         range = m_control.status().fault->range;
     }
-    const auto place = m_control.placeInText(range);
+    const auto place = m_walk ? m_walk : m_control.placeInText(range);
     const QString file = place ? place->file : QString();
     const int line = place ? place->line : 0;
     const QString shown = QString("%1:%2:%3").arg(file).arg(range.begin).arg(static_cast<int>(state));

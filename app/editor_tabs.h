@@ -28,6 +28,8 @@ public:
     void openBeside(const QString& file);
     void goTo(const QString& file, uint32_t offset, uint32_t length = 0);
     void goToLine(const QString& file, int line);
+    /// Where the walk through a recorded scan stands; none: where the controller stands.
+    void showWalk(std::optional<editor::RunControl::TextPlace> place);
     void showChart(const QString& file, const QString& unit);
     /// In the text in front: the next one, 1, or the one before, -1.
     void goToBookmark(int direction);
@@ -40,6 +42,8 @@ public:
     editor::StEditor* openSource(const QString& file);
     [[nodiscard]] StPage* pageOf(const QString& file) const;
     [[nodiscard]] QStringList openFiles() const;
+    /// Of all open texts.
+    [[nodiscard]] std::vector<editor::StEditor*> editors() const { return allEditors(); }
     void addPage(QWidget* page, const QString& title, const QIcon& icon, const QString& key);
     /// A page of another kind has something to save, or no more.
     void markPage(const QString& key, bool modified);
@@ -103,6 +107,7 @@ private:
     void swapGroup(Group& group);
 
     unsigned m_frames = 0;
+    std::optional<editor::RunControl::TextPlace> m_walk;
     QString m_shownPlace; // where the controller stood when it was shown last
     std::deque<Group> m_groups;
     std::set<QString> m_asked; // about a change outside, the question still stands

@@ -89,6 +89,7 @@ LiveViews::~LiveViews() {
     if (m_trace) m_trace->disconnect(this);
     if (m_slider) m_slider->disconnect(this);
     if (m_slider) m_slider->setRecording(nullptr);
+    if (m_trace && m_before) m_trace->setBeneath(nullptr);
     if (m_trace) m_trace->setRecording(nullptr);
     delete m_player; // its dock outlives the panels
 }
@@ -192,9 +193,11 @@ void LiveViews::connectPlayer() {
     connect(m_player, &hmi::PanelPlayer::writeRefused, this,
             [this](const QString& reason) { emit message(reason, true); });
     connect(m_player, &hmi::PanelPlayer::panelChanged, m_panelChoice, &QComboBox::setCurrentText);
+    connect(m_player, &hmi::PanelPlayer::whyRequested, this, &LiveViews::whyRequested);
 }
 
 LiveViews::Kept LiveViews::release() {
+    if (std::exchange(m_before, nullptr)) m_trace->setBeneath(nullptr); // it reads what ends with this window
     Kept kept{m_panels, m_design, nullptr, m_run, m_alarmsInMemory, m_trace->kept(), m_control.viewed()};
     if (m_player) {
         m_player->disconnect(this);
@@ -261,6 +264,7 @@ void LiveViews::sessionChanged() {
     closeRecording(); // a new controller is what one wants to see
     m_slider->setRecording(nullptr);
     m_trace->setRecording(nullptr);
+    if (std::exchange(m_before, nullptr)) m_trace->setBeneath(nullptr);
     m_recording.reset();
     session::Session* session = m_control.isEnding() ? nullptr : m_control.session();
     m_run = QUuid::createUuid().toString();
@@ -313,6 +317,26 @@ void LiveViews::showInPanel() {
     if (!m_player) return;
     m_player->setRecording(shown);
     if (shown) m_player->setPosition(m_control.viewed());
+}
+
+Result<void> LiveViews::runOtherwise(const std::vector<std::pair<QString, QString>>& changes) {
+    session::Session* session = m_control.session();
+    if (!session || !m_recording || !m_control.viewed()) return Error{errors::ControllerNotRunning(), {}};
+    const history::Position end = session->history().statistics().end;
+    m_control.pause(); // the values are there before the first scan
+    if (auto resumed = m_control.resumeFromView(); !resumed) return resumed;
+    for (const auto& [path, value] : changes) {
+        if (auto written = m_control.write(path, value); !written) return written;
+        const auto& channels = m_trace->setup().channels;
+        const bool isThere = std::any_of(channels.begin(), channels.end(), [&path = path](const auto& channel) {
+            return channel.expression == path.toStdString();
+        });
+        if (!isThere) m_trace->addChannel(path);
+    }
+    m_before = std::make_shared<const trace::BranchRecording>(*m_recording, end);
+    m_trace->setBeneath(m_before);
+    session->startThread(m_control.mode(), false);
+    return {};
 }
 
 Result<void> LiveViews::openRecording(const QString& path) { return m_trace->openRecording(path); }

@@ -2,6 +2,7 @@
 // them. Puts them in step with the controller and with each other. Owned by the main window; GUI thread.
 #pragma once
 #include "editor/debug/run_control.h"
+#include "editor/trace/branch_recording.h"
 #include "editor/trace/program_variables.h"
 #include "editor/trace/session_recording.h"
 #include "editor/trace/time_slider.h"
@@ -45,6 +46,9 @@ public:
     /// A recording from a file in all views; `closeRecording` goes back to the controller.
     Result<void> openRecording(const QString& path);
     void closeRecording();
+    /// Goes back to the scan that is shown and runs on from there with these values; the trace draws what happened
+    /// before beneath.
+    Result<void> runOtherwise(const std::vector<std::pair<QString, QString>>& changes);
     /// A file as it is on disk now, in the place of what is shown and edited; false when it could not be understood.
     bool takePanelFile(const QString& name);
     bool takeTextsFile();
@@ -67,6 +71,7 @@ public:
 
 signals:
     void message(const QString& text, bool isError);
+    void whyRequested(plc::kit::AskWhy question, const QString& expression); // from an element of the panel
     void panelsChanged();
     void designEdited();     // panels, texts or alarms: findings are looked for anew
     void designsMustClose(); // the panels are read anew: open designers, text and alarm editors close first
@@ -104,6 +109,7 @@ private:
     trace::ProgramVariables m_variables; // of m_variablesOf
     std::shared_ptr<const sema::Analysis> m_variablesOf;
     std::unique_ptr<trace::SessionRecording> m_recording;
+    std::shared_ptr<const trace::BranchRecording> m_before; // of the branch that was gone back from
     std::shared_ptr<const image::CompiledProgram> m_program;
 };
 

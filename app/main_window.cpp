@@ -3,6 +3,7 @@
 #include "app/design_findings.h"
 #include "app/editor_tabs.h"
 #include "app/guide_view.h"
+#include "app/inside_views.h"
 #include "app/live_views.h"
 #include "app/living.h"
 #include "app/panel_files.h"
@@ -12,8 +13,11 @@
 #include "app/runs_menu.h"
 #include "app/search_view.h"
 #include "app/start_page.h"
+#include "app/test_runner.h"
 #include "app/test_view.h"
 #include "app/tour.h"
+#include "app/what_if_dialog.h"
+#include "editor/analysis/path_completion.h"
 #include "editor/debug/debug_views.h"
 #include "editor/debug/watch_view.h"
 #include "editor/kit/command_palette.h"
@@ -114,6 +118,7 @@ void MainWindow::makeDocks() {
     m_log = new editor::EventLog(*m_control);
     m_testRunner = new TestRunner(*m_workspace, this);
     m_tests = new TestView(*m_workspace, *m_testRunner);
+    m_inside = new InsideViews(*m_workspace, *m_control, *m_tabs, this);
     const auto i = [](Icon icon) { return static_cast<int>(icon); };
     addDock("project", tr("Project"), i(Icon::Project), m_tree, Qt::LeftDockWidgetArea);
     QDockWidget* watch = addDock("watch", tr("Watch"), i(Icon::Watch), m_watch, Qt::RightDockWidgetArea);
@@ -134,6 +139,9 @@ void MainWindow::makeDocks() {
     QDockWidget* tasks = addDock("tasks", tr("Tasks"), i(Icon::TaskMonitor), m_tasks, Qt::BottomDockWidgetArea);
     QDockWidget* log = addDock("log", tr("Log"), i(Icon::Log), m_log, Qt::BottomDockWidgetArea);
     QDockWidget* tests = addDock("tests", tr("Tests"), i(Icon::Test), m_tests, Qt::BottomDockWidgetArea);
+    QDockWidget* why = addDock("why", tr("Why"), i(Icon::Question), &m_inside->whyView(), Qt::BottomDockWidgetArea);
+    QDockWidget* slow =
+        addDock("slowScan", tr("Slow Scan"), i(Icon::StepBack), &m_inside->slowScan(), Qt::BottomDockWidgetArea);
     QDockWidget* trace = addDock("trace", tr("Trace"), i(Icon::Trace), &m_live->traceView(), Qt::BottomDockWidgetArea);
     QDockWidget* panel = addDock("panel", tr("Panel"), i(Icon::Panel), m_live->panelArea(), Qt::RightDockWidgetArea);
     tabifyDockWidget(calls, panel);
@@ -145,6 +153,8 @@ void MainWindow::makeDocks() {
     auto* tuning = new editor::TuningView(*m_control);
     connect(tuning, &editor::TuningView::message, this, &MainWindow::say);
     tabifyDockWidget(tests, addDock("tuning", tr("Tuning"), i(Icon::Fit), tuning, Qt::BottomDockWidgetArea));
+    tabifyDockWidget(tests, why);
+    tabifyDockWidget(why, slow);
     watch->raise();
     panel->raise();
     trace->raise();
@@ -436,9 +446,60 @@ void MainWindow::connectParts() {
             m_tabs->goTo(place->file, place->offset, place->length);
     });
     connectTests();
+    connectInside();
     connect(m_workspace, &editor::Workspace::opened, this, &MainWindow::updateActions);
     connect(m_workspace, &editor::Workspace::closed, this, &MainWindow::updateActions);
     connect(&kit::Theme::current(), &kit::Theme::changed, this, &MainWindow::updateStatus);
+}
+
+void MainWindow::whatIf() {
+    if (m_control->showsRecorded() || !m_control->isOnline())
+        return say(tr("What if? needs a running controller: a recording from a file cannot be resumed"), true);
+    if (!m_control->viewed()) m_control->stepView(-1);
+    if (!m_control->viewed()) return;
+    WhatIfDialog dialog(*m_control, m_watch->expressions(), editor::pathCompletions(*m_workspace), this);
+    if (dialog.exec() != QDialog::Accepted) return;
+    showDock("trace");
+    report(m_live->runOtherwise(dialog.changes()));
+}
+
+void MainWindow::step(session::Step how) {
+    if (m_inside->slowScan().isOpen()) return m_inside->slowScan().step(how);
+    m_control->step(how);
+}
+
+void MainWindow::stepBack(session::Step how) {
+    if (m_inside->slowScan().isOpen()) return m_inside->slowScan().stepBack(how);
+    m_inside->walk();
+}
+
+void MainWindow::connectInside() {
+    connect(m_testRunner, &TestRunner::covered, m_inside, &InsideViews::showCoverage);
+    connect(m_workspace, &editor::Workspace::closed, m_inside, &InsideViews::hideCoverage);
+    connect(&m_inside->slowScan(), &editor::SlowScanView::moved, this, &MainWindow::updateStatus);
+    connect(m_inside, &InsideViews::dockRequested, this, &MainWindow::showDock);
+    connect(m_inside, &InsideViews::message, this, &MainWindow::say);
+    const auto ask = [this](kit::AskWhy question, const QString& expression) { m_inside->ask(question, expression); };
+    connect(m_watch, &editor::WatchView::whyRequested, this, ask);
+    connect(m_tree, &ProjectTree::whyRequested, this, ask);
+    connect(m_live, &LiveViews::whyRequested, this, ask);
+    connect(&m_live->traceView(), &trace::TraceView::whyRequested, this,
+            [this](kit::AskWhy question, const QString& expression, std::optional<history::Position> at) {
+                m_inside->ask(question, expression, {}, at);
+            });
+    using Named = editor::StEditor::NamedValue;
+    m_inside->addFocus([this]() -> std::optional<Named> {
+        const QTreeWidgetItem* row = m_watch->tree().hasFocus() ? m_watch->tree().currentItem() : nullptr;
+        return row ? std::optional(Named{editor::WatchView::expressionOf(row), {}}) : std::nullopt;
+    });
+    m_inside->addFocus([this]() -> std::optional<Named> {
+        const QString path = m_tree->focusedVariable();
+        return path.isEmpty() ? std::nullopt : std::optional(Named{path, {}});
+    });
+    m_inside->addFocus([this]() -> std::optional<Named> {
+        const QString path = m_inside->whyView().focusedPath();
+        return path.isEmpty() ? std::nullopt : std::optional(Named{path, {}});
+    });
 }
 
 // ------------------------------------------------------------------ state
@@ -516,10 +577,10 @@ void MainWindow::updateStatus() {
     m_problemButton->setText(errors || warnings ? QString("%1 / %2").arg(errors).arg(warnings) : tr("no problems"));
     if (QAction* live = action("time.live")) live->setEnabled(past || recorded);
     if (QAction* resume = action("time.resume")) resume->setEnabled(past && !recorded);
-    const bool open = m_workspace->isOpen();
+    const bool open = m_workspace->isOpen(), walks = m_inside->slowScan().isOpen();
     for (const char* id : {"run.stepIn", "run.stepOver", "run.toCursor"}) // where nothing runs yet they start it
-        if (QAction* each = action(id)) each->setEnabled(open && status.state != State::Fault);
-    if (QAction* out = action("run.stepOut")) out->setEnabled(online && status.state == State::Halted);
+        if (QAction* each = action(id)) each->setEnabled(open && (walks || status.state != State::Fault));
+    if (QAction* out = action("run.stepOut")) out->setEnabled(walks || (online && status.state == State::Halted));
     for (const char* id : {"run.pause", "run.stop", "run.change"})
         if (QAction* each = action(id)) each->setEnabled(m_control->isRunning());
     for (const char* id : {"time.back", "time.forward"})

@@ -37,6 +37,7 @@ namespace plc::app {
 
 class DesignFindings;
 class EditorTabs;
+class InsideViews;
 class LiveViews;
 class PanelFiles;
 class Perspectives;
@@ -87,6 +88,7 @@ public:
     [[nodiscard]] PanelFiles& panelFiles() { return *m_files; }
     [[nodiscard]] TestView& tests() { return *m_tests; }
     [[nodiscard]] LiveViews& live() { return *m_live; }
+    [[nodiscard]] InsideViews& inside() { return *m_inside; }
     [[nodiscard]] StartPage& startPage() { return *m_startPage; }
     [[nodiscard]] QAction* action(const QString& id) const;
     [[nodiscard]] QList<QAction*> allActions() const { return m_actions; }
@@ -120,6 +122,12 @@ public:
     void openPalette();
     void resetLayout();
     void setSpeed();
+    /// Asks for other values of the scan that is shown, and runs on from there with them.
+    void whatIf();
+    /// In the scan that is walked through, else in the controller.
+    void step(session::Step how);
+    /// In the scan that is walked through; begins a walk where there is none.
+    void stepBack(session::Step how);
     [[nodiscard]] static QString speedText(session::RunMode mode); // "10 ×"
     void setHistoryBudget();
     void saveRecording();
@@ -158,6 +166,7 @@ private:
     void connectParts();
     [[nodiscard]] std::vector<SearchView::PanelUse> usesInPanels(const sema::Symbol& symbol) const;
     void connectTests();
+    void connectInside();
     QDockWidget* addDock(const QString& name, const QString& title, int icon, QWidget* widget, Qt::DockWidgetArea area);
     void takeRecordingSettings();
     void keepRecording();
@@ -200,6 +209,7 @@ private:
     StartPage* m_startPage;
     EditorTabs* m_tabs;
     LiveViews* m_live;
+    InsideViews* m_inside = nullptr;
     ProjectTree* m_tree = nullptr;
     ProblemsView* m_problems = nullptr;
     SearchView* m_search = nullptr;

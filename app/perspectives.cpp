@@ -14,7 +14,7 @@ QStringList Perspectives::docksOf(Perspective perspective) {
     case Perspective::Editing:
         return {"project", "problems", "search", "log"};
     case Perspective::Debugging:
-        return {"project", "watch", "forces", "callPath", "breakpoints", "trace", "log", "tasks"};
+        return {"project", "watch", "forces", "callPath", "breakpoints", "trace", "why", "log", "tasks"};
     case Perspective::PanelDesign:
         return {"project", "problems"};
     }

@@ -433,6 +433,11 @@ void ProjectTree::activate(QTreeWidgetItem* item) {
         emit librariesRequested();
 }
 
+QString ProjectTree::focusedVariable() const {
+    const QTreeWidgetItem* item = m_tree->hasFocus() ? m_tree->currentItem() : nullptr;
+    return item && item->data(0, Kind).toString() == "variable" ? item->data(0, Path).toString() : QString();
+}
+
 void ProjectTree::showMenu(const QPoint& position) {
     // The tree may be made anew while the menu is open: the entries find their item again.
     const QPersistentModelIndex at = m_tree->indexAt(position);
@@ -468,6 +473,7 @@ void ProjectTree::showMenu(const QPoint& position) {
         const QString path = item->data(0, Path).toString();
         connect(menu.addAction(kit::icon(Icon::Watch), tr("Watch")), &QAction::triggered, this,
                 [this, path] { emit watchRequested(path); });
+        kit::addWhyActions(menu, [this, path](kit::AskWhy question) { emit whyRequested(question, path); });
     }
     connect(menu.addAction(kit::icon(Icon::Library), tr("Libraries…")), &QAction::triggered, this,
             &ProjectTree::librariesRequested);

@@ -2,6 +2,7 @@
 // panels, texts, traces, tests, simulation. Owned by its dock; GUI thread.
 #pragma once
 #include "editor/analysis/workspace.h"
+#include "editor/kit/ask_why.h"
 
 #include <QTreeWidget>
 #include <QWidget>
@@ -20,6 +21,9 @@ public:
     void reload();
     [[nodiscard]] QTreeWidget& tree() { return *m_tree; }
 
+    /// The path of the variable that has the focus; empty: none has.
+    [[nodiscard]] QString focusedVariable() const;
+
 signals:
     void placeRequested(const QString& file, uint32_t offset);
     void panelRequested(const QString& name);
@@ -36,6 +40,7 @@ signals:
     void renameFileRequested(const QString& kind, const QString& name);
     void deleteFileRequested(const QString& kind, const QString& name);
     void watchRequested(const QString& path);
+    void whyRequested(plc::kit::AskWhy question, const QString& path);
     void renameRequested(const QString& file, uint32_t offset);
     void deleteRequested(const QString& file, uint32_t begin, uint32_t end, const QString& name);
     void librariesRequested();

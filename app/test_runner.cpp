@@ -2,6 +2,7 @@
 
 #include "editor/kit/message_text.h"
 #include "editor/kit/post.h"
+#include "projects/session/session.h"
 
 namespace plc::app {
 
@@ -22,7 +23,7 @@ void TestRunner::run(const std::vector<std::string>& titles) {
     if (m_thread.joinable()) m_thread.join();
     m_work = std::make_shared<Progress>();
     emit started(m_work);
-    m_thread = std::thread([this, work = m_work, project = std::move(project), titles] {
+    m_thread = std::thread([this, work = m_work, project = std::move(project), titles, covers = m_covers] {
         testing::Options options;
         options.watched = work.get();
         options.titles = titles;
@@ -31,9 +32,19 @@ void TestRunner::run(const std::vector<std::string>& titles) {
             kit::post(this,
                       [this, shared = std::make_shared<const testing::TestResult>(result)] { emit testEnded(shared); });
         };
+        std::optional<inside::Coverage> coverage;
+        std::shared_ptr<const image::CompiledProgram> program;
+        if (covers)
+            options.finished = [&](session::Session& session) {
+                if (!program) coverage.emplace(program = session.program());
+                (void)coverage->addAll(session.history(), work.get());
+            };
         auto report = std::make_shared<Result<testing::Report>>(testing::runTests(project, options));
-        kit::post(this, [this, report, work] {
+        std::vector<inside::FunctionCoverage> all;
+        if (coverage) all = coverage->functions();
+        kit::post(this, [this, report, work, program, all = std::move(all)] {
             m_work = nullptr;
+            if (program) emit covered(program, all);
             emit workEnded(work);
             if (!*report) return emit failed(kit::messageText(report->error()));
             emit ended(std::make_shared<const testing::Report>(std::move(**report)), work->isCancelled());

@@ -28,6 +28,10 @@ TestView::TestView(editor::Workspace& workspace, TestRunner& runner, QWidget* pa
     m_runSelected =
         bar->addAction(kit::icon(kit::Icon::Run), tr("Run the selected tests"), this, &TestView::runSelected);
     m_runFailed = bar->addAction(kit::icon(kit::Icon::Reset), tr("Run the failed tests"), this, &TestView::runFailed);
+    QAction* covers = bar->addAction(kit::icon(kit::Icon::Layers), tr("Show what the tests cover"));
+    covers->setObjectName("testCoverage");
+    covers->setCheckable(true);
+    connect(covers, &QAction::toggled, &m_runner, &TestRunner::setCovers);
     m_summary->setContentsMargins(10, 0, 0, 0);
     bar->addWidget(m_summary);
     m_tree->setHeaderLabels({tr("Test"), tr("Result"), tr("Time")});

@@ -388,10 +388,14 @@ std::vector<session::Breakpoint> RunControl::breakpointsFor(const image::Compile
 }
 
 std::optional<RunControl::TextPlace> RunControl::placeInText(SourceRange range) const {
-    if (!m_session || !range.file.isValid()) return std::nullopt;
-    const auto program = m_session->program();
-    if (range.file.index() >= program->sources.files.size()) return std::nullopt;
-    const SourceText& built = program->sources[range.file];
+    if (!m_session) return std::nullopt;
+    return placeInText(range, *m_session->program());
+}
+
+std::optional<RunControl::TextPlace> RunControl::placeInText(SourceRange range,
+                                                             const image::CompiledProgram& program) const {
+    if (!range.file.isValid() || range.file.index() >= program.sources.files.size()) return std::nullopt;
+    const SourceText& built = program.sources[range.file];
     TextPlace place;
     place.file = text(built.path());
     place.line = static_cast<int>(built.lineColumn(range.begin).line);

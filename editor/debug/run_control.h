@@ -66,6 +66,11 @@ public:
     [[nodiscard]] bool showsRecorded() const { return m_recorded.has_value(); }
     [[nodiscard]] const RecordedRun* recorded() const { return m_recorded ? &*m_recorded : nullptr; }
     [[nodiscard]] QString recordedName() const { return m_recorded ? m_recorded->name : QString(); }
+    /// The recording that is looked at: of the controller, or from a file; null: none.
+    [[nodiscard]] const history::History* shownHistory() const;
+    [[nodiscard]] std::shared_ptr<const void> recordedOwner() const {
+        return m_recorded ? m_recorded->owner : nullptr; // keeps the one from a file alive
+    }
     /// There are values to show: of a controller or of a recording.
     [[nodiscard]] bool hasValues() const { return isOnline() || showsRecorded(); }
 
@@ -107,6 +112,8 @@ public:
         uint32_t length = 0;
     };
     [[nodiscard]] std::optional<TextPlace> placeInText(SourceRange range) const;
+    /// The same of another version of the program, that of a recorded scan.
+    [[nodiscard]] std::optional<TextPlace> placeInText(SourceRange range, const image::CompiledProgram& program) const;
     /// The program in the controller is that of the text as it stands.
     [[nodiscard]] bool isUpToDate() const;
 
@@ -171,7 +178,6 @@ private:
     [[nodiscard]] std::string textOf(const QString& file, const SourceText& built) const;
     void refreshImage();
     void endSession();
-    [[nodiscard]] const history::History* shownHistory() const;
     void leaveRecorded();
     [[nodiscard]] QString retainFile() const;
 

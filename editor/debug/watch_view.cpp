@@ -552,6 +552,9 @@ void WatchView::showMenu(const QPoint& position) {
                                    tr("Source of %1 with the values of %2").arg(block, instance)),
                     &QAction::triggered, this,
                     [this, block = block, instance = instance] { emit instanceRequested(block, instance); });
+        kit::addWhyActions(menu, [this, expression = expressionOf(item)](kit::AskWhy question) {
+            emit whyRequested(question, expression);
+        });
         QMenu* format = menu.addMenu(tr("Number Format"));
         const QStringList names{tr("As in the list"), tr("Decimal"), tr("Hexadecimal"), tr("Binary"),
                                 tr("Time", "number format")};

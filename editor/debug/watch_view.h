@@ -3,6 +3,7 @@
 // shown.
 #pragma once
 #include "editor/debug/run_control.h"
+#include "editor/kit/ask_why.h"
 
 #include <QTreeWidget>
 #include <QWidget>
@@ -65,6 +66,7 @@ signals:
     void traceRequested(const QString& expression);
     /// The source of a block with the values of this instance: "MotorControl", "Main.pump[2]".
     void instanceRequested(const QString& block, const QString& instance);
+    void whyRequested(plc::kit::AskWhy question, const QString& expression);
 
 protected:
     void dragEnterEvent(QDragEnterEvent* event) override;

@@ -81,12 +81,20 @@ StEditor::StEditor(QWidget* parent) : QsciScintilla(parent), m_lexer(new StLexer
     markerDefine(Invisible, kAutomaticEnd);
     markerDefine(FullRectangle, kChangedLine);
     markerDefine(FullRectangle, kAddedLine);
+    setMargins(kCoverage + 1);
+    setMarginType(kCoverage, SymbolMargin);
+    setMarginWidth(kCoverage, 0);
+    setMarginMarkerMask(kCoverage, (1 << kCovered) | (1 << kPartlyCovered) | (1 << kNotCovered));
+    for (const int marker : {int(kCovered), int(kPartlyCovered), int(kNotCovered)}) markerDefine(FullRectangle, marker);
     indicatorDefine(SquiggleIndicator, kErrorSquiggle);
     indicatorDefine(SquiggleIndicator, kWarningSquiggle);
     indicatorDefine(DotsIndicator, kInfoDots);
     indicatorDefine(StraightBoxIndicator, kSameWord);
     indicatorDefine(FullBoxIndicator, kBlockWords);
     indicatorDefine(FullBoxIndicator, kFound);
+    indicatorDefine(TextColorIndicator, kNotRun);
+    indicatorDefine(FullBoxIndicator, kHeld);
+    indicatorDefine(FullBoxIndicator, kNotHeld);
     setTabWidth(4);
     setIndentationsUseTabs(false);
     setBackspaceUnindents(true);
@@ -169,6 +177,9 @@ void StEditor::applyTheme() {
         registerImage(kind, drawn(iconOf(static_cast<analysis::ItemKind>(kind))));
     setMarkerBackgroundColor(c.warning, kChangedLine);
     setMarkerBackgroundColor(c.good, kAddedLine);
+    setMarkerBackgroundColor(c.good, kCovered);
+    setMarkerBackgroundColor(c.warning, kPartlyCovered);
+    setMarkerBackgroundColor(c.bad, kNotCovered);
     for (int marker = int(SC_MARKNUM_FOLDEREND); marker <= int(SC_MARKNUM_FOLDEROPEN); ++marker) {
         SendScintilla(S::SCI_MARKERSETFORE, static_cast<unsigned long>(marker), c.window);
         SendScintilla(S::SCI_MARKERSETBACK, static_cast<unsigned long>(marker), c.muted);
@@ -183,6 +194,9 @@ void StEditor::applyTheme() {
     setIndicatorForegroundColor(tint(c.accent, 70), kSameWord);
     setIndicatorForegroundColor(tint(c.accent, 60), kBlockWords);
     setIndicatorForegroundColor(tint(c.warning, 90), kFound);
+    setIndicatorForegroundColor(c.disabled, kNotRun);
+    setIndicatorForegroundColor(tint(c.good, 60), kHeld);
+    setIndicatorForegroundColor(tint(c.muted, 60), kNotHeld);
     setMarginWidth(kLineNumbers, QString(" %1").arg(std::max(999, lines())));
 }
 
@@ -229,6 +243,7 @@ void StEditor::shareDocumentOf(StEditor& other) {
 
 void StEditor::onTextChanged() {
     m_isAsAnalysed = false;
+    if (m_exact) setExactText(std::nullopt); // its offsets are of the text before
     if (m_isLoading || m_isApplying) return;
     m_afterEdit.start();
     emit edited(m_file);
@@ -430,6 +445,12 @@ void StEditor::contextMenuEvent(QContextMenuEvent* event) {
         getCursorPosition(&line, &column);
         emit breakpointToggled(m_file, line + 1);
     });
+    if (const auto asked = m_onlineValues ? askedAbout() : std::nullopt) {
+        menu->insertSeparator(first);
+        kit::addWhyActions(
+            *menu, [this, asked](kit::AskWhy question) { emit whyRequested(question, asked->name, asked->pou); },
+            first);
+    }
     if (const auto variable = variableAt(at);
         variable && m_onlineValues && !m_onlineValues({{variable->name, variable->pou}}).empty()) {
         menu->insertSeparator(first);
@@ -460,6 +481,13 @@ void StEditor::showToolTip(const QPoint& position) {
     const QPoint inside = viewport()->mapFrom(this, position);
     const long at = SendScintilla(S::SCI_POSITIONFROMPOINTCLOSE, static_cast<unsigned long>(inside.x()),
                                   static_cast<long>(inside.y()));
+    const long line = SendScintilla(
+        S::SCI_LINEFROMPOSITION,
+        static_cast<unsigned long>(SendScintilla(S::SCI_POSITIONFROMPOINT, 0ul, static_cast<long>(inside.y()))));
+    const QString covered = coverageAt(static_cast<int>(line));
+    const bool isMargin = at < 0 && inside.x() < SendScintilla(S::SCI_POINTXFROMPOSITION, 0ul, 0l);
+    if (isMargin && !covered.isEmpty())
+        return QToolTip::showText(mapToGlobal(position), covered.toHtmlEscaped().replace('\n', "<br>"), this);
     if (at < 0) return QToolTip::hideText();
     QString html;
     for (const diagnostics::Diagnostic& d : m_diagnostics)
@@ -486,6 +514,7 @@ void StEditor::mousePressEvent(QMouseEvent* event) {
             return;
         }
     }
+    if (event->button() == Qt::LeftButton && event->modifiers() == Qt::NoModifier && clickPass(event->pos())) return;
     m_caretsBefore.clear();
     if (event->button() == Qt::LeftButton && event->modifiers() == Qt::AltModifier) {
         m_altClick = event->pos();

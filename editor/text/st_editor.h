@@ -2,7 +2,9 @@
 // fixes, breakpoints, the executed line and online values beside the text. Owned by its tab; GUI thread. It knows no
 // controller: values come through OnlineValues, requests leave as signals.
 #pragma once
+#include "editor/kit/ask_why.h"
 #include "editor/text/block_structure.h"
+#include "editor/text/exact_text.h"
 #include "editor/text/st_lexer.h"
 #include "projects/analysis/code_model.h"
 
@@ -19,7 +21,9 @@ namespace plc::editor {
 struct OnlineValue {
     QString name, value;
     bool isBool = false, isTrue = false, isForced = false;
-    bool isAccumulator = false; // the current result of a line of an instruction list
+    bool isAccumulator = false;   // the current result of a line of an instruction list
+    QString before;               // what it was at the line's begin, where the line has changed it
+    std::optional<uint32_t> loop; // the value is the pass of this loop
     bool operator==(const OnlineValue&) const = default;
 };
 using OnlineValues =
@@ -83,6 +87,17 @@ public:
     void goToBookmark(int direction);              // the next one, 1, or the one before, -1; around the end
     void setOnlineValues(OnlineValues values);
     void refreshOnlineValues();
+    /// What a recorded scan did in this text, in the place of the live values; none: these again.
+    void setExactText(std::optional<ExactText> exact);
+    [[nodiscard]] const std::optional<ExactText>& exactText() const { return m_exact; }
+    [[nodiscard]] bool showsValues() const { return m_settings.showOnlineValues; }
+    [[nodiscard]] bool isAsAnalysed() const { return m_isAsAnalysed; }
+    /// By line from 1, in a margin of its own; none: no margin.
+    void setCoverage(const std::map<int, LineCoverage>& lines);
+    /// What the line's coverage says, with edits taken into account; line from 0.
+    [[nodiscard]] QString coverageAt(int line) const;
+    /// Bytes of the lines in sight.
+    [[nodiscard]] std::pair<uint32_t, uint32_t> visibleRange() const;
     /// What stands beside the lines now, by line from 0.
     [[nodiscard]] const std::vector<std::pair<int, std::vector<OnlineValue>>>& shownValues() const {
         return m_shownValues;
@@ -93,6 +108,9 @@ public:
     };
     /// The variable at a place, with its members and indices; none where the text is not the analysed one.
     [[nodiscard]] std::optional<NamedValue> variableAt(uint32_t at) const;
+
+    /// What a question of the menu is about: the selection within a line, else the variable at the cursor.
+    [[nodiscard]] std::optional<NamedValue> askedAbout() const;
 
     // commands (also in the menus)
     void triggerCompletion();
@@ -115,6 +133,10 @@ signals:
     void usesRequested(const QString& file, uint32_t offset);
     void renameRequested(const QString& file, uint32_t offset);
     void watchRequested(const QString& expression);
+    /// What is selected, else the variable at the cursor, as seen from the unit.
+    void whyRequested(plc::kit::AskWhy question, const QString& name, const QString& pou);
+    /// The loop that begins there is to be shown in this pass, from 0.
+    void passRequested(uint32_t loop, quint64 pass);
     void writeRequested(const QString& name, const QString& pou);
     void forceRequested(const QString& name, const QString& pou);
     void unforceRequested(const QString& name, const QString& pou);
@@ -154,6 +176,10 @@ private:
     [[nodiscard]] std::string textRange(uint32_t begin, uint32_t end) const;
     void drawOnlineValues(QPainter& painter);
     void findDeclared();
+    void showExactMarks();
+    [[nodiscard]] std::vector<OnlineValue> exactValues(uint32_t begin, uint32_t end) const;
+    [[nodiscard]] bool isRun(uint32_t at) const;
+    bool clickPass(const QPoint& at);
     [[nodiscard]] std::optional<FileId> fileId() const;
 
     QString m_file;
@@ -171,8 +197,11 @@ private:
     OnlineValues m_onlineValues;
     std::map<int, int> m_breakpointMarks; // handle of the mark → line where it was set, from 1
     std::vector<std::pair<int, std::vector<OnlineValue>>> m_shownValues; // by visible line
-    std::vector<analysis::AccumulatorPlace> m_accumulators;              // of the analysed text
-    std::vector<const sema::Symbol*> m_declared;                         // of the model, in order of place
+    std::optional<ExactText> m_exact;
+    std::map<int, QString> m_coverage;                      // handle of a mark → what it says
+    std::vector<std::pair<QRect, uint32_t>> m_passBoxes;    // where passes of loops are drawn
+    std::vector<analysis::AccumulatorPlace> m_accumulators; // of the analysed text
+    std::vector<const sema::Symbol*> m_declared;            // of the model, in order of place
     QTimer m_afterEdit;
     QTimer m_afterMove;
     bool m_isLoading = false;

@@ -84,6 +84,14 @@ std::optional<StEditor::NamedValue> StEditor::variableAt(uint32_t at) const {
                       QString::fromStdString(m_model->pouAt(*file, at))};
 }
 
+std::optional<StEditor::NamedValue> StEditor::askedAbout() const {
+    const auto file = fileId();
+    const QString selected = selectedText().trimmed();
+    if (!selected.isEmpty() && !selected.contains(u'\n') && file && m_isAsAnalysed)
+        return NamedValue{selected, QString::fromStdString(m_model->pouAt(*file, cursorOffset()))};
+    return variableAt(cursorOffset());
+}
+
 void StEditor::refreshOnlineValues() {
     auto before = std::exchange(m_shownValues, {});
     const auto file = fileId();
@@ -105,7 +113,7 @@ void StEditor::refreshOnlineValues() {
                 if ((*declared)->declaration.begin >= begin)
                     wanted.emplace_back(QString::fromStdString((*declared)->name),
                                         QString::fromStdString((*declared)->owner));
-            for (; it != references.end() && it->range.file == *file && it->range.begin < end; ++it) {
+            for (; !m_exact && it != references.end() && it->range.file == *file && it->range.begin < end; ++it) {
                 if (!it->symbol.isValid()) continue;
                 const sema::Symbol& symbol = m_model->symbol(it->symbol);
                 if (symbol.kind != sema::SymbolKind::Variable || symbol.isConstant || symbol.name.starts_with("__"))
@@ -119,10 +127,19 @@ void StEditor::refreshOnlineValues() {
             }
             std::vector<OnlineValue> values;
             if (!wanted.empty()) values = m_onlineValues(wanted);
+            for (OnlineValue& exact : exactValues(begin, end)) {
+                if (!exact.loop) {
+                    const auto now =
+                        m_onlineValues({{exact.name, QString::fromStdString(m_model->pouAt(*file, begin))}});
+                    exact.isForced = !now.empty() && now.front().isForced;
+                }
+                values.push_back(std::move(exact));
+            }
             auto result =
                 std::lower_bound(m_accumulators.begin(), m_accumulators.end(), begin,
                                  [](const analysis::AccumulatorPlace& place, uint32_t at) { return place.at < at; });
             for (; result != m_accumulators.end() && result->at <= end; ++result) { // the last one of the line counts
+                if (!isRun(result->at)) continue;
                 auto shown = m_onlineValues({{QString::fromStdString(result->expression),
                                               QString::fromStdString(m_model->pouAt(*file, result->at))}});
                 if (shown.empty()) continue;
@@ -172,6 +189,7 @@ QString shortName(const QString& chain) {
 
 void StEditor::drawOnlineValues(QPainter& painter) {
     const kit::ThemeColors& c = kit::colors();
+    m_passBoxes.clear();
     QFont font = m_lexer->defaultFont(0);
     font.setPointSizeF(std::max(6.0, font.pointSizeF() - 1 + static_cast<double>(SendScintilla(S::SCI_GETZOOM))));
     painter.setFont(font);
@@ -202,9 +220,14 @@ void StEditor::drawOnlineValues(QPainter& painter) {
         const int y = static_cast<int>(SendScintilla(S::SCI_POINTYFROMPOSITION, 0ul, end)),
                   height = static_cast<int>(SendScintilla(S::SCI_TEXTHEIGHT, static_cast<unsigned long>(line)));
         for (const OnlineValue& value : values) {
-            const QString name = values.size() > 1 || value.isAccumulator ? shortName(value.name) + " " : QString();
-            const int nameWidth = metrics.horizontalAdvance(name), valueWidth = metrics.horizontalAdvance(value.value);
+            const bool isNamed = values.size() > 1 || value.isAccumulator || value.loop;
+            const QString name = isNamed ? shortName(value.name) + " " : QString();
+            const QString shown = value.loop               ? QStringLiteral("◂ %1 ▸").arg(value.value)
+                                  : value.before.isEmpty() ? value.value
+                                                           : QStringLiteral("%1 → %2").arg(value.before, value.value);
+            const int nameWidth = metrics.horizontalAdvance(name), valueWidth = metrics.horizontalAdvance(shown);
             const QRectF box(x, y + 1.5, nameWidth + valueWidth + 10, height - 3);
+            if (value.loop) m_passBoxes.emplace_back(box.toAlignedRect(), *value.loop);
             QColor ground = value.isForced ? c.forced : value.isBool ? (value.isTrue ? c.good : c.muted) : c.online;
             QColor fill = ground;
             fill.setAlpha(value.isForced ? 90 : 38);
@@ -222,7 +245,7 @@ void StEditor::drawOnlineValues(QPainter& painter) {
                            : value.isForced                                 ? c.text
                                                                             : ground.darker(c.dark ? 90 : 125));
             painter.drawText(QRectF(x + 5 + nameWidth, y, valueWidth + 2, height), Qt::AlignVCenter | Qt::AlignLeft,
-                             value.value);
+                             shown);
             x += static_cast<int>(box.width()) + 6;
         }
     }

@@ -565,6 +565,15 @@ void TraceView::showStatus() {
                                       megabytes(m_store->budget())));
 }
 
+void TraceView::askWhy(kit::AskWhy question, int channel) {
+    if (channel < 0 || static_cast<size_t>(channel) >= m_setup.channels.size()) return;
+    std::optional<Position> at;
+    if (const auto cursor = m_plot->model().cursorA ? m_plot->model().cursorA : m_plot->model().cursorB;
+        cursor && m_recording)
+        at = m_recording->positionAt(*cursor);
+    emit whyRequested(question, QString::fromStdString(m_setup.channels[static_cast<size_t>(channel)].expression), at);
+}
+
 void TraceView::plotMenu(const QPoint& global, int chart, const QString& curve) {
     QMenu menu(this);
     if (!curve.isEmpty()) {
@@ -574,6 +583,7 @@ void TraceView::plotMenu(const QPoint& global, int chart, const QString& curve) 
         menu.addAction(kit::icon(kit::Icon::Delete), tr("Remove channel"), this, [this, channel] {
             change(tr("Remove channel"), [channel](TraceSetup& s) { s.channels.erase(s.channels.begin() + channel); });
         });
+        kit::addWhyActions(menu, [this, channel](kit::AskWhy question) { askWhy(question, channel); });
         menu.addSeparator();
     }
     menu.addAction(kit::icon(kit::Icon::Add), tr("Add channel…"), this, [this, chart] {

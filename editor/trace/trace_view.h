@@ -2,6 +2,7 @@
 // recording 30 times a second while it can be seen; the recording may come and go. Owned by its dock; GUI thread.
 #pragma once
 
+#include "editor/kit/ask_why.h"
 #include "editor/kit/plot_view.h"
 #include "editor/trace/program_variables.h"
 #include "editor/trace/trace_plot.h"
@@ -54,6 +55,7 @@ public:
     QUndoStack* undoStack() { return &m_undo; }
 
     void addChannel(const QString& expression, int chart = 0);
+    void askWhy(kit::AskWhy question, int channel);
     /// The scan that the other windows show; nothing: the newest.
     void showPosition(std::optional<Position> position);
     /// Moves the view so that a time is in it.
@@ -91,6 +93,8 @@ public:
 signals:
     void setupChanged();
     void positionActivated(quint64 position); // double click on a chart
+    /// Of a channel, at the cursor where cursors are shown, else at the scan the windows show.
+    void whyRequested(plc::kit::AskWhy question, const QString& expression, std::optional<plc::trace::Position> at);
     void failed(const QString& message);
     void recordingShown(); // another one is drawn: a file's, or the running one again
 

@@ -52,6 +52,7 @@ PanelPlayer::PanelPlayer(const PanelProject& project, session::Session* session,
 }
 
 PanelPlayer::~PanelPlayer() {
+    closeAnswer();
     // A button that is down must not stay down because the window was closed.
     while (m_navigation.closePopUp()) {
     }
@@ -62,6 +63,7 @@ PanelPlayer::~PanelPlayer() {
 void PanelPlayer::setSession(session::Session* session) {
     while (m_navigation.closePopUp()) { // they show values of the controller that goes
     }
+    closeAnswer();
     scene().setValues(nullptr);
     m_watch.reset();
     m_values.reset();
@@ -238,6 +240,7 @@ void PanelPlayer::setPosition(std::optional<history::Position> position) {
 
 void PanelPlayer::setRecording(std::optional<PanelRecording> recording) {
     if (!recording && !m_recording) return;
+    closeAnswer();
     if (scene().pressedView()) scene().release(QPointF(-1e6, -1e6)); // what is down on the controller does not stay so
     m_recordedEvaluator.reset();
     m_recording = std::move(recording);

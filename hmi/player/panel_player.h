@@ -4,12 +4,14 @@
 #pragma once
 #include "hmi/people/audit_trail.h"
 #include "hmi/people/log_in.h"
+#include "editor/kit/ask_why.h"
 #include "hmi/player/alarm_evaluator.h"
 #include "hmi/player/navigation.h"
 #include "hmi/player/panel_project.h"
 #include "hmi/player/plc_values.h"
 #include "hmi/view/panel_view.h"
 
+#include <QPointer>
 #include <QWidget>
 
 namespace plc::hmi {
@@ -17,6 +19,7 @@ namespace plc::hmi {
 class Overlay;
 struct OverlayLook;
 enum class AlarmAction;
+class PanelWhy;
 class PlayerStatus;
 class PopUp;
 
@@ -90,6 +93,9 @@ public:
     AlarmBook& liveAlarms() { return m_station ? m_station->liveAlarms() : m_alarms; }
     QString lastRefusal() const { return m_refusal; }
 
+    /// Answers over the panel, in its language, where nobody else is asked.
+    void askWhy(kit::AskWhy question, const QString& expression);
+    [[nodiscard]] PanelWhy* answer() const; // null: none is shown
     /// Posts a write as a press on the panel would; the answer says why it was refused, or nothing.
     QString post(const WriteRequest& write, const QString& comment = {});
 
@@ -97,8 +103,11 @@ signals:
     void languageChanged(const QString& tag);
     void panelChanged(const QString& name);
     void writeRefused(const QString& reason);
+    /// Of an expression that an element shows or writes.
+    void whyRequested(plc::kit::AskWhy question, const QString& expression);
 
 protected:
+    void contextMenuEvent(QContextMenuEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void showEvent(QShowEvent* event) override;
@@ -159,6 +168,8 @@ private:
     std::unique_ptr<PlcValues> m_values;
     AlarmBook m_alarms;
     std::unique_ptr<AlarmWatch> m_watch;
+    void closeAnswer();
+    QPointer<PanelWhy> m_why;
     std::optional<PanelRecording> m_recording;
     AlarmBook m_recordedAlarms; // those of the recording
     std::unique_ptr<AlarmEvaluator> m_recordedEvaluator;

@@ -42,6 +42,19 @@ struct FunctionCoverage {
     [[nodiscard]] size_t conditionCount() const;
 };
 
+/// What a line of the text is known to have done.
+struct LineCoverage {
+    enum class State : uint8_t { None, Run, Partly, NotRun };
+    uint64_t count = 0;
+    bool isStatement = false;
+    size_t branches = 0, taken = 0;
+    std::vector<Message> missing; // branches never taken, combinations never seen
+    [[nodiscard]] State state() const;
+};
+/// By line from 1, of the function's file.
+[[nodiscard]] std::map<uint32_t, LineCoverage> linesOf(const image::CompiledProgram& program,
+                                                       const FunctionCoverage& f);
+
 class Coverage {
 public:
     explicit Coverage(std::shared_ptr<const image::CompiledProgram> program);

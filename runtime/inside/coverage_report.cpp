@@ -54,37 +54,6 @@ Sums sumsOf(const std::vector<FunctionCoverage>& all) {
     return sums;
 }
 
-/// What a line of the text is known to have done.
-struct Line {
-    uint64_t count = 0;
-    bool isStatement = false;
-    size_t branches = 0, taken = 0;
-    std::vector<std::string> missing;
-};
-
-std::map<uint32_t, Line> linesOf(const image::CompiledProgram& program, const FunctionCoverage& f) {
-    std::map<uint32_t, Line> lines;
-    const auto lineOf = [&](SourceRange range) { return program.sources[range.file].lineColumn(range.begin).line; };
-    for (const StatementCoverage& statement : f.statements) {
-        Line& line = lines[lineOf(statement.range)];
-        line.count = line.isStatement ? std::min(line.count, statement.count) : statement.count;
-        line.isStatement = true;
-    }
-    for (const BranchCoverage& branch : f.branches) {
-        Line& line = lines[lineOf(branch.statement)];
-        ++line.branches;
-        if (branch.count > 0)
-            ++line.taken;
-        else
-            line.missing.push_back("never " + branch.name);
-    }
-    for (const DecisionCoverage& decision : f.decisions)
-        for (const ConditionCoverage& condition : decision.conditions)
-            if (!condition.decidedAlone)
-                lines[lineOf(condition.range)].missing.push_back("missing: " + condition.missing);
-    return lines;
-}
-
 } // namespace
 
 std::string coberturaXml(const image::CompiledProgram& program, const std::vector<FunctionCoverage>& all) {
@@ -141,7 +110,7 @@ std::string coverageHtml(const image::CompiledProgram& program, const std::vecto
     const Sums sums = sumsOf(all);
     out += "<tr><th>All</th>" + cell(sums.run, sums.statements) + cell(sums.taken, sums.branches) +
            cell(sums.met, sums.conditions) + "</tr></table>\n";
-    std::map<std::string, std::map<uint32_t, Line>> files;
+    std::map<std::string, std::map<uint32_t, LineCoverage>> files;
     for (const FunctionCoverage& f : all)
         for (auto& [number, line] : linesOf(program, f)) files[f.file][number] = std::move(line);
     for (const SourceText& source : program.sources.files) {
@@ -152,11 +121,10 @@ std::string coverageHtml(const image::CompiledProgram& program, const std::vecto
             const auto line = file->second.find(number);
             std::string kind, missing;
             if (line != file->second.end()) {
-                kind = line->second.isStatement && line->second.count == 0 ? "m"
-                       : !line->second.missing.empty()                     ? "p"
-                       : line->second.isStatement                          ? "r"
-                                                                           : "";
-                for (const std::string& each : line->second.missing) missing += (missing.empty() ? "" : "; ") + each;
+                static constexpr const char* kKinds[] = {"", "r", "p", "m"}; // by LineCoverage::State
+                kind = kKinds[static_cast<size_t>(line->second.state())];
+                for (const Message& each : line->second.missing)
+                    missing += (missing.empty() ? "" : "; ") + each.english();
             }
             out += "<div class=\"l " + kind + "\"><b>" + std::to_string(number) + "</b><pre>" +
                    escaped(source.line(number)) + "</pre>" +

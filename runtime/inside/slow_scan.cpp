@@ -210,11 +210,24 @@ bool SlowScan::stepBack(Step how) {
     return true;
 }
 
-bool SlowScan::isBreakpoint(size_t stop) const {
+SlowScan::LineOf SlowScan::lineOf(size_t stop) const {
     const SourceRange range = m_look->events()[m_stops[stop]].stmt()->range;
-    if (range.file.index() >= m_look->program().sources.files.size()) return false;
-    const LineOf line{range.file, m_look->program().sources[range.file].lineColumn(range.begin).line};
-    return std::find(m_breakpoints.begin(), m_breakpoints.end(), line) != m_breakpoints.end();
+    if (range.file.index() >= m_look->program().sources.files.size()) return {range.file, 0};
+    return {range.file, m_look->program().sources[range.file].lineColumn(range.begin).line};
+}
+
+bool SlowScan::isBreakpoint(size_t stop) const {
+    return std::find(m_breakpoints.begin(), m_breakpoints.end(), lineOf(stop)) != m_breakpoints.end();
+}
+
+bool SlowScan::goToLine(const LineOf& line) {
+    for (size_t n = 1; n <= m_stops.size(); ++n) {
+        const size_t stop = (m_at + n) % m_stops.size();
+        if (!(lineOf(stop) == line)) continue;
+        goTo(stop);
+        return true;
+    }
+    return false;
 }
 
 bool SlowScan::goOn() {

@@ -69,6 +69,8 @@ public:
     /// To the next statement with this text, from the start again when there is none behind.
     bool goToStatement(SourceRange statement);
     bool goToEvent(EventIndex event);
+    /// To the next statement on the line, likewise.
+    bool goToLine(const LineOf& line);
 
 private:
     void findStops();
@@ -77,6 +79,7 @@ private:
     [[nodiscard]] bool isAround(uint32_t outer, uint32_t inner) const;
     [[nodiscard]] bool ends(debug::Step how, size_t from, size_t to) const;
     [[nodiscard]] bool isBreakpoint(size_t stop) const;
+    [[nodiscard]] LineOf lineOf(size_t stop) const;
     [[nodiscard]] std::vector<std::byte> imageAt(size_t stop) const;
     void apply(const Event& event, std::vector<std::byte>& image) const;
     [[nodiscard]] std::vector<Variable> variables(uint32_t frame, bool locals) const;

@@ -173,7 +173,13 @@ TEST(SlowScan, EndsAsRecordedInRandomProgramsWhateverWasWrittenAndForced) {
             std::vector<std::byte> image(scan.image().begin(), scan.image().end());
             const auto events = (*look)->events();
             for (EventIndex i = scan.event(); i < events.size(); ++i) {
-                if (events[i].kind != image::WatchKind::Write || events[i].bit >= 0) continue;
+                if (events[i].kind != image::WatchKind::Write) continue;
+                if (events[i].bit >= 0) {
+                    const auto mask = std::byte(1 << events[i].bit);
+                    std::byte& byte = image[events[i].offset];
+                    byte = (byte & ~mask) | (std::byte(static_cast<uint8_t>(events[i].bits)) & mask);
+                    continue;
+                }
                 const auto copied = (*look)->bytesOf(events[i]);
                 std::memcpy(image.data() + events[i].offset,
                             copied.empty() ? static_cast<const void*>(&events[i].bits) : copied.data(), events[i].size);

@@ -252,3 +252,97 @@ TEST_F(Why, HoldsForRandomProgramsAndQuestions) {
     EXPECT_GT(questions, programs);
     EXPECT_GE(explained * 10, questions * 8) << explained << " of " << questions;
 }
+
+TEST_F(Why, AnInstructionListIsExplainedByItsInstructions) {
+    run(R"(
+VAR_GLOBAL start, stop, k1 : BOOL; END_VAR
+PROGRAM Main
+    LD start
+    OR k1
+    ANDN stop
+    ST k1
+END_PROGRAM)");
+    scan(3);
+    EXPECT_EQ(ways(whyNot("k1")), Names{"start=TRUE"});
+    set("start", 1);
+    scan();
+    const Explanation k1 = why("k1");
+    EXPECT_EQ(k1.value, "TRUE");
+    EXPECT_EQ(names(k1.triggers), Names{"start"});
+    EXPECT_EQ(names(k1.enablers), Names{"stop"});
+    ASSERT_TRUE(k1.writer);
+    EXPECT_EQ(placeWords(*session->program(), k1.writer->range), "main.st:7") << "ST k1";
+}
+
+TEST_F(Why, ACounterSaysHowFarItIs) {
+    run(R"(
+VAR_GLOBAL pulse, full : BOOL; END_VAR
+PROGRAM Main
+VAR parts : CTU; END_VAR
+parts(CU := pulse, RESET := FALSE, PV := 3);
+full := parts.Q;
+END_PROGRAM)");
+    const auto pulses = [&](int count) {
+        for (int i = 0; i < count; ++i) {
+            set("pulse", 1);
+            scan();
+            set("pulse", 0);
+            scan();
+        }
+    };
+    pulses(2);
+    EXPECT_NE(toText(whyNot("full")).find("it has counted 2 of 3"), std::string::npos) << toText(whyNot("full"));
+    set("pulse", 1);
+    scan();
+    const Explanation full = why("full");
+    EXPECT_EQ(full.value, "TRUE");
+    EXPECT_EQ(names(full.triggers), Names{"pulse"});
+    EXPECT_NE(toText(full).find("it has counted 3 of 3"), std::string::npos) << toText(full);
+    scan(4); // it stays full
+    const Explanation later = why("full");
+    EXPECT_EQ(later.since.scan, full.since.scan);
+}
+
+TEST_F(Why, ListsAllChangesNewestFirstDownToTheInitialValue) {
+    run(kLatch);
+    scan(3);
+    set("start", 1);
+    scan();
+    set("start", 0);
+    scan(2);
+    set("stop", 1);
+    scan(2);
+    const auto all = reasoner->writersBackFrom({"k1", {}}, last(), 100);
+    ASSERT_TRUE(all) << all.error().english();
+    ASSERT_EQ(all->size(), 3u);
+    EXPECT_EQ((*all)[0].value, "FALSE");
+    EXPECT_EQ((*all)[0].before, "TRUE");
+    EXPECT_EQ((*all)[1].value, "TRUE");
+    EXPECT_EQ((*all)[2].kind, WriterKind::Statement) << "the first scan's statement wrote FALSE";
+    const auto start = reasoner->writersBackFrom({"start", {}}, last(), 100);
+    ASSERT_TRUE(start);
+    ASSERT_EQ(start->size(), 3u);
+    EXPECT_EQ((*start)[0].kind, WriterKind::Written);
+    EXPECT_EQ((*start)[2].kind, WriterKind::Initial);
+    const auto newest = reasoner->writersBackFrom({"start", {}}, last(), 1);
+    ASSERT_TRUE(newest);
+    EXPECT_EQ(newest->size(), 1u);
+}
+
+TEST(WhyWords, SayWhoFromOutsideWroteInTheReadersLanguage) {
+    Writer writer;
+    writer.kind = WriterKind::Written;
+    writer.origin = "panel Main, Start";
+    EXPECT_EQ(writerWords(writer).english(), "written from panel Main, Start");
+    writer.origin = "studio";
+    EXPECT_EQ(writerWords(writer).english(), "written from the studio");
+    writer.origin = "a script";
+    EXPECT_EQ(writerWords(writer).english(), "written from a script");
+    writer.kind = WriterKind::Forced;
+    writer.origin.clear();
+    EXPECT_EQ(writerWords(writer).english(), "forced");
+    // Every sentence is one of the list: nothing is shown in English to every reader.
+    const auto translated = messages::render(
+        writerWords(writer), [](const messages::Form& form) { return std::string("<") + form.context + ">"; });
+    EXPECT_EQ(translated, "<Inside>");
+}

@@ -1,0 +1,244 @@
+// Why a value is as it is, asked where it is seen: text, watch, tree, trace and panel; one click on the answer goes to
+// the place and to the scan.
+#include "app/inside_views.h"
+#include "app/live_views.h"
+#include "app/project_tree.h"
+#include "editor/debug/watch_view.h"
+#include "hmi/player/panel_why.h"
+#include "tests/app/studio_fixture.h"
+
+#include <QAction>
+#include <QContextMenuEvent>
+#include <QDockWidget>
+#include <QMenu>
+#include <QSignalSpy>
+#include <QTimer>
+#include <QToolButton>
+#include <QTreeWidget>
+
+namespace plc::app {
+namespace {
+
+const char* const kLatch = R"(VAR_GLOBAL
+    start, stop : BOOL;
+END_VAR
+PROGRAM Main
+VAR
+    lamp : BOOL;
+    n : DINT;
+END_VAR
+n := n + 1;
+IF start AND NOT stop THEN
+    lamp := TRUE;
+END_IF
+END_PROGRAM
+)";
+
+const char* const kPanel =
+    R"({"elements": [{"kind": "lamp", "id": "Lamp", "rect": [40, 40, 120, 120], "value": "Main.lamp"},
+                  {"kind": "button", "id": "Start", "rect": [200, 40, 120, 60], "target": "start"}]})";
+
+class InsideTest : public StudioTest {
+protected:
+    void SetUp() override {
+        write("hmi/overview.panel.json", kPanel);
+        StudioTest::SetUp();
+        QApplication::setActiveWindow(window.get());
+        const auto end = static_cast<uint32_t>(editor().utf8().size());
+        editor().applyEdits({{{FileId(), 0, end}, kLatch}});
+        analysed();
+        window->action("file.save")->trigger();
+    }
+    void TearDown() override {
+        if (window) window->workspace().revert("src/main.st");
+        StudioTest::TearDown();
+    }
+    editor::WhyView& why() { return window->inside().whyView(); }
+    session::Session& session() { return *window->control().session(); }
+    /// The lamp goes on because of a write, some scans after the start.
+    void runUntilLamp() {
+        window->action("run.start")->trigger();
+        ASSERT_TRUE(waitFor([&] { return window->control().value("Main.n").text.toInt() > 5; }));
+        ASSERT_TRUE(window->control().write("start", "TRUE"));
+        ASSERT_TRUE(waitFor([&] { return window->control().value("Main.lamp").isTrue; }));
+        ASSERT_TRUE(waitFor([&] { return window->control().status().scans > 20; }));
+    }
+    uint32_t at(const char* text) { return static_cast<uint32_t>(editor().utf8().find(text)); }
+    /// Triggers the entry of the menu that opens next.
+    static void chooseInNextMenu(const char* name) {
+        auto* timer = new QTimer(qApp);
+        QObject::connect(timer, &QTimer::timeout, qApp, [timer, name] {
+            auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+            if (!menu) return;
+            timer->deleteLater();
+            auto* action = menu->findChild<QAction*>(name);
+            menu->close();
+            ASSERT_NE(action, nullptr) << name;
+            action->trigger();
+        });
+        timer->start(10);
+    }
+    static void rightClick(QWidget* widget, QPoint at) {
+        QContextMenuEvent event(QContextMenuEvent::Mouse, at, widget->mapToGlobal(at));
+        QApplication::sendEvent(widget, &event);
+    }
+    bool answered() {
+        return waitFor([&] { return why().tree().topLevelItemCount() > 0 && !window->inside().desk().isBusy(); });
+    }
+    QTreeWidgetItem* sentence(const QString& part) {
+        QTreeWidgetItemIterator it(&why().tree());
+        for (; *it; ++it)
+            if ((*it)->text(0).contains(part)) return *it;
+        return nullptr;
+    }
+    std::string answer() { return why().text().toStdString(); }
+};
+
+TEST_F(InsideTest, TheTextsMenuAnswersWhyAndAClickGoesToPlaceAndScan) {
+    runUntilLamp();
+    editor().goTo(at("lamp := TRUE") + 1);
+    chooseInNextMenu("askWhy");
+    rightClick(editor().viewport(), {10, 10});
+    ASSERT_TRUE(answered()) << answer();
+    EXPECT_TRUE(window->dock("why")->isVisible());
+    EXPECT_NE(answer().find("lamp is TRUE"), std::string::npos) << answer();
+    EXPECT_NE(answer().find("start became TRUE, written from the studio"), std::string::npos) << answer();
+    EXPECT_NE(answer().find("stop was FALSE"), std::string::npos) << answer();
+    QTreeWidgetItem* set = sentence("It was set by");
+    ASSERT_NE(set, nullptr) << answer();
+    editor().goTo(0);
+    why().tree().scrollToItem(set);
+    QTest::mouseClick(why().tree().viewport(), Qt::LeftButton, Qt::NoModifier,
+                      why().tree().visualItemRect(set).center());
+    ASSERT_TRUE(window->control().viewed());
+    EXPECT_TRUE(window->control().value("Main.lamp").isTrue);
+    window->control().stepView(-1);
+    EXPECT_FALSE(window->control().value("Main.lamp").isTrue) << "the click went to the scan of the change";
+    EXPECT_EQ(editor().selectedText(), "lamp := TRUE;");
+}
+
+TEST_F(InsideTest, TheKeyAsksAboutTheSelection) {
+    runUntilLamp();
+    editor().goTo(at("start AND NOT stop"), 18);
+    QTest::keyClick(editor().viewport(), Qt::Key_W, Qt::ControlModifier | Qt::AltModifier);
+    ASSERT_TRUE(answered());
+    EXPECT_NE(answer().find("start AND NOT stop is TRUE"), std::string::npos) << answer();
+}
+
+TEST_F(InsideTest, WhyNotNamesTheChangesThatWouldMakeIt) {
+    window->action("run.start")->trigger();
+    ASSERT_TRUE(waitFor([&] { return window->control().value("Main.n").text.toInt() > 5; }));
+    window->showDock("watch");
+    window->watch().setExpressions({"Main.lamp"});
+    QTreeWidget& tree = window->watch().tree();
+    chooseInNextMenu("askWhyNot");
+    rightClick(tree.viewport(), tree.visualItemRect(tree.topLevelItem(0)).center());
+    ASSERT_TRUE(answered());
+    EXPECT_NE(answer().find("start were TRUE"), std::string::npos) << answer();
+}
+
+TEST_F(InsideTest, TheWatchListsAllChangesWithTheirWriters) {
+    runUntilLamp();
+    window->showDock("watch");
+    window->watch().setExpressions({"Main.lamp", "Main.n"});
+    QTreeWidget& tree = window->watch().tree();
+    tree.setCurrentItem(tree.topLevelItem(0));
+    tree.setFocus();
+    window->action("time.who")->trigger();
+    ASSERT_TRUE(answered());
+    ASSERT_EQ(why().tree().topLevelItemCount(), 2) << answer();
+    EXPECT_NE(answer().find("Main.lamp from FALSE to TRUE, set by lamp := TRUE;"), std::string::npos) << answer();
+    EXPECT_NE(answer().find("its initial value"), std::string::npos) << answer();
+    tree.setCurrentItem(tree.topLevelItem(1));
+    tree.setFocus();
+    window->action("time.who")->trigger();
+    ASSERT_TRUE(waitFor([&] { return sentence("n := n + 1") && !window->inside().desk().isBusy(); }));
+    const int first = why().tree().topLevelItemCount();
+    if (QTreeWidgetItem* more = sentence("Earlier changes")) {
+        why().tree().scrollToItem(more);
+        QTest::mouseClick(why().tree().viewport(), Qt::LeftButton, Qt::NoModifier,
+                          why().tree().visualItemRect(more).center());
+        EXPECT_TRUE(waitFor([&] { return why().tree().topLevelItemCount() > first; }));
+    }
+}
+
+TEST_F(InsideTest, ThePanelsElementAndTheTreeAskToo) {
+    window->showDock("panel");
+    runUntilLamp();
+    hmi::PanelPlayer& player = *window->live().player();
+    ASSERT_TRUE(waitFor([&] { return player.view().isVisible() && player.view().width() > 100; }));
+    hmi::PanelView& view = player.view();
+    chooseInNextMenu("askWhy");
+    rightClick(&view, view.toWidget({40, 40, 120, 120}).center().toPoint());
+    ASSERT_TRUE(answered());
+    EXPECT_NE(answer().find("Main.lamp is TRUE"), std::string::npos) << answer();
+    emit window->projectTree().whyRequested(kit::AskWhy::Who, "stop");
+    ASSERT_TRUE(waitFor([&] { return sentence("stop") && !window->inside().desk().isBusy(); }));
+    EXPECT_NE(answer().find("its initial value"), std::string::npos) << answer();
+}
+
+TEST_F(InsideTest, APlayerWithoutAStudioAnswersOverThePanel) {
+    runUntilLamp();
+    hmi::PanelPlayer player(window->live().panels(), window->control().session());
+    player.showPanel("overview");
+    player.resize(800, 600);
+    player.show();
+    player.askWhy(kit::AskWhy::Why, "Main.lamp");
+    ASSERT_NE(player.answer(), nullptr);
+    ASSERT_TRUE(waitFor([&] { return player.answer()->isAnswered(); }));
+    EXPECT_TRUE(player.answer()->text().contains("start became TRUE")) << player.answer()->text().toStdString();
+    player.askWhy(kit::AskWhy::WhyNot, "Main.n");
+    ASSERT_TRUE(waitFor([&] { return player.answer()->isAnswered(); }));
+    EXPECT_TRUE(player.answer()->text().contains("condition")) << player.answer()->text().toStdString();
+    QTest::keyClick(player.answer(), Qt::Key_Escape);
+    EXPECT_TRUE(waitFor([&] { return !player.answer(); }));
+}
+
+TEST_F(InsideTest, TheTraceAsksAtItsCursor) {
+    runUntilLamp();
+    window->showDock("trace");
+    trace::TraceView& trace = window->live().traceView();
+    trace.addChannel("Main.lamp");
+    trace.tick();
+    trace.plot()->setCursorsShown(true);
+    trace.plot()->setCursor(0, 0); // before the lamp went on
+    QSignalSpy asked(&trace, &trace::TraceView::whyRequested);
+    trace.askWhy(kit::AskWhy::Why, 0);
+    ASSERT_EQ(asked.count(), 1);
+    ASSERT_TRUE(answered());
+    EXPECT_NE(answer().find("Main.lamp is FALSE"), std::string::npos) << answer();
+}
+
+TEST_F(InsideTest, WhatCannotBeAnsweredIsSaid) {
+    window->inside().ask(kit::AskWhy::Why, "Main.lamp");
+    EXPECT_EQ(why().tree().topLevelItemCount(), 0);
+    runUntilLamp();
+    window->inside().ask(kit::AskWhy::Why, "Main.nothing");
+    QSignalSpy spy(&why(), &editor::WhyView::answered);
+    ASSERT_TRUE(waitFor([&] { return spy.count() > 0; }));
+    EXPECT_EQ(why().tree().topLevelItemCount(), 0);
+    window->inside().ask(kit::AskWhy::WhyNot, "Main.n");
+    ASSERT_TRUE(waitFor([&] { return spy.count() > 1; }));
+    EXPECT_EQ(why().tree().topLevelItemCount(), 0);
+    // The session ends while a question is open: nothing hangs, nothing of it is shown.
+    window->inside().ask(kit::AskWhy::Who, "Main.n");
+    window->control().disconnectSession();
+    EXPECT_FALSE(window->inside().desk().isBusy());
+    QTest::qWait(50);
+    EXPECT_EQ(why().tree().topLevelItemCount(), 0);
+}
+
+TEST_F(InsideTest, ARecordingFromAFileAnswersTheSame) {
+    runUntilLamp();
+    const QString path = folder.path() + "/lamp.rec";
+    ASSERT_TRUE(window->live().saveRecording(path));
+    window->control().disconnectSession();
+    ASSERT_TRUE(window->live().openRecording(path));
+    window->inside().ask(kit::AskWhy::Why, "Main.lamp");
+    ASSERT_TRUE(answered());
+    EXPECT_NE(answer().find("start became TRUE, written from the studio"), std::string::npos) << answer();
+    window->live().closeRecording();
+}
+
+} // namespace
+} // namespace plc::app

@@ -1,0 +1,97 @@
+// What if?: from a past scan on with other values, drawn over what happened; and what tests and recordings cover, in
+// the margin.
+#include "app/inside_views.h"
+#include "app/live_views.h"
+#include "app/test_view.h"
+#include "app/what_if_dialog.h"
+#include "tests/app/studio_fixture.h"
+
+#include <QAction>
+#include <QTableWidget>
+#include <QTimer>
+
+namespace plc::app {
+namespace {
+
+const char* const kTank = R"(PROGRAM Main
+VAR
+    level, gain : DINT;
+    full : BOOL;
+END_VAR
+IF gain = 0 THEN
+    gain := 1;
+END_IF
+level := level + gain;
+IF level > 1000000 OR full THEN
+    full := TRUE;
+END_IF
+END_PROGRAM
+)";
+
+class WhatIfTest : public StudioTest {
+protected:
+    void SetUp() override {
+        write("tests/level.st", "TEST 'rises'\nRUN 3 SCANS;\nASSERT Main.level = 3;\nEND_TEST\n");
+        StudioTest::SetUp();
+        const auto end = static_cast<uint32_t>(editor().utf8().size());
+        editor().applyEdits({{{FileId(), 0, end}, kTank}});
+        analysed();
+        window->action("file.save")->trigger();
+    }
+    int level() { return window->control().value("Main.level").text.toInt(); }
+    std::string covered(const char* text) {
+        const auto at = editor().utf8().find(text);
+        const long line = editor().SendScintilla(QsciScintillaBase::SCI_LINEFROMPOSITION, at);
+        return editor().coverageAt(static_cast<int>(line)).toStdString();
+    }
+};
+
+TEST_F(WhatIfTest, GoesOnFromAPastScanWithOtherValues) {
+    window->action("run.start")->trigger();
+    ASSERT_TRUE(waitFor([&] { return level() > 50; }));
+    window->action("run.pause")->trigger();
+    ASSERT_TRUE(waitFor([&] { return window->control().status().state == controller::State::Paused; }));
+    window->control().view(20);
+    QTimer::singleShot(50, qApp, [&] {
+        auto* dialog = qobject_cast<WhatIfDialog*>(QApplication::activeModalWidget());
+        ASSERT_NE(dialog, nullptr);
+        dialog->addVariable("Main.gain");
+        const int row = dialog->table().rowCount() - 1;
+        dialog->table().item(row, 2)->setText("many");
+        dialog->accept();
+        EXPECT_TRUE(dialog->isVisible()) << "that is no value";
+        dialog->table().item(row, 2)->setText("1000");
+        dialog->accept();
+    });
+    window->action("time.whatIf")->trigger();
+    EXPECT_FALSE(window->control().viewed()) << "it runs on";
+    ASSERT_TRUE(waitFor([&] { return level() > 100'000; }));
+}
+
+TEST_F(WhatIfTest, TestsColourTheMarginWithWhatTheyCover) {
+    EXPECT_EQ(covered("level := level + gain;"), "");
+    window->showDock("tests");
+    auto* covers = window->tests().findChild<QAction*>("testCoverage");
+    ASSERT_NE(covers, nullptr);
+    covers->trigger();
+    window->action("run.tests")->trigger();
+    ASSERT_TRUE(waitFor([&] { return !covered("level := level + gain;").empty(); }, 20000));
+    EXPECT_NE(covered("level := level + gain;").find("run 3 times"), std::string::npos)
+        << covered("level := level + gain;");
+    EXPECT_NE(covered("full := TRUE;").find("not run"), std::string::npos) << covered("full := TRUE;");
+    EXPECT_NE(covered("IF level > 1000000").find("missing: "), std::string::npos) << covered("IF level > 1000000");
+    window->action("time.noCoverage")->trigger();
+    EXPECT_EQ(covered("level := level + gain;"), "");
+}
+
+TEST_F(WhatIfTest, ARecordingColoursTheMarginToo) {
+    window->action("run.start")->trigger();
+    ASSERT_TRUE(waitFor([&] { return level() > 20; }));
+    window->action("run.pause")->trigger();
+    window->action("time.coverage")->trigger();
+    ASSERT_TRUE(waitFor([&] { return !covered("level := level + gain;").empty(); }, 20000));
+    EXPECT_NE(covered("full := TRUE;").find("not run"), std::string::npos);
+}
+
+} // namespace
+} // namespace plc::app
