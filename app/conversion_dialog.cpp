@@ -7,6 +7,7 @@
 #include <QDialogButtonBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QScreen>
 #include <QSplitter>
 #include <QVBoxLayout>
 
@@ -18,7 +19,7 @@ ConversionDialog::ConversionDialog(const std::string& before, const std::string&
     const bool toSt = to == analysis::TextLanguage::St;
     setWindowTitle(
         (toSt ? tr("%1 as ST") : tr("%1 as an Instruction List")).arg(QString::fromStdString(conversion.unit)));
-    resize(1000, 640);
+    resize(QSize(1000, 640).boundedTo(screen()->availableSize() - QSize(24, 48))); // with its frame
     auto* sides = new QSplitter(this);
     const auto add = [&](const std::string& text, const QString& title) {
         auto* side = new QWidget(sides);
@@ -31,7 +32,7 @@ ConversionDialog::ConversionDialog(const std::string& before, const std::string&
         layout->addWidget(new QLabel(title, side));
         layout->addWidget(editor);
     };
-    add(before, toSt ? tr("Instruction list, as it stands") : tr("ST, as it stands"));
+    add(before, toSt ? tr("Instruction list (current text)") : tr("ST (current text)"));
     add(after, toSt ? tr("The same as ST") : tr("The same as an instruction list"));
     auto* note = new QLabel(
         tr("Both give the same results. Replacing is one step of undo; comments stay, each above its statement."),

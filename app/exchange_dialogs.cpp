@@ -22,6 +22,7 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QScreen>
 #include <QSplitter>
 #include <QTreeWidget>
 #include <QVBoxLayout>
@@ -91,7 +92,7 @@ QWidget* withButtons(QLineEdit* edit, std::initializer_list<QPushButton*> button
 ImportDialog::ImportDialog(const QString& projectsFolder, QWidget* parent)
     : QDialog(parent), m_projectsFolder(projectsFolder) {
     setWindowTitle(tr("Import a Project"));
-    resize(1000, 680);
+    resize(QSize(1000, 680).boundedTo(screen()->availableSize() - QSize(24, 48))); // with its frame
     m_source = new QLineEdit(this);
     m_source->setReadOnly(true);
     m_source->setPlaceholderText(tr("PLCopen XML, TwinCAT or CODESYS files, structured text"));

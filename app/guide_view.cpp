@@ -6,6 +6,7 @@
 #include <QDesktopServices>
 #include <QDir>
 #include <QFile>
+#include <QScrollBar>
 
 namespace plc::app {
 
@@ -23,14 +24,14 @@ GuideView::GuideView(QWidget* parent) : QTextBrowser(parent) {
         else
             scrollToAnchor(link.fragment());
     });
-    connect(&kit::Theme::current(), &kit::Theme::changed, this, [this] { setMarkdown(m_text); });
+    connect(&kit::Theme::current(), &kit::Theme::changed, this, &GuideView::render);
 }
 
 bool GuideView::showProject(const QString& folder) {
     m_folder = folder;
     QFile file(folder + "/README.md");
     m_text = !folder.isEmpty() && file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
-    setMarkdown(m_text);
+    render();
     return !m_text.isEmpty();
 }
 
@@ -58,9 +59,17 @@ QVariant GuideView::loadResource(int type, const QUrl& name) {
 void GuideView::resizeEvent(QResizeEvent* event) {
     const bool isOther = event->oldSize().width() != event->size().width();
     QTextBrowser::resizeEvent(event);
-    if (!isOther || m_text.isEmpty()) return;
-    document()->clear();
-    setMarkdown(m_text);
+    if (isOther && !m_text.isEmpty()) render();
+}
+
+/// By way of a document of its own: read straight into the browser, the format of the first heading goes on through the
+/// whole text.
+void GuideView::render() {
+    const int place = verticalScrollBar()->value();
+    QTextDocument page;
+    page.setMarkdown(m_text);
+    setHtml(page.toHtml());
+    verticalScrollBar()->setValue(place);
 }
 
 } // namespace plc::app

@@ -153,6 +153,7 @@ void LiveViews::makePlayer() {
     if (m_run.isEmpty()) m_run = QUuid::createUuid().toString();
     m_player->liveAlarms().setRun(m_run);
     keepAlarms();
+    m_player->keepLanguageInProject();
     connectPlayer();
     showInPanel();
     showPanel(m_panels->startPanel.isEmpty() ? m_panels->panels.front().name : m_panels->startPanel);

@@ -20,8 +20,10 @@
 #include "editor/kit/icons.h"
 #include "editor/kit/long_task.h"
 #include "editor/kit/message_text.h"
+#include "editor/kit/mnemonics.h"
 #include "editor/kit/plot_scale.h"
 #include "editor/kit/work_strip.h"
+#include "editor/tuning/tuning_view.h"
 
 #include <QAction>
 #include <QApplication>
@@ -72,6 +74,7 @@ void MainWindow::build() {
     m_stack->addWidget(m_tabs);
     setCentralWidget(m_stack);
     makeDocks();
+    kit::keepMnemonics(*qApp);
     makeActions();
     makeStatusLine();
     connectParts();
@@ -122,7 +125,7 @@ void MainWindow::makeDocks() {
     connect(m_guide, &GuideView::fileRequested, this, [this](const QString& file) {
         if (m_workspace->files().contains(file)) m_tabs->openFile(file);
     });
-    QDockWidget* calls = addDock("callPath", tr("Call Path"), i(Icon::CallStack), m_callPath, Qt::RightDockWidgetArea);
+    QDockWidget* calls = addDock("callPath", tr("Call Stack"), i(Icon::CallStack), m_callPath, Qt::RightDockWidgetArea);
     QDockWidget* breakpoints =
         addDock("breakpoints", tr("Breakpoints"), i(Icon::Breakpoint), m_breakpoints, Qt::RightDockWidgetArea);
     tabifyDockWidget(calls, breakpoints);
@@ -139,6 +142,9 @@ void MainWindow::makeDocks() {
     tabifyDockWidget(search, tasks);
     tabifyDockWidget(tasks, log);
     tabifyDockWidget(log, tests);
+    auto* tuning = new editor::TuningView(*m_control);
+    connect(tuning, &editor::TuningView::message, this, &MainWindow::say);
+    tabifyDockWidget(tests, addDock("tuning", tr("Tuning"), i(Icon::Fit), tuning, Qt::BottomDockWidgetArea));
     watch->raise();
     panel->raise();
     trace->raise();
@@ -237,6 +243,7 @@ void MainWindow::makeActions() {
         else
             bar->addAction(action(id));
     }
+    kit::giveMnemonics(*menuBar());
     m_palette = new kit::CommandPalette(this, [this] { return allActions(); });
 }
 
@@ -256,7 +263,7 @@ void MainWindow::makeStatusLine() {
     };
     m_faultButton = new QToolButton(this);
     m_faultButton->setAutoRaise(true);
-    m_faultButton->setAccessibleName(tr("Fault of the controller"));
+    m_faultButton->setAccessibleName(tr("Controller fault"));
     m_faultButton->setIcon(kit::icon(kit::Icon::Error));
     m_faultButton->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_faultButton->hide();
@@ -367,6 +374,7 @@ void MainWindow::connectParts() {
     connect(m_breakpoints, &editor::BreakpointView::lineRequested, this,
             [this](const QString& file, int line) { m_tabs->goToLine(file, line); });
     connect(m_log, &editor::EventLog::lineRequested, m_tabs, &EditorTabs::goToLine);
+    connect(m_watch, &editor::WatchView::instanceRequested, this, &MainWindow::showInstance);
     connect(m_callPath, &editor::CallPathView::instanceChosen, m_control, &editor::RunControl::setPreferredInstance);
     connect(m_callPath, &editor::CallPathView::placeRequested, this,
             [this](const QString& file, uint32_t offset) { m_tabs->goTo(file, offset); });

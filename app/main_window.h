@@ -176,6 +176,10 @@ private:
     void build();
     void showProject();
     [[nodiscard]] QStringList tourExpressions() const;
+    /// The source of a block, with the values of one instance.
+    void showInstance(const QString& block, const QString& instance);
+    /// A project that nobody has arranged yet: room by the size of the window.
+    void arrangeAtFirst();
     /// Its guide and its panel in sight, large enough to be read.
     void arrangeForExample();
     void saveProjectState();

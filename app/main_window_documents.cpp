@@ -31,9 +31,9 @@ void MainWindow::newTrace() {
         QInputDialog::getText(this, tr("New Trace"), tr("Name of the trace:"), QLineEdit::Normal, tr("trace"), &ok)
             .trimmed();
     if (!ok || name.isEmpty()) return;
-    if (name.contains('/') || name.contains('\\')) return say(tr("A file name holds no / and no \\"), true);
+    if (name.contains('/') || name.contains('\\')) return say(tr("A file name cannot contain / or \\"), true);
     const QString path = m_workspace->folder() + "/traces/" + name + ".trace.json";
-    if (QFile::exists(path)) return say(tr("There is a trace %1 already").arg(name), true);
+    if (QFile::exists(path)) return say(tr("A trace %1 already exists").arg(name), true);
     QDir().mkpath(QFileInfo(path).path());
     if (auto saved = trace::saveSetup({}, path.toStdString()); !saved)
         return say(kit::messageText(saved.error()), true);
@@ -61,18 +61,18 @@ void MainWindow::renameProjectFile(const QString& kind, const QString& name) {
         QInputDialog::getText(this, tr("Rename"), tr("New name of %1:").arg(shown), QLineEdit::Normal, shown, &ok)
             .trimmed();
     if (!ok || chosen.isEmpty() || chosen == shown) return;
-    if (chosen.contains('/') || chosen.contains('\\')) return say(tr("A file name holds no / and no \\"), true);
+    if (chosen.contains('/') || chosen.contains('\\')) return say(tr("A file name cannot contain / or \\"), true);
     const auto report = [this](const Result<void>& result) {
         if (!result) say(kit::messageText(result.error()), true);
         return static_cast<bool>(result);
     };
     if (kind == "test" || kind == "source") return renameSource(name, QFileInfo(name).path() + "/" + chosen + ".st");
     const QString from = pathOf(m_workspace->folder(), kind, name), to = pathOf(m_workspace->folder(), kind, chosen);
-    if (QFile::exists(to)) return say(tr("There is a file %1 already").arg(QFileInfo(to).fileName()), true);
+    if (QFile::exists(to)) return say(tr("A file %1 already exists").arg(QFileInfo(to).fileName()), true);
     if (kind == "panel" && !closeDesigns()) return;
     if (kind == "trace") m_live->saveTrace();
     if (!QFile::rename(from, to))
-        return say(tr("The file can not be renamed; check the permissions of the folder"), true);
+        return say(tr("The file cannot be renamed; check the permissions of the folder"), true);
     if (kind == "panel") {
         for (const QFileInfo& other :
              QDir(m_workspace->folder() + "/hmi").entryInfoList({"*.panel.json"}, QDir::Files)) {
@@ -113,10 +113,11 @@ void MainWindow::deleteProjectFile(const QString& kind, const QString& name) {
             if (const auto id = model->fileOf(name.toStdString()))
                 for (const analysis::OutlineItem& item : model->outline(*id))
                     units << QString::fromStdString(item.name);
-        if (!units.isEmpty()) question += "\n" + tr("It holds %1.").arg(units.join(", "));
+        if (!units.isEmpty()) question += "\n" + tr("It contains %1.").arg(units.join(", "));
     }
     if (!users.isEmpty())
-        question += "\n" + tr("These panels lead to it; their buttons will be problems: %1").arg(users.join(", "));
+        question +=
+            "\n" + tr("These panels link to it; their buttons will be reported as errors: %1").arg(users.join(", "));
     if (QMessageBox::question(this, tr("Delete"), question) != QMessageBox::Yes) return;
     if (kind == "test" || kind == "source") {
         if (auto removed = m_workspace->removeFile(name); !removed) say(kit::messageText(removed.error()), true);
@@ -127,7 +128,7 @@ void MainWindow::deleteProjectFile(const QString& kind, const QString& name) {
     const bool isShown =
         kind == "trace" && QFileInfo(m_live->traceView().setupPath()).fileName() == QFileInfo(path).fileName();
     if (!QFile::moveToTrash(path) && !QFile::remove(path))
-        return say(tr("The file can not be removed; check the permissions of the folder"), true);
+        return say(tr("The file cannot be removed; check the permissions of the folder"), true);
     if (auto read = m_workspace->rereadProject(); !read) return say(kit::messageText(read.error()), true);
     if (kind == "panel")
         m_live->reloadPanels();
@@ -151,8 +152,7 @@ void MainWindow::newPanel() {
         QInputDialog::getText(this, tr("New Panel"), tr("Name of the panel:"), QLineEdit::Normal, tr("overview"), &ok)
             .trimmed();
     if (!ok || name.isEmpty()) return;
-    if (name.contains('/') || name.contains('\\'))
-        return say(tr("A panel's name is a file name: no / and no \\"), true);
+    if (name.contains('/') || name.contains('\\')) return say(tr("A panel's name cannot contain / or \\"), true);
     if (auto added = m_live->addPanel(name); !added) return say(kit::messageText(added.error()), true);
     openDesigner(name);
     if (QWidget* page = m_tabs->pageByKey("panel:" + name)) page->setFocus();

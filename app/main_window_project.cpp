@@ -107,8 +107,10 @@ void MainWindow::restoreProjectState() {
     const QString folder = m_workspace->folder();
     if (const QByteArray layout = m_settings.projectValue(folder, "layout").toByteArray(); !layout.isEmpty())
         restoreState(layout);
-    else
+    else {
         restoreState(m_defaultLayout);
+        arrangeAtFirst();
+    }
     const QStringList pages = m_settings.projectValue(folder, "pages").toStringList();
     QStringList tabs;
     for (const QString& page : pages) {
@@ -209,6 +211,13 @@ bool MainWindow::openExample(const QString& example, bool fresh) {
     return true;
 }
 
+void MainWindow::arrangeAtFirst() {
+    if (!m_guide->toPlainText().isEmpty()) showDock("guide"); // who opens it first wants to know what it is
+    if (height() < 780) resizeDocks({dock("trace")}, {height() * 38 / 100}, Qt::Vertical);
+    resizeDocks({dock("watch")}, {std::min(440, width() * 30 / 100)}, Qt::Horizontal);
+    resizeDocks({dock("project")}, {std::min(230, width() * 15 / 100)}, Qt::Horizontal);
+}
+
 void MainWindow::arrangeForExample() {
     showDock("guide");
     showDock("panel");
@@ -276,7 +285,7 @@ void MainWindow::connectTests() {
     connect(m_tests, &TestView::placeRequested, m_tabs, &EditorTabs::goToLine);
     connect(m_tests, &TestView::recordingRequested, this, &MainWindow::showRecording);
     connect(m_testRunner, &TestRunner::started, this, [this](const std::shared_ptr<Progress>& work) {
-        say(tr("The tests run…"));
+        say(tr("Running tests…"));
         m_work->begin(tr("Tests"), work);
     });
     connect(m_testRunner, &TestRunner::workEnded, this, [this](const std::shared_ptr<Progress>& work) {
@@ -393,7 +402,8 @@ void MainWindow::openBeside() {
     if (StPage* page = m_tabs->currentPage()) files.removeAll(page->file());
     if (files.isEmpty()) return say(tr("The project has no other file"), true);
     bool isChosen = false;
-    const QString file = QInputDialog::getItem(this, tr("Another File Beside"), tr("File"), files, 0, false, &isChosen);
+    const QString file =
+        QInputDialog::getItem(this, tr("Open Another File Beside"), tr("File"), files, 0, false, &isChosen);
     if (isChosen) m_tabs->openBeside(file);
 }
 
@@ -428,11 +438,11 @@ void MainWindow::startTour() {
          tr("Programs, blocks, tasks, panels, traces and tests, made from the text files in the folder."),
          dockWidget("project"), [this] { showDock("project"); }},
         {tr("The program"),
-         tr("Structured Text with colours by meaning. Errors are underlined while you type; Alt+Enter mends what it "
-            "can; Ctrl+Space completes."),
+         tr("Structured Text with colours by meaning. Errors are underlined while you type; Alt+Enter offers quick "
+            "fixes; Ctrl+Space completes."),
          [this]() -> QWidget* { return m_tabs; },
          {}},
-        {tr("Run"), tr("F5 compiles to native code and runs it. Values then stand beside each line."),
+        {tr("Run"), tr("F5 compiles to native code and runs it. Values then appear next to each line."),
          [this]() -> QWidget* { return findChild<QToolBar*>("mainToolBar"); },
          [this] {
              if (!m_control->isRunning()) m_control->start();
@@ -453,11 +463,11 @@ void MainWindow::startTour() {
              : tr("What the operator sees, in the languages of the machine. It works here as it will on the machine."),
          dockWidget("panel"), [this] { showDock("panel"); }},
         {tr("Time runs backwards, too"),
-         tr("Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume From Here” "
-            "goes on from there."),
+         tr("Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume from Here” "
+            "continues from there."),
          [this]() -> QWidget* { return findChild<QToolBar*>("timeToolBar"); },
          {}},
-        {tr("That is it"),
+        {tr("That’s it"),
          tr("Ctrl+Shift+P finds every command. The start page has more machines to play with."),
          {},
          {}},

@@ -7,10 +7,12 @@
 #include "app/project_tree.h"
 #include "app/rename_dialog.h"
 #include "app/search_view.h"
+#include "editor/graph/chart_unit.h"
 #include "editor/kit/message_text.h"
 #include "editor/kit/texts.h"
 #include "hmi/designer/panel_designer.h"
 #include "runtime/base/text.h"
+#include "runtime/compiler/parse/parser.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -229,6 +231,20 @@ void MainWindow::renameSource(const QString& from, const QString& to) {
         if (each.file == from) each.file = to;
     m_control->setBreakpoints(breakpoints);
     if (wasOpen) m_tabs->openFile(to);
+}
+
+void MainWindow::showInstance(const QString& block, const QString& instance) {
+    m_control->setPreferredInstance(block, instance);
+    for (const QString& file : m_workspace->files()) {
+        diagnostics::Sink sink;
+        const std::string text = m_workspace->text(file);
+        const auto syntax = parse::parseFile(FileId(size_t(0)), text, sink);
+        const syntax::Pou* unit = editor::findUnit(*syntax, block.toStdString());
+        if (!unit) continue;
+        m_tabs->goTo(file, unit->name.range.begin);
+        return;
+    }
+    say(tr("%1 is not a source of this project").arg(block), true);
 }
 
 } // namespace plc::app

@@ -7,6 +7,7 @@
 #include <QDialogButtonBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QScreen>
 #include <QSplitter>
 #include <QToolBar>
 #include <QToolButton>
@@ -24,7 +25,7 @@ std::string textOf(const QsciScintilla& side) { return side.text().toStdString()
 MergeDialog::MergeDialog(const QString& file, const std::string& here, const std::string& onDisk, QWidget* parent)
     : QDialog(parent), m_onDisk(onDisk) {
     setWindowTitle(tr("Compare %1").arg(file));
-    resize(1100, 640);
+    resize(QSize(1100, 640).boundedTo(screen()->availableSize() - QSize(24, 48))); // with its frame
     auto* bar = new QToolBar(this);
     const auto add = [&](kit::Icon icon, const QString& text, const QKeySequence& keys, auto run) {
         QAction* action = bar->addAction(kit::icon(icon), text);

@@ -350,13 +350,13 @@ QString NewProjectDialog::templateId() const {
 void NewProjectDialog::check() {
     QString complaint;
     if (name().isEmpty())
-        complaint = tr("The project needs a name");
+        complaint = tr("Enter a project name");
     else if (QDir(folder()).exists() && !QDir(folder()).isEmpty())
-        complaint = tr("%1 exists already and is not empty").arg(folder());
+        complaint = tr("%1 already exists and is not empty").arg(folder());
     QPalette palette = m_complaint->palette();
     palette.setColor(QPalette::WindowText, complaint.isEmpty() ? kit::colors().muted : kit::colors().bad);
     m_complaint->setPalette(palette);
-    m_complaint->setText(complaint.isEmpty() ? tr("Will be made in %1").arg(folder()) : complaint);
+    m_complaint->setText(complaint.isEmpty() ? tr("Will be created in %1").arg(folder()) : complaint);
     m_create->setEnabled(complaint.isEmpty());
 }
 
@@ -410,13 +410,13 @@ void NewUnitDialog::preset(const QString& templateId, const QString& file) {
 void NewUnitDialog::check() {
     QString complaint;
     if (name().isEmpty())
-        complaint = tr("Give it a name");
+        complaint = tr("Enter a name");
     else if (templateId() != "test" && !isName(name()))
-        complaint = tr("A name has letters, digits and _, begins with a letter and is no keyword");
+        complaint = tr("A name has letters, digits and _, starts with a letter and is not a keyword");
     else if (templateId() != "test" && m_taken.contains(foldCase(name().toStdString())))
-        complaint = tr("There is a %1 in the project already").arg(name());
+        complaint = tr("%1 already exists in the project").arg(name());
     else if (m_file->currentData().toString().isEmpty() && m_files.contains(file(), Qt::CaseInsensitive))
-        complaint = tr("There is a file %1 already: choose it, or another name").arg(file());
+        complaint = tr("A file %1 already exists: choose it, or another name").arg(file());
     m_complaint->setText(complaint);
     m_create->setEnabled(complaint.isEmpty());
 }

@@ -34,7 +34,7 @@ SearchView::SearchView(editor::Workspace& workspace, QWidget* parent) : QWidget(
     m_text->setPlaceholderText(tr("Find in all files"));
     m_text->setAccessibleName(tr("Text to find in all files"));
     m_replacement = new QLineEdit(this);
-    m_replacement->setPlaceholderText(tr("Replace by"));
+    m_replacement->setPlaceholderText(tr("Replace with"));
     m_replacement->setAccessibleName(tr("Replacement in all files"));
     m_regex = new QCheckBox(tr("Regular expression"), this);
     m_case = new QCheckBox(tr("Match case"), this);
@@ -101,7 +101,7 @@ void SearchView::search() {
                                      m_case->isChecked() ? QRegularExpression::MultilineOption
                                                          : QRegularExpression::MultilineOption |
                                                                QRegularExpression::CaseInsensitiveOption);
-    if (!pattern.isValid()) return m_summary->setText(tr("Not a pattern: %1").arg(pattern.errorString()));
+    if (!pattern.isValid()) return m_summary->setText(tr("Invalid regular expression: %1").arg(pattern.errorString()));
     int files = 0;
     const std::map<QString, std::string> panels = m_panelTexts ? m_panelTexts() : std::map<QString, std::string>();
     QStringList all = m_workspace.files();

@@ -1,6 +1,7 @@
 #include "app/settings_dialog.h"
 
 #include "app/main_window.h"
+#include "editor/kit/mnemonics.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -17,6 +18,12 @@
 #include <QVBoxLayout>
 
 namespace plc::app {
+
+namespace {
+
+QString nameOf(const QAction* action) { return kit::withoutMnemonic(action->text()); }
+
+} // namespace
 
 SettingsDialog::SettingsDialog(Settings& settings, const QList<QAction*>& actions, QWidget* parent)
     : QDialog(parent), m_settings(settings), m_actions(actions) {
@@ -39,10 +46,10 @@ QWidget* SettingsDialog::makeGeneral() {
     auto* page = new QWidget(this);
     auto* form = new QFormLayout(page);
     m_theme = new QComboBox(page);
-    m_theme->addItems({tr("As the system"), tr("Light"), tr("Dark")});
+    m_theme->addItems({tr("System default"), tr("Light"), tr("Dark")});
     m_theme->setCurrentIndex(static_cast<int>(m_settings.theme()));
     m_language = new QComboBox(page);
-    m_language->addItem(tr("As the system"), "");
+    m_language->addItem(tr("System default"), "");
     m_language->addItem("English", "en");
     m_language->addItem("Deutsch", "de");
     m_language->addItem("Dansk", "da");
@@ -79,7 +86,7 @@ QWidget* SettingsDialog::makeEditor() {
 QWidget* SettingsDialog::makeRun() {
     auto* page = new QWidget(this);
     auto* form = new QFormLayout(page);
-    m_changeOnSave = new QCheckBox(tr("Saving changes the running controller (online change)"), page);
+    m_changeOnSave = new QCheckBox(tr("Apply an online change when saving"), page);
     m_changeOnSave->setChecked(m_settings.changeOnSave());
     m_history = new QSpinBox(page);
     m_history->setRange(16, 16384);
@@ -108,12 +115,12 @@ QWidget* SettingsDialog::makeShortcuts() {
     m_shortcuts->setColumnWidth(0, 300);
     m_shortcuts->setAccessibleName(tr("Shortcuts"));
     for (int row = 0; row < m_actions.size(); ++row) {
-        auto* item = new QTableWidgetItem(m_actions[row]->icon(), m_actions[row]->text());
+        auto* item = new QTableWidgetItem(m_actions[row]->icon(), nameOf(m_actions[row]));
         item->setFlags(item->flags() & ~Qt::ItemIsEditable);
         m_shortcuts->setItem(row, 0, item);
         auto* edit = new QKeySequenceEdit(m_actions[row]->shortcut(), m_shortcuts);
         m_shortcuts->setCellWidget(row, 1, edit);
-        edit->setAccessibleName(tr("Shortcut of %1").arg(m_actions[row]->text()));
+        edit->setAccessibleName(tr("Shortcut of %1").arg(nameOf(m_actions[row])));
         connect(edit, &QKeySequenceEdit::keySequenceChanged, this, [this, row] {
             m_edited.removeAll(row);
             m_edited << row;
@@ -128,7 +135,7 @@ QWidget* SettingsDialog::makeShortcuts() {
     m_conflict = new QLabel(page);
     m_conflict->setWordWrap(true);
     m_conflict->hide();
-    auto* defaults = new QPushButton(tr("All Defaults"), page);
+    auto* defaults = new QPushButton(tr("Restore Defaults"), page);
     connect(defaults, &QPushButton::clicked, this, [this] {
         for (int row = 0; row < m_actions.size(); ++row) keysOf(row)->setKeySequence(defaultOf(m_actions[row]));
     });
@@ -196,8 +203,8 @@ void SettingsDialog::accept() {
         if (keys == m_actions[row]->shortcut()) continue;
         m_actions[row]->setShortcut(keys);
         m_actions[row]->setToolTip(
-            keys.isEmpty() ? m_actions[row]->text()
-                           : QString("%1 (%2)").arg(m_actions[row]->text(), keys.toString(QKeySequence::NativeText)));
+            keys.isEmpty() ? nameOf(m_actions[row])
+                           : QString("%1 (%2)").arg(nameOf(m_actions[row]), keys.toString(QKeySequence::NativeText)));
         m_settings.setShortcut(m_actions[row]->objectName(), keys);
     }
     QDialog::accept();

@@ -517,6 +517,33 @@
     </message>
 </context>
 <context>
+    <name>DiskChange</name>
+    <message>
+        <source>Changed outside</source>
+        <translation>Ændret udefra</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program, and here too.</source>
+        <translation>%1 blev ændret af et andet program, og her også.</translation>
+    </message>
+    <message>
+        <source>Compare both side by side, load the file from disk and lose the changes made here, or keep what is here and replace the file with the next save?</source>
+        <translation>Sammenlign begge side om side, indlæs filen fra disken og mist ændringerne her, eller behold det, der er her, og erstat filen ved næste gem?</translation>
+    </message>
+    <message>
+        <source>Compare…</source>
+        <translation>Sammenlign…</translation>
+    </message>
+    <message>
+        <source>Load from Disk</source>
+        <translation>Indlæs fra disken</translation>
+    </message>
+    <message>
+        <source>Keep Mine</source>
+        <translation>Behold mine</translation>
+    </message>
+</context>
+<context>
     <name>EditHistory</name>
     <message>
         <source>&amp;Undo</source>
@@ -568,10 +595,6 @@
     <message>
         <source>the task ran longer than its watchdog time of {0}</source>
         <translation>tasken kørte længere end sin watchdogtid på {0}</translation>
-    </message>
-    <message>
-        <source>more than {0} loop passes and calls in one run of the task; check for an endless loop</source>
-        <translation>mere end {0} løkkegennemløb og kald i én kørsel af tasken; kontroller for en endeløs løkke</translation>
     </message>
     <message>
         <source>calls are nested too deeply; check for endless recursion</source>
@@ -1366,10 +1389,6 @@
         <translation>Sætninger på én linje kan ikke flyttes; skil dem først ad i teksten.</translation>
     </message>
     <message>
-        <source>The first input and the first output of {0} must be BOOL for it to stand in a rung.</source>
-        <translation>Den første indgang og den første udgang af {0} skal være BOOL, for at den kan være i et netværk.</translation>
-    </message>
-    <message>
         <source>The rung reads what it writes; add this coil in a rung of its own.</source>
         <translation>Netværket læser det, det skriver; tilføj denne spole i sit eget netværk.</translation>
     </message>
@@ -1578,7 +1597,7 @@
         <translation>{0} kan ikke være i {1}</translation>
     </message>
     <message>
-        <source>STRING holds Latin-1 only; declare the variable as WSTRING</source>
+        <source>STRING contains Latin-1 only; declare the variable as WSTRING</source>
         <translation>STRING rummer kun Latin-1; erklær variablen som WSTRING</translation>
     </message>
     <message>
@@ -1846,14 +1865,570 @@
         <translation>{0} er ikke et antal scan</translation>
     </message>
     <message>
-        <source>{0} is not a time</source>
-        <translation>{0} er ikke en tid</translation>
-        <source>This is no file that can be imported: PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
-        <translation>Filen kan ikke importeres: PLCopen XML (.xml), TwinCAT (.TcPOU og så videre), tekst fra CODESYS (.EXP, .export) og struktureret tekst (.st) kan læses</translation>
-    </message>
-    <message>
         <source>{0} is not a name: use letters, digits and underscores.</source>
         <translation>{0} er ikke et gyldigt navn; brug bogstaver, cifre og understreg.</translation>
+    </message>
+    <message>
+        <source>{0} is not a time</source>
+        <translation>{0} er ikke en tid</translation>
+    </message>
+    <message>
+        <source>This is not an XLIFF file</source>
+        <translation>Dette er ikke en XLIFF-fil</translation>
+    </message>
+    <message>
+        <source>The XLIFF version {0} is not known; save the file as 1.2 or 2.0</source>
+        <translation>XLIFF-versionen {0} er ikke kendt; gem filen som 1.2 eller 2.0</translation>
+    </message>
+    <message>
+        <source>The file does not say into which language it is translated</source>
+        <translation>Filen angiver ikke, hvilket sprog den er oversat til</translation>
+    </message>
+    <message>
+        <source>The XML is wrong: {0}</source>
+        <translation>XML&apos;en er forkert: {0}</translation>
+    </message>
+    <message>
+        <source>The text of the key {0} in {1} has changed since the export; check the translation</source>
+        <translation>Teksten til nøglen {0} på {1} er ændret siden eksporten; kontrollér oversættelsen</translation>
+    </message>
+    <message>
+        <source>The translation of the key {0} has other placeholders than its source, so it was not taken</source>
+        <translation>Oversættelsen af nøglen {0} har andre pladsholdere end kilden og blev ikke overtaget</translation>
+    </message>
+    <message>
+        <source>The picture {0} is outside the project; copy it into the project, or set {1} to true under {2} in project.json</source>
+        <translation>Billedet {0} er uden for projektet; kopier det ind i projektet, eller sæt {1} til true under {2} i project.json</translation>
+    </message>
+    <message>
+        <source>The picture {0} is larger than {1} MB</source>
+        <translation>Billedet {0} er større end {1} MB</translation>
+    </message>
+    <message>
+        <source>The picture {0} unpacks to more than {1} MB</source>
+        <translation>Billedet {0} fylder mere end {1} MB udpakket</translation>
+    </message>
+    <message>
+        <source>The picture {0} is {1} x {2} pixels; more than {3} million are not drawn</source>
+        <translation>Billedet {0} er på {1} x {2} pixels; flere end {3} millioner tegnes ikke</translation>
+    </message>
+    <message>
+        <source>{0} is not a picture in a known format such as PNG, JPEG or SVG</source>
+        <translation>{0} er ikke et billede i et kendt format som PNG, JPEG eller SVG</translation>
+    </message>
+    <message>
+        <source>The picture {0} draws more than {1} shapes</source>
+        <translation>Billedet {0} tegner mere end {1} former</translation>
+    </message>
+    <message>
+        <source>The shapes of the picture {0} are nested more than {1} deep or contain themselves</source>
+        <translation>Formerne i billedet {0} er indlejret mere end {1} niveauer eller indeholder sig selv</translation>
+    </message>
+    <message>
+        <source>The picture {0} loads {1}; embed it in the picture as PNG or JPEG</source>
+        <translation>Billedet {0} indlæser {1}; indlejr det i billedet som PNG eller JPEG</translation>
+    </message>
+    <message>
+        <source>The picture {0} has dashed lines of more than {1} dashes</source>
+        <translation>Billedet {0} har stiplede linjer med mere end {1} streger</translation>
+    </message>
+    <message>
+        <source>This version does not know the property {0}; it is kept as it is</source>
+        <translation>Denne version kender ikke egenskaben {0}; den beholdes, som den er</translation>
+    </message>
+    <message>
+        <source>This version does not know the property {0}; did you mean {1}?</source>
+        <translation>Denne version kender ikke egenskaben {0}; mente du {1}?</translation>
+    </message>
+    <message>
+        <source>The value must be true or false</source>
+        <translation>Værdien skal være true eller false</translation>
+    </message>
+    <message>
+        <source>The value must be a whole number</source>
+        <translation>Værdien skal være et helt tal</translation>
+    </message>
+    <message>
+        <source>The value must be a number</source>
+        <translation>Værdien skal være et tal</translation>
+    </message>
+    <message>
+        <source>The value must be a list of two numbers: width and height</source>
+        <translation>Værdien skal være en liste med to tal: bredde og højde</translation>
+    </message>
+    <message>
+        <source>The value must be a list of four numbers: x, y, width and height</source>
+        <translation>Værdien skal være en liste med fire tal: x, y, bredde og højde</translation>
+    </message>
+    <message>
+        <source>The value must be a list of points, each a list of two numbers</source>
+        <translation>Værdien skal være en liste med punkter, hvert en liste med to tal</translation>
+    </message>
+    <message>
+        <source>The value must be an object with an expression for each name</source>
+        <translation>Værdien skal være et objekt med et udtryk for hvert navn</translation>
+    </message>
+    <message>
+        <source>The value must be a list of objects</source>
+        <translation>Værdien skal være en liste med objekter</translation>
+    </message>
+    <message>
+        <source>The value must be a text in quotes</source>
+        <translation>Værdien skal være en tekst i anførselstegn</translation>
+    </message>
+    <message>
+        <source>{0} is not one of the choices: {1}</source>
+        <translation>{0} er ikke en af mulighederne: {1}</translation>
+    </message>
+    <message>
+        <source>{0} is not a colour; use the name of a role of the theme or a value such as {1}</source>
+        <translation>{0} er ikke en farve; brug navnet på en rolle i temaet eller en værdi som {1}</translation>
+    </message>
+    <message>
+        <source>{0} is not a colour; did you mean {1}?</source>
+        <translation>{0} er ikke en farve; mente du {1}?</translation>
+    </message>
+    <message>
+        <source>{0} ({1}) must be greater than {2} ({3})</source>
+        <translation>{0} ({1}) skal være større end {2} ({3})</translation>
+    </message>
+    <message>
+        <source>The panel has no group or tab {0}</source>
+        <translation>Panelet har ingen gruppe og ingen faner {0}</translation>
+    </message>
+    <message>
+        <source>The group {0} contains itself</source>
+        <translation>Gruppen {0} indeholder sig selv</translation>
+    </message>
+    <message>
+        <source>{0} has no page {1}; its {2} {2:page is|pages are} numbered from 0</source>
+        <translation>{0} har ingen side {1}; dens {2} {2:side er|sider er} nummereret fra 0</translation>
+    </message>
+    <message>
+        <source>The format {0} needs a number, and {1} is none; use {2}</source>
+        <translation>Formatet {0} kræver et tal, og {1} er ikke et; brug {2}</translation>
+    </message>
+    <message>
+        <source>The project has no language {0}, so operators never see this column; add it to the languages in project.json</source>
+        <translation>Projektet har ikke sproget {0}, så operatører ser aldrig denne kolonne; føj det til sprogene i project.json</translation>
+    </message>
+    <message>
+        <source>Nothing says what this does; give it a text, or place one beside it</source>
+        <translation>Intet fortæller, hvad dette gør; giv det en tekst, eller sæt en ved siden af</translation>
+    </message>
+    <message>
+        <source>{0} is between {1} and {2} in the recording, so the range from {3} to {4} cuts it off</source>
+        <translation>{0} ligger mellem {1} og {2} i optagelsen, så området fra {3} til {4} skærer noget af</translation>
+    </message>
+    <message>
+        <source>{0} is not between {1} and {2}; {3} is used</source>
+        <translation>{0} er ikke mellem {1} og {2}; {3} bruges</translation>
+    </message>
+    <message>
+        <source>The faceplate does not say which panel it shows</source>
+        <translation>Faceplaten angiver ikke, hvilket panel den viser</translation>
+    </message>
+    <message>
+        <source>The panel {0} contains this one, so it cannot be placed in it</source>
+        <translation>Panelet {0} indeholder dette og kan derfor ikke placeres i det</translation>
+    </message>
+    <message>
+        <source>The panel {0} has no parameter {1}</source>
+        <translation>Panelet {0} har ingen parameter {1}</translation>
+    </message>
+    <message>
+        <source>The program has no type {0}; name a block or a structure, BOOL, REAL or the like, or text</source>
+        <translation>Programmet har ingen type {0}; angiv en blok eller en struktur, BOOL, REAL eller lignende, eller text</translation>
+    </message>
+    <message>
+        <source>The parameter {0} needs an argument of type {1}</source>
+        <translation>Parameteren {0} kræver et argument af typen {1}</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; the parameter {2} needs {3}</source>
+        <translation>{0} er {1}; parameteren {2} kræver {3}</translation>
+    </message>
+    <message>
+        <source>{0} (tried with {1})</source>
+        <translation>{0} (prøvet med {1})</translation>
+    </message>
+    <message>
+        <source>The program was not built from sources.</source>
+        <translation>Programmet blev ikke oversat fra kildetekster.</translation>
+    </message>
+    <message>
+        <source>The recording does not contain the program of this scan.</source>
+        <translation>Optagelsen indeholder ikke programmet for dette scan.</translation>
+    </message>
+    <message>
+        <source>This scan is no longer in the recording.</source>
+        <translation>Dette scan er ikke længere i optagelsen.</translation>
+    </message>
+    <message>
+        <source>The scan before it is not in the recording, so the values with which this scan began are not known.</source>
+        <translation>Scannet før er ikke i optagelsen, så de værdier, som dette scan begyndte med, er ikke kendt.</translation>
+    </message>
+    <message>
+        <source>The users and roles are not valid JSON</source>
+        <translation>Brugerne og rollerne er ikke gyldig JSON</translation>
+    </message>
+    <message>
+        <source>A role has no name</source>
+        <translation>En rolle har intet navn</translation>
+    </message>
+    <message>
+        <source>Two roles are named {0}</source>
+        <translation>To roller hedder {0}</translation>
+    </message>
+    <message>
+        <source>There is no role {0}</source>
+        <translation>Rollen {0} findes ikke</translation>
+    </message>
+    <message>
+        <source>A user has no name</source>
+        <translation>En bruger har intet navn</translation>
+    </message>
+    <message>
+        <source>Two users are named {0}</source>
+        <translation>To brugere hedder {0}</translation>
+    </message>
+    <message>
+        <source>There is no user {0}</source>
+        <translation>Brugeren {0} findes ikke</translation>
+    </message>
+    <message>
+        <source>The password cannot be kept: {0}</source>
+        <translation>Adgangskoden kan ikke opbevares: {0}</translation>
+    </message>
+    <message>
+        <source>A password needs at least {0} characters</source>
+        <translation>En adgangskode skal have mindst {0} tegn</translation>
+    </message>
+    <message>
+        <source>The password must not be the name of the user</source>
+        <translation>Adgangskoden må ikke være brugerens navn</translation>
+    </message>
+    <message>
+        <source>The audit trail cannot be written: {0}</source>
+        <translation>Revisionssporet kan ikke skrives: {0}</translation>
+    </message>
+    <message>
+        <source>The audit trail cannot be read: {0}</source>
+        <translation>Revisionssporet kan ikke læses: {0}</translation>
+    </message>
+    <message>
+        <source>The frame {0} has no panel area, so no panel is seen in it</source>
+        <translation>Rammen {0} har intet panelområde, så intet panel ses i den</translation>
+    </message>
+    <message>
+        <source>Only for the roles {0}, but the project has no users; anybody may operate it</source>
+        <translation>Kun for rollerne {0}, men projektet har ingen brugere; enhver må betjene det</translation>
+    </message>
+    <message>
+        <source>The recipes are not valid JSON</source>
+        <translation>Recepterne er ikke gyldig JSON</translation>
+    </message>
+    <message>
+        <source>A recipe has no name</source>
+        <translation>En recept har intet navn</translation>
+    </message>
+    <message>
+        <source>Two recipes are named {0}</source>
+        <translation>To recepter hedder {0}</translation>
+    </message>
+    <message>
+        <source>A row of a recipe names no variable</source>
+        <translation>En række i en recept angiver ingen variabel</translation>
+    </message>
+    <message>
+        <source>The recipe has the variable {0} twice</source>
+        <translation>Recepten har variablen {0} to gange</translation>
+    </message>
+    <message>
+        <source>A set of a recipe has no name</source>
+        <translation>Et sæt i en recept har intet navn</translation>
+    </message>
+    <message>
+        <source>Two sets of the recipe are named {0}</source>
+        <translation>To sæt i recepten hedder {0}</translation>
+    </message>
+    <message>
+        <source>The first column must be named variable, and each set has a column of its own</source>
+        <translation>Den første kolonne skal hedde variable, og hvert sæt har sin egen kolonne</translation>
+    </message>
+    <message>
+        <source>The recipe {0} has no variable {1}</source>
+        <translation>Recepten {0} har ingen variabel {1}</translation>
+    </message>
+    <message>
+        <source>There is no recipe {0}</source>
+        <translation>Recepten {0} findes ikke</translation>
+    </message>
+    <message>
+        <source>The recipe {0} has no set {1}</source>
+        <translation>Recepten {0} har intet sæt {1}</translation>
+    </message>
+    <message>
+        <source>The set {0} has no value for {1}</source>
+        <translation>Sættet {0} har ingen værdi for {1}</translation>
+    </message>
+    <message>
+        <source>{0} is outside the limits of {1}, {2} to {3}</source>
+        <translation>{0} er uden for grænserne for {1}, {2} til {3}</translation>
+    </message>
+    <message>
+        <source>The list of shelved alarms cannot be read, so none is shelved: {0}</source>
+        <translation>Listen over udsatte alarmer kan ikke læses, så ingen er udsat: {0}</translation>
+    </message>
+    <message>
+        <source>The list of shelved alarms cannot be written: {0}</source>
+        <translation>Listen over udsatte alarmer kan ikke skrives: {0}</translation>
+    </message>
+</context>
+<context>
+    <name>Exchange</name>
+    <message>
+        <source>The file is written in {0}</source>
+        <translation>Filen er skrevet i {0}</translation>
+    </message>
+    <message>
+        <source>The file was not read: {0}</source>
+        <translation>Filen blev ikke læst: {0}</translation>
+    </message>
+    <message>
+        <source>The element {0} was not read</source>
+        <translation>Elementet {0} blev ikke læst</translation>
+    </message>
+    <message>
+        <source>The vendor&apos;s data {0} is kept in exchange.json</source>
+        <translation>Leverandørens data {0} er gemt i exchange.json</translation>
+    </message>
+    <message>
+        <source>The body in {0} became structured text; the diagram is kept in exchange.json</source>
+        <translation>Kroppen i {0} blev til struktureret tekst; diagrammet er gemt i exchange.json</translation>
+    </message>
+    <message>
+        <source>The body in {0} is stored in a form that only its own editor reads; export it there as PLCopen XML</source>
+        <translation>Kroppen i {0} er gemt i en form, som kun dens egen editor læser; eksporter den der som PLCopen XML</translation>
+    </message>
+    <message>
+        <source>A jump leads to the step {0}, which does not exist</source>
+        <translation>Et spring fører til trinnet {0}, som ikke findes</translation>
+    </message>
+    <message>
+        <source>The element {0} of the chart is not connected and was left out</source>
+        <translation>Elementet {0} i SFC-diagrammet er ikke forbundet og blev udeladt</translation>
+    </message>
+    <message>
+        <source>The transition from {0} has no condition; it is written as FALSE</source>
+        <translation>Transitionen fra {0} har ingen betingelse; den er skrevet som FALSE</translation>
+    </message>
+    <message>
+        <source>The element {0} takes part in a loop without a block that stores a value; its last value is not kept</source>
+        <translation>Elementet {0} indgår i en sløjfe uden en blok, der gemmer en værdi; dets sidste værdi bevares ikke</translation>
+    </message>
+    <message>
+        <source>The element {0} is not connected and was left out</source>
+        <translation>Elementet {0} er ikke forbundet og blev udeladt</translation>
+    </message>
+    <message>
+        <source>An edge in a function needs the value of the last call, which a function does not store</source>
+        <translation>En flanke i en funktion kræver værdien fra sidste kald, som en funktion ikke gemmer</translation>
+    </message>
+    <message>
+        <source>The result of {0} is used in several places and is computed in each</source>
+        <translation>Resultatet af {0} bruges flere steder og beregnes hvert sted</translation>
+    </message>
+    <message>
+        <source>The type of the result of {0} is not known; it is computed although EN is FALSE</source>
+        <translation>Typen af resultatet af {0} er ikke kendt; det beregnes, selv om EN er FALSE</translation>
+    </message>
+    <message>
+        <source>The library {0} is not part of Stepwise; uses of it are reported by the check</source>
+        <translation>Biblioteket {0} hører ikke til Stepwise; kontrollen melder, hvor det bruges</translation>
+    </message>
+    <message>
+        <source>Code in C is kept as a comment and is not executed</source>
+        <translation>Kode i C er bevaret som kommentar og udføres ikke</translation>
+    </message>
+    <message>
+        <source>There are two units named {0}; the second is in {1}</source>
+        <translation>Der er to programenheder med navnet {0}; den anden er i {1}</translation>
+    </message>
+    <message>
+        <source>The configuration of the devices was not read; assign the inputs and outputs again</source>
+        <translation>Enhedernes konfiguration blev ikke læst; tildel ind- og udgange igen</translation>
+    </message>
+    <message>
+        <source>The task {0} is started by the event {1}, which does not exist here; give it an INTERVAL or a SINGLE</source>
+        <translation>Tasken {0} startes af hændelsen {1}, som ikke findes her; giv den et INTERVAL eller et SINGLE</translation>
+    </message>
+    <message>
+        <source>{0} counts %MW1 in words, here it is counted in bytes; check that the addresses do not overlap</source>
+        <translation>{0} tæller %MW1 i ord, her tælles i byte; kontrollér, at adresserne ikke overlapper</translation>
+    </message>
+    <message>
+        <source>A comment outside of the elements was left out: {0}</source>
+        <translation>En kommentar uden for elementerne blev udeladt: {0}</translation>
+    </message>
+    <message>
+        <source>The diagram in {0} was not read: an expression repeats itself without end</source>
+        <translation>Diagrammet i {0} blev ikke læst: et udtryk gentager sig uden ende</translation>
+    </message>
+    <message>
+        <source>A condition in {0} needs the call of a block, which a condition cannot make</source>
+        <translation>En betingelse i {0} kræver et blokkald, som en betingelse ikke kan udføre</translation>
+    </message>
+    <message>
+        <source>The transition {0} is not a single expression and was not read</source>
+        <translation>Transitionen {0} er ikke et enkelt udtryk og blev ikke læst</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for panels; they were left out</source>
+        <translation>PLCopen XML har ingen plads til paneler; de blev udeladt</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for traces; they were left out</source>
+        <translation>PLCopen XML har ingen plads til traces; de blev udeladt</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for tests; they were left out</source>
+        <translation>PLCopen XML har ingen plads til tests; de blev udeladt</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for tests; the TEST &apos;{0}&apos; was left out</source>
+        <translation>PLCopen XML har ingen plads til tests; TEST ”{0}” blev udeladt</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for namespaces; a NAMESPACE was left out with its units</source>
+        <translation>PLCopen XML har ingen plads til navnerum; et NAMESPACE blev udeladt med sine programenheder</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for USING; it was left out</source>
+        <translation>PLCopen XML har ingen plads til USING; det blev udeladt</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for the name of the transition {0}; it was left out</source>
+        <translation>PLCopen XML har ingen plads til navnet på transitionen {0}; det blev udeladt</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has one indicator per action; {0} was left out</source>
+        <translation>PLCopen XML har én indikator pr. aktion; {0} blev udeladt</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no methods; {0} was left out</source>
+        <translation>Version 0201 har ingen metoder; {0} blev udeladt</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no properties; {0} was left out</source>
+        <translation>Version 0201 har ingen egenskaber; {0} blev udeladt</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no interfaces; {0} was left out</source>
+        <translation>Version 0201 har ingen interfaces; {0} blev udeladt</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no unions; {0} was left out</source>
+        <translation>Version 0201 har ingen unions; {0} blev udeladt</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no inheritance; EXTENDS or IMPLEMENTS of {0} was left out</source>
+        <translation>Version 0201 har ingen nedarvning; EXTENDS eller IMPLEMENTS i {0} blev udeladt</translation>
+    </message>
+    <message>
+        <source>Version 0201 does not have the type {0}; other tools will not know it</source>
+        <translation>Version 0201 har ikke typen {0}; andre værktøjer kender den ikke</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for the pragma {0} of a step; it was left out</source>
+        <translation>Version 0201 har ingen plads til pragmaet {0} på et trin; det blev udeladt</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for {0} of a task; it was left out</source>
+        <translation>Version 0201 har ingen plads til {0} for en task; det blev udeladt</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for the connections of the program {0}; they were left out</source>
+        <translation>Version 0201 har ingen plads til forbindelserne for programmet {0}; de blev udeladt</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for libraries; {0} was left out</source>
+        <translation>Version 0201 har ingen plads til biblioteker; {0} blev udeladt</translation>
+    </message>
+    <message>
+        <source>The file is no program source and was left out</source>
+        <translation>Filen er ingen programkilde og blev udeladt</translation>
+    </message>
+</context>
+<context>
+    <name>Fixes</name>
+    <message>
+        <source>Replace with {0}</source>
+        <translation>Erstat med {0}</translation>
+    </message>
+    <message>
+        <source>Insert {0}</source>
+        <translation>Indsæt {0}</translation>
+    </message>
+    <message>
+        <source>Did you mean {0}?</source>
+        <translation>Mente du {0}?</translation>
+    </message>
+    <message>
+        <source>Convert with {0}</source>
+        <translation>Konverter med {0}</translation>
+    </message>
+    <message>
+        <source>Move {0} to {1}</source>
+        <translation>Flyt {0} til {1}</translation>
+    </message>
+    <message>
+        <source>Add the property {0}</source>
+        <translation>Tilføj egenskaben {0}</translation>
+    </message>
+    <message>
+        <source>Add the method {0}</source>
+        <translation>Tilføj metoden {0}</translation>
+    </message>
+    <message>
+        <source>Add the missing branches</source>
+        <translation>Tilføj de manglende grene</translation>
+    </message>
+    <message>
+        <source>Add ELSE</source>
+        <translation>Tilføj ELSE</translation>
+    </message>
+    <message>
+        <source>Add () to call it</source>
+        <translation>Tilføj () for at kalde den</translation>
+    </message>
+    <message>
+        <source>Compare with 0</source>
+        <translation>Sammenlign med 0</translation>
+    </message>
+    <message>
+        <source>Remove the unused declaration</source>
+        <translation>Fjern den ubrugte erklæring</translation>
+    </message>
+    <message>
+        <source>Replace with IF and ELSIF</source>
+        <translation>Erstat med IF og ELSIF</translation>
+    </message>
+    <message>
+        <source>Change to a WSTRING literal</source>
+        <translation>Skift til en WSTRING-literal</translation>
+    </message>
+    <message>
+        <source>Replace with straight quotes</source>
+        <translation>Erstat med lige anførselstegn</translation>
+    </message>
+    <message>
+        <source>Make {0} the initial step</source>
+        <translation>Gør {0} til starttrin</translation>
+    </message>
+    <message>
+        <source>Dereference the pointer with ^</source>
+        <translation>Dereferer pointeren med ^</translation>
     </message>
 </context>
 <context>
@@ -1879,8 +2454,8 @@
         <translation>Et ST-udtryk</translation>
     </message>
     <message>
-        <source>Shown to the operator. A typed text gets its key by itself; @key names one.</source>
-        <translation>Vises til operatøren. Indtastet tekst får automatisk en nøgle; med @nøgle vælger du en, der findes.</translation>
+        <source>Shown to the operator. A typed text gets its key automatically; @key uses an existing one.</source>
+        <translation>Vises til operatøren. Indtastet tekst får automatisk en nøgle; @nøgle bruger en, der findes.</translation>
     </message>
     <message>
         <source>X</source>
@@ -2087,7 +2662,7 @@
         <translation>Faneblad</translation>
     </message>
     <message>
-        <source>Place and size</source>
+        <source>Position and size</source>
         <translation>Position og størrelse</translation>
     </message>
     <message>
@@ -2367,11 +2942,11 @@
         <translation>Orientering</translation>
     </message>
     <message>
-        <source>Shows the value</source>
+        <source>Show the value</source>
         <translation>Vis værdien</translation>
     </message>
     <message>
-        <source>Turning knob</source>
+        <source>Rotary knob</source>
         <translation>Drejeknap</translation>
     </message>
     <message>
@@ -2407,7 +2982,7 @@
         <translation>Maske (# ciffer, A bogstav, * vilkårlig)</translation>
     </message>
     <message>
-        <source>Hides the value</source>
+        <source>Hide the value</source>
         <translation>Skjul værdien</translation>
     </message>
     <message>
@@ -2547,7 +3122,7 @@
         <translation>Første indeks</translation>
     </message>
     <message>
-        <source>Shows the numbers</source>
+        <source>Show the numbers</source>
         <translation>Vis numrene</translation>
     </message>
     <message>
@@ -2715,7 +3290,7 @@
         <translation>Geometri</translation>
     </message>
     <message>
-        <source>Look</source>
+        <source>Appearance</source>
         <translation>Udseende</translation>
     </message>
     <message>
@@ -2726,12 +3301,953 @@
         <source>Motion</source>
         <translation>Bevægelse</translation>
     </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parametre</translation>
+    </message>
+    <message>
+        <source>Type (a block, a structure, BOOL, REAL, text)</source>
+        <translation>Type (en blok, en struktur, BOOL, REAL, text)</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>Standard</translation>
+    </message>
+    <message>
+        <source>Faceplate</source>
+        <translation>Faceplate</translation>
+    </message>
+    <message>
+        <source>Arguments</source>
+        <translation>Argumenter</translation>
+    </message>
+    <message>
+        <source>Adapts to the screen by</source>
+        <translation>Tilpasser sig skærmen ved</translation>
+    </message>
+    <message>
+        <source>On a tall screen</source>
+        <translation>På en høj skærm</translation>
+    </message>
+    <message>
+        <source>Shown in the frame</source>
+        <translation>Vises i rammen</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hjælp</translation>
+    </message>
+    <message>
+        <source>Panel to show</source>
+        <translation>Panel, der vises</translation>
+    </message>
+    <message>
+        <source>First-out group</source>
+        <translation>Førstalarmgruppe</translation>
+    </message>
+    <message>
+        <source>Horizontal anchor</source>
+        <translation>Vandret anker</translation>
+    </message>
+    <message>
+        <source>Vertical anchor</source>
+        <translation>Lodret anker</translation>
+    </message>
+    <message>
+        <source>Only for the roles</source>
+        <translation>Kun for rollerne</translation>
+    </message>
+    <message>
+        <source>For all others</source>
+        <translation>For alle andre</translation>
+    </message>
+    <message>
+        <source>Writes are confirmed</source>
+        <translation>Skrivning bekræftes</translation>
+    </message>
+    <message>
+        <source>Navigation bar</source>
+        <translation>Navigationslinje</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Paneler</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>Bruger</translation>
+    </message>
+    <message>
+        <source>Recipe</source>
+        <translation>Recept</translation>
+    </message>
+    <message>
+        <source>Alarm statistics</source>
+        <translation>Alarmstatistik</translation>
+    </message>
+    <message>
+        <source>Hours to look back</source>
+        <translation>Timer tilbage i tiden</translation>
+    </message>
+    <message>
+        <source>Panel area</source>
+        <translation>Panelområde</translation>
+    </message>
+</context>
+<context>
+    <name>HmiChoices</name>
+    <message>
+        <source>Dot</source>
+        <translation>Prik</translation>
+    </message>
+    <message>
+        <source>Start sign</source>
+        <translation>Startsymbol</translation>
+    </message>
+    <message>
+        <source>Stop sign</source>
+        <translation>Stopsymbol</translation>
+    </message>
+    <message>
+        <source>Pause sign</source>
+        <translation>Pausesymbol</translation>
+    </message>
+    <message>
+        <source>Plus</source>
+        <translation>Plustegn</translation>
+    </message>
+    <message>
+        <source>Minus</source>
+        <translation>Minustegn</translation>
+    </message>
+    <message>
+        <source>House</source>
+        <translation>Hus</translation>
+    </message>
+    <message>
+        <source>Circular arrow</source>
+        <translation>Cirkelpil</translation>
+    </message>
+    <message>
+        <source>Time of day</source>
+        <translation>Klokkeslæt</translation>
+    </message>
+    <message>
+        <source>By time</source>
+        <translation>Efter tid</translation>
+    </message>
+    <message>
+        <source>Solid</source>
+        <translation>Fuldt optrukket</translation>
+    </message>
+    <message>
+        <source>Dashed</source>
+        <translation>Stiplet</translation>
+    </message>
+    <message>
+        <source>Dotted</source>
+        <translation>Prikket</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ingen</translation>
+    </message>
+    <message>
+        <source>At the start</source>
+        <translation>I starten</translation>
+    </message>
+    <message>
+        <source>Centred</source>
+        <translation>Centreret</translation>
+    </message>
+    <message>
+        <source>At the end</source>
+        <translation>I slutningen</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Lyst</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Mørkt</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>Høj kontrast</translation>
+    </message>
+    <message>
+        <source>Arrow</source>
+        <translation>Pil</translation>
+    </message>
+    <message>
+        <source>Arc line</source>
+        <translation>Buelinje</translation>
+    </message>
+    <message>
+        <source>Pie</source>
+        <translation>Cirkeludsnit</translation>
+    </message>
+    <message>
+        <source>Chord</source>
+        <translation>Cirkelafsnit</translation>
+    </message>
+    <message>
+        <source>Show all of it</source>
+        <translation>Vis hele billedet</translation>
+    </message>
+    <message>
+        <source>Fill the frame</source>
+        <translation>Udfyld rammen</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>Stræk</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Højre</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Venstre</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Op</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Ned</translation>
+    </message>
+    <message>
+        <source>Momentary</source>
+        <translation>Momentan</translation>
+    </message>
+    <message>
+        <source>Toggle</source>
+        <translation>Skift</translation>
+    </message>
+    <message>
+        <source>Set to TRUE</source>
+        <translation>Sæt til TRUE</translation>
+    </message>
+    <message>
+        <source>Set to FALSE</source>
+        <translation>Sæt til FALSE</translation>
+    </message>
+    <message>
+        <source>Write a value</source>
+        <translation>Skriv en værdi</translation>
+    </message>
+    <message>
+        <source>Go to a panel</source>
+        <translation>Gå til et panel</translation>
+    </message>
+    <message>
+        <source>Change the language</source>
+        <translation>Skift sprog</translation>
+    </message>
+    <message>
+        <source>Acknowledge alarms</source>
+        <translation>Kvitter alarmer</translation>
+    </message>
+    <message>
+        <source>Horizontal</source>
+        <translation>Vandret</translation>
+    </message>
+    <message>
+        <source>Vertical</source>
+        <translation>Lodret</translation>
+    </message>
+    <message>
+        <source>Date and time of day</source>
+        <translation>Dato og klokkeslæt</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Dato</translation>
+    </message>
+    <message>
+        <source>Calendar week</source>
+        <translation>Kalenderuge</translation>
+    </message>
+    <message>
+        <source>Round</source>
+        <translation>Rund</translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation>Kvadratisk</translation>
+    </message>
+    <message>
+        <source>Rounded</source>
+        <translation>Afrundet</translation>
+    </message>
+    <message>
+        <source>Dished ends</source>
+        <translation>Hvælvede bunde</translation>
+    </message>
+    <message>
+        <source>Flat ends</source>
+        <translation>Flade bunde</translation>
+    </message>
+    <message>
+        <source>Hopper</source>
+        <translation>Tragt</translation>
+    </message>
+    <message>
+        <source>Open at the top</source>
+        <translation>Åben foroven</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Vælg</translation>
+    </message>
+    <message>
+        <source>Present alarms</source>
+        <translation>Aktuelle alarmer</translation>
+    </message>
+    <message>
+        <source>Alarm history</source>
+        <translation>Alarmhistorik</translation>
+    </message>
+    <message>
+        <source>By priority</source>
+        <translation>Efter prioritet</translation>
+    </message>
+    <message>
+        <source>Buttons</source>
+        <translation>Knapper</translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <translation>Menu</translation>
+    </message>
+    <message>
+        <source>In their own language</source>
+        <translation>På deres eget sprog</translation>
+    </message>
+    <message>
+        <source>Language tags</source>
+        <translation>Sprogkoder</translation>
+    </message>
+    <message>
+        <source>Motor</source>
+        <translation>Motor</translation>
+    </message>
+    <message>
+        <source>Pump</source>
+        <translation>Pumpe</translation>
+    </message>
+    <message>
+        <source>Valve</source>
+        <translation>Ventil</translation>
+    </message>
+    <message>
+        <source>Tank</source>
+        <translation>Tank</translation>
+    </message>
+    <message>
+        <source>Silo</source>
+        <translation>Silo</translation>
+    </message>
+    <message>
+        <source>Conveyor</source>
+        <translation>Transportbånd</translation>
+    </message>
+    <message>
+        <source>Agitator</source>
+        <translation>Omrører</translation>
+    </message>
+    <message>
+        <source>Heater</source>
+        <translation>Varmelegeme</translation>
+    </message>
+    <message>
+        <source>Fan</source>
+        <translation>Ventilator</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>Føler</translation>
+    </message>
+    <message>
+        <source>Lamp</source>
+        <translation>Lampe</translation>
+    </message>
+    <message>
+        <source>Siren</source>
+        <translation>Sirene</translation>
+    </message>
+    <message>
+        <source>Lorry</source>
+        <translation>Lastbil</translation>
+    </message>
+    <message>
+        <source>Vehicle</source>
+        <translation>Køretøj</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Baggrund</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Flade</translation>
+    </message>
+    <message>
+        <source>Raised surface</source>
+        <translation>Hævet flade</translation>
+    </message>
+    <message>
+        <source>Sunken surface</source>
+        <translation>Forsænket flade</translation>
+    </message>
+    <message>
+        <source>Line colour</source>
+        <translation>Linjefarve</translation>
+    </message>
+    <message>
+        <source>Faint line</source>
+        <translation>Svag linje</translation>
+    </message>
+    <message>
+        <source>Text colour</source>
+        <translation>Tekstfarve</translation>
+    </message>
+    <message>
+        <source>Muted text</source>
+        <translation>Dæmpet tekst</translation>
+    </message>
+    <message>
+        <source>Button colour</source>
+        <translation>Knapfarve</translation>
+    </message>
+    <message>
+        <source>Accent</source>
+        <translation>Fremhævning</translation>
+    </message>
+    <message>
+        <source>Switched off</source>
+        <translation>Slukket</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>I drift</translation>
+    </message>
+    <message>
+        <source>Liquid</source>
+        <translation>Væske</translation>
+    </message>
+    <message>
+        <source>Pipe colour</source>
+        <translation>Rørfarve</translation>
+    </message>
+    <message>
+        <source>Measured value</source>
+        <translation>Måleværdi</translation>
+    </message>
+    <message>
+        <source>Lit segment</source>
+        <translation>Lysende segment</translation>
+    </message>
+    <message>
+        <source>Display glass</source>
+        <translation>Displayglas</translation>
+    </message>
+    <message>
+        <source>Alarm colour</source>
+        <translation>Alarmfarve</translation>
+    </message>
+    <message>
+        <source>High priority</source>
+        <translation>Høj prioritet</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Advarsel</translation>
+    </message>
+    <message>
+        <source>Low priority</source>
+        <translation>Lav prioritet</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation>Rød</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation>Orange</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation>Gul</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Grøn</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Blå</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>Hvid</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>Sort</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Grå</translation>
+    </message>
+    <message>
+        <source>Good state</source>
+        <translation>God tilstand</translation>
+    </message>
+    <message>
+        <source>Curve 1</source>
+        <translation>Kurve 1</translation>
+    </message>
+    <message>
+        <source>Curve 2</source>
+        <translation>Kurve 2</translation>
+    </message>
+    <message>
+        <source>Curve 3</source>
+        <translation>Kurve 3</translation>
+    </message>
+    <message>
+        <source>Curve 4</source>
+        <translation>Kurve 4</translation>
+    </message>
+    <message>
+        <source>Curve 5</source>
+        <translation>Kurve 5</translation>
+    </message>
+    <message>
+        <source>Curve 6</source>
+        <translation>Kurve 6</translation>
+    </message>
+    <message>
+        <source>Curve 7</source>
+        <translation>Kurve 7</translation>
+    </message>
+    <message>
+        <source>Curve 8</source>
+        <translation>Kurve 8</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>et tal</translation>
+    </message>
+    <message>
+        <source>a BOOL</source>
+        <translation>en BOOL</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>en tekst</translation>
+    </message>
+    <message>
+        <source>an array</source>
+        <translation>et array</translation>
+    </message>
+    <message>
+        <source>any type</source>
+        <translation>enhver type</translation>
+    </message>
+    <message>
+        <source>Left and right</source>
+        <translation>Venstre og højre</translation>
+    </message>
+    <message>
+        <source>Top and bottom</source>
+        <translation>Top og bund</translation>
+    </message>
+    <message>
+        <source>Scaling to its size</source>
+        <translation>Skalering til dens størrelse</translation>
+    </message>
+    <message>
+        <source>Moving what is anchored</source>
+        <translation>Flytning af det forankrede</translation>
+    </message>
+    <message>
+        <source>Keep the proportions</source>
+        <translation>Bevar proportionerne</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Top</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Bund</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Låst</translation>
+    </message>
+    <message>
+        <source>Hidden</source>
+        <translation>Skjult</translation>
+    </message>
+    <message>
+        <source>Open a panel in a window</source>
+        <translation>Åbn et panel i et vindue</translation>
+    </message>
+    <message>
+        <source>Close the window</source>
+        <translation>Luk vinduet</translation>
+    </message>
+    <message>
+        <source>Go back</source>
+        <translation>Gå tilbage</translation>
+    </message>
+    <message>
+        <source>Go to the start panel</source>
+        <translation>Gå til startpanelet</translation>
+    </message>
+    <message>
+        <source>Log out</source>
+        <translation>Log ud</translation>
+    </message>
+    <message>
+        <source>Shelved alarms</source>
+        <translation>Udsatte alarmer</translation>
+    </message>
+</context>
+<context>
+    <name>Inside</name>
+    <message>
+        <source>set by {0}  {1} ({2}, task {3})</source>
+        <translation>sat af {0}  {1} ({2}, task {3})</translation>
+    </message>
+    <message>
+        <source>set by {0}  {1} ({2})</source>
+        <translation>sat af {0}  {1} ({2})</translation>
+    </message>
+    <message>
+        <source>set by what the compiler adds ({0})</source>
+        <translation>sat af det, som compileren tilføjer ({0})</translation>
+    </message>
+    <message>
+        <source>written from outside</source>
+        <translation>skrevet udefra</translation>
+    </message>
+    <message>
+        <source>written from {0}</source>
+        <translation>skrevet fra {0}</translation>
+    </message>
+    <message>
+        <source>forced</source>
+        <translation>forceret</translation>
+    </message>
+    <message>
+        <source>forced from {0}</source>
+        <translation>forceret fra {0}</translation>
+    </message>
+    <message>
+        <source>put back by a reset</source>
+        <translation>sat tilbage af en nulstilling</translation>
+    </message>
+    <message>
+        <source>carried over by an online change</source>
+        <translation>overført ved en onlineændring</translation>
+    </message>
+    <message>
+        <source>restored from the retained values</source>
+        <translation>gendannet fra de remanente værdier</translation>
+    </message>
+    <message>
+        <source>its initial value</source>
+        <translation>dens startværdi</translation>
+    </message>
+    <message>
+        <source>put into the safe state when the controller stopped</source>
+        <translation>sat i sikker tilstand, da styringen stoppede</translation>
+    </message>
+    <message>
+        <source>as recorded in the scan that was resumed from</source>
+        <translation>som optaget i det scan, der blev fortsat fra</translation>
+    </message>
+    <message>
+        <source>set by a statement of a test</source>
+        <translation>sat af en sætning i en test</translation>
+    </message>
+    <message>
+        <source>not known who set it</source>
+        <translation>ukendt, hvem der satte det</translation>
+    </message>
+    <message>
+        <source>the command line</source>
+        <translation>kommandolinjen</translation>
+    </message>
+    <message>
+        <source>the studio</source>
+        <translation>studiet</translation>
+    </message>
+    <message>
+        <source>panel {0}, {1}</source>
+        <translation>panel {0}, {1}</translation>
+    </message>
+    <message>
+        <source>{0} (scan {1})</source>
+        <translation>{0} (scan {1})</translation>
+    </message>
+    <message>
+        <source>{0}  {1} from {2} to {3}, {4}</source>
+        <translation>{0}  {1} fra {2} til {3}, {4}</translation>
+    </message>
+    <message>
+        <source>{0}  {1} to {2}, {3}</source>
+        <translation>{0}  {1} til {2}, {3}</translation>
+    </message>
+    <message>
+        <source>called by {0}  {1}</source>
+        <translation>kaldt af {0}  {1}</translation>
+    </message>
+    <message>
+        <source>{0} is {1} at {2}, since {3}.</source>
+        <translation>{0} er {1} ved {2}, siden {3}.</translation>
+    </message>
+    <message>
+        <source>{0} is {1} at {2}, as it was when the recording began.</source>
+        <translation>{0} er {1} ved {2}, som da optagelsen begyndte.</translation>
+    </message>
+    <message>
+        <source>{0} is {1} at {2}.</source>
+        <translation>{0} er {1} ved {2}.</translation>
+    </message>
+    <message>
+        <source>It was {0}.</source>
+        <translation>Værdien blev {0}.</translation>
+    </message>
+    <message>
+        <source>It has its initial value.</source>
+        <translation>Variablen har sin startværdi.</translation>
+    </message>
+    <message>
+        <source>It became {0} because</source>
+        <translation>Den blev {0}, fordi</translation>
+    </message>
+    <message>
+        <source>This needed</source>
+        <translation>Det krævede</translation>
+    </message>
+    <message>
+        <source>It needs</source>
+        <translation>Det kræver</translation>
+    </message>
+    <message>
+        <source>It stays so because</source>
+        <translation>Den forbliver sådan, fordi</translation>
+    </message>
+    <message>
+        <source>Step by step</source>
+        <translation>Trin for trin</translation>
+    </message>
+    <message>
+        <source>because</source>
+        <translation>fordi</translation>
+    </message>
+    <message>
+        <source>time passed.</source>
+        <translation>tiden gik.</translation>
+    </message>
+    <message>
+        <source>it was the first scan.</source>
+        <translation>det var det første scan.</translation>
+    </message>
+    <message>
+        <source>other variables were forced.</source>
+        <translation>andre variabler var forceret.</translation>
+    </message>
+    <message>
+        <source>{0} became {1}.</source>
+        <translation>{0} blev {1}.</translation>
+    </message>
+    <message>
+        <source>{0} became {1}, {2}.</source>
+        <translation>{0} blev {1}, {2}.</translation>
+    </message>
+    <message>
+        <source>{0} changed.</source>
+        <translation>{0} ændrede sig.</translation>
+    </message>
+    <message>
+        <source>{0} changed, {1}.</source>
+        <translation>{0} ændrede sig, {1}.</translation>
+    </message>
+    <message>
+        <source>{0} was {1}.</source>
+        <translation>{0} var {1}.</translation>
+    </message>
+    <message>
+        <source>{0} was {1} since {2}, {3}.</source>
+        <translation>{0} var {1} siden {2}, {3}.</translation>
+    </message>
+    <message>
+        <source>{0}   → {1}</source>
+        <translation>{0}   → {1}</translation>
+    </message>
+    <message>
+        <source>it ran because {0} was {1}</source>
+        <translation>udført, fordi {0} var {1}</translation>
+    </message>
+    <message>
+        <source>nothing wrote it later because {0} was {1}</source>
+        <translation>ikke skrevet senere, fordi {0} var {1}</translation>
+    </message>
+    <message>
+        <source>a statement that would write it did not run because {0} was {1}</source>
+        <translation>en sætning, der ville skrive den, blev ikke udført, fordi {0} var {1}</translation>
+    </message>
+    <message>
+        <source>{0} ({1})</source>
+        <translation>{0} ({1})</translation>
+    </message>
+    <message>
+        <source>{0}</source>
+        <translation>{0}</translation>
+    </message>
+    <message>
+        <source>{0}: {1}</source>
+        <translation>{0}: {1}</translation>
+    </message>
+    <message>
+        <source>{0} was {1} when the scan began</source>
+        <translation>{0} var {1}, da scannet begyndte</translation>
+    </message>
+    <message>
+        <source>{0}   {1}</source>
+        <translation>{0}   {1}</translation>
+    </message>
+    <message>
+        <source>its time of {0} is over</source>
+        <translation>dens tid på {0} er gået</translation>
+    </message>
+    <message>
+        <source>it does not run</source>
+        <translation>kører ikke</translation>
+    </message>
+    <message>
+        <source>it has run {0} of {1}, {2} to go</source>
+        <translation>{0} af {1} er gået, {2} mangler</translation>
+    </message>
+    <message>
+        <source>it has counted {0} of {1}</source>
+        <translation>har talt {0} af {1}</translation>
+    </message>
+    <message>
+        <source>No change of up to three variables makes it {0} in this scan.</source>
+        <translation>Ingen ændring af op til tre variabler gør den {0} i dette scan.</translation>
+    </message>
+    <message>
+        <source>It would be {0} if {1}.</source>
+        <translation>Den ville være {0}, hvis {1}.</translation>
+    </message>
+    <message>
+        <source>It would also be {0} if {1}.</source>
+        <translation>Den ville også være {0}, hvis {1}.</translation>
+    </message>
+    <message>
+        <source>{0} were {1} (it is {2})</source>
+        <translation>{0} var {1} (er {2})</translation>
+    </message>
+    <message>
+        <source>{0} and {1}</source>
+        <translation>{0} og {1}</translation>
+    </message>
+    <message>
+        <source>What keeps it {0}</source>
+        <translation>Hvad der holder den {0}</translation>
+    </message>
+    <message>
+        <source>Note: {0}.</source>
+        <translation>Bemærk: {0}.</translation>
+    </message>
+    <message>
+        <source>recorded by an earlier version, which kept no journal</source>
+        <translation>optaget af en ældre version, som ikke førte journal</translation>
+    </message>
+    <message>
+        <source>it was written to while it was halted at a breakpoint</source>
+        <translation>der blev skrevet, mens det var standset ved et stoppunkt</translation>
+    </message>
+    <message>
+        <source>the scan had another result when it was run again</source>
+        <translation>scannet gav et andet resultat, da det blev kørt igen</translation>
+    </message>
+    <message>
+        <source>it has no value in this scan: {0}</source>
+        <translation>ingen værdi i dette scan: {0}</translation>
+    </message>
+    <message>
+        <source>&quot;Why not?&quot; needs a condition (BOOL), for example &quot;Main.level &gt; 80&quot;</source>
+        <translation>”Hvorfor ikke?” kræver en betingelse (BOOL), for eksempel ”Main.level &gt; 80”</translation>
+    </message>
+    <message>
+        <source>the program was not built from sources</source>
+        <translation>programmet blev ikke oversat fra kildetekster</translation>
+    </message>
+    <message>
+        <source>this scan is not in the recording</source>
+        <translation>dette scan er ikke i optagelsen</translation>
+    </message>
+    <message>
+        <source>it does not change in this recording</source>
+        <translation>ændrer sig ikke i denne optagelse</translation>
+    </message>
+    <message>
+        <source>nothing wrote it in this scan</source>
+        <translation>intet skrev den i dette scan</translation>
+    </message>
+    <message>
+        <source>no statement of the project ran in this scan</source>
+        <translation>ingen sætning i projektet blev udført i dette scan</translation>
+    </message>
 </context>
 <context>
     <name>LongTask</name>
     <message>
         <source>Cancel</source>
         <translation>Annuller</translation>
+    </message>
+</context>
+<context>
+    <name>Loops</name>
+    <message>
+        <source>The program has no controller block; name the signals with --input and --output</source>
+        <translation>Programmet har ingen regulatorblok; angiv signalerne med --input og --output</translation>
+    </message>
+    <message>
+        <source>There is no single loop {0}; the program has {1}</source>
+        <translation>Der er ikke én sløjfe {0}; programmet har {1}</translation>
+    </message>
+    <message>
+        <source>The recording contains no program that knows it</source>
+        <translation>Optagelsen indeholder intet program, der kender den</translation>
+    </message>
+    <message>
+        <source>It is not a number and cannot be a signal of a loop</source>
+        <translation>Det er ikke et tal og kan ikke være et signal i en sløjfe</translation>
+    </message>
+    <message>
+        <source>This range is no longer recorded, or the program was changed in it; choose another one</source>
+        <translation>Dette stykke er ikke længere optaget, eller programmet blev ændret i det; vælg et andet</translation>
+    </message>
+    <message>
+        <source>{0} gets an expression in the call; give the measured value a variable of its own to try settings</source>
+        <translation>{0} får et udtryk i kaldet; giv måleværdien sin egen variabel for at prøve indstillinger</translation>
     </message>
 </context>
 <context>
@@ -2798,6 +4314,372 @@
     <message>
         <source>Resumed from this scan</source>
         <translation>Fortsat fra dette scan</translation>
+    </message>
+</context>
+<context>
+    <name>Notes</name>
+    <message>
+        <source>first declared here</source>
+        <translation>først erklæret her</translation>
+    </message>
+    <message>
+        <source>declared here</source>
+        <translation>erklæret her</translation>
+    </message>
+    <message>
+        <source>the variable</source>
+        <translation>variablen</translation>
+    </message>
+    <message>
+        <source>the first program</source>
+        <translation>det første program</translation>
+    </message>
+    <message>
+        <source>overridden here</source>
+        <translation>tilsidesat her</translation>
+    </message>
+    <message>
+        <source>the first one</source>
+        <translation>den første</translation>
+    </message>
+    <message>
+        <source>by this transition, while it is active</source>
+        <translation>ved denne transition, mens det er aktivt</translation>
+    </message>
+</context>
+<context>
+    <name>Phrases</name>
+    <message>
+        <source>a name</source>
+        <translation>et navn</translation>
+    </message>
+    <message>
+        <source>a label</source>
+        <translation>en etiket</translation>
+    </message>
+    <message>
+        <source>an operand</source>
+        <translation>en operand</translation>
+    </message>
+    <message>
+        <source>an expression</source>
+        <translation>et udtryk</translation>
+    </message>
+    <message>
+        <source>a value</source>
+        <translation>en værdi</translation>
+    </message>
+    <message>
+        <source>a type</source>
+        <translation>en type</translation>
+    </message>
+    <message>
+        <source>an index</source>
+        <translation>et indeks</translation>
+    </message>
+    <message>
+        <source>an argument</source>
+        <translation>et argument</translation>
+    </message>
+    <message>
+        <source>an address</source>
+        <translation>en adresse</translation>
+    </message>
+    <message>
+        <source>an action</source>
+        <translation>en aktion</translation>
+    </message>
+    <message>
+        <source>a CASE label</source>
+        <translation>en CASE-etiket</translation>
+    </message>
+    <message>
+        <source>a block&apos;s name</source>
+        <translation>navnet på en funktionsblok</translation>
+    </message>
+    <message>
+        <source>a processor&apos;s name</source>
+        <translation>navnet på en processor</translation>
+    </message>
+    <message>
+        <source>a task&apos;s name</source>
+        <translation>navnet på en task</translation>
+    </message>
+    <message>
+        <source>a program instance&apos;s name</source>
+        <translation>navnet på en programinstans</translation>
+    </message>
+    <message>
+        <source>an input or output</source>
+        <translation>en ind- eller udgang</translation>
+    </message>
+    <message>
+        <source>a variable&apos;s name</source>
+        <translation>navnet på en variabel</translation>
+    </message>
+    <message>
+        <source>a variable&apos;s path</source>
+        <translation>stien til en variabel</translation>
+    </message>
+    <message>
+        <source>a step&apos;s name</source>
+        <translation>navnet på et trin</translation>
+    </message>
+    <message>
+        <source>a type&apos;s name</source>
+        <translation>navnet på en type</translation>
+    </message>
+    <message>
+        <source>a member&apos;s name</source>
+        <translation>navnet på et medlem</translation>
+    </message>
+    <message>
+        <source>an access name</source>
+        <translation>et adgangsnavn</translation>
+    </message>
+    <message>
+        <source>an enumeration value</source>
+        <translation>en enumerationsværdi</translation>
+    </message>
+    <message>
+        <source>the end of the line</source>
+        <translation>linjens slutning</translation>
+    </message>
+    <message>
+        <source>the end of the file</source>
+        <translation>filens slutning</translation>
+    </message>
+    <message>
+        <source>{0} or {1}</source>
+        <translation>{0} eller {1}</translation>
+    </message>
+    <message>
+        <source>FOR and a time</source>
+        <translation>FOR og en tid</translation>
+    </message>
+    <message>
+        <source>:= or instructions</source>
+        <translation>:= eller instruktioner</translation>
+    </message>
+    <message>
+        <source>a subrange</source>
+        <translation>et delområde</translation>
+    </message>
+    <message>
+        <source>an enumeration</source>
+        <translation>en enumeration</translation>
+    </message>
+    <message>
+        <source>in parentheses</source>
+        <translation>i parentes</translation>
+    </message>
+    <message>
+        <source>a chart</source>
+        <translation>et SFC-diagram</translation>
+    </message>
+    <message>
+        <source>a body</source>
+        <translation>en krop</translation>
+    </message>
+    <message>
+        <source>in a CLASS</source>
+        <translation>i en CLASS</translation>
+    </message>
+    <message>
+        <source>in a FUNCTION</source>
+        <translation>i en FUNCTION</translation>
+    </message>
+    <message>
+        <source>in a METHOD</source>
+        <translation>i en METHOD</translation>
+    </message>
+    <message>
+        <source>in a PROGRAM</source>
+        <translation>i et PROGRAM</translation>
+    </message>
+    <message>
+        <source>in a FUNCTION_BLOCK</source>
+        <translation>i en FUNCTION_BLOCK</translation>
+    </message>
+    <message>
+        <source>here</source>
+        <translation>her</translation>
+    </message>
+    <message>
+        <source>in {0}</source>
+        <translation>i {0}</translation>
+    </message>
+    <message>
+        <source>in an expression</source>
+        <translation>i et udtryk</translation>
+    </message>
+    <message>
+        <source>in an initial value</source>
+        <translation>i en startværdi</translation>
+    </message>
+    <message>
+        <source>in this section</source>
+        <translation>i dette afsnit</translation>
+    </message>
+    <message>
+        <source>an initial value</source>
+        <translation>en startværdi</translation>
+    </message>
+    <message>
+        <source>RETURN with a value</source>
+        <translation>RETURN med en værdi</translation>
+    </message>
+    <message>
+        <source>in a declaration that calls FB_Init</source>
+        <translation>i en erklæring, der kalder FB_Init</translation>
+    </message>
+    <message>
+        <source>{0} (VAR_IN_OUT)</source>
+        <translation>{0} (VAR_IN_OUT)</translation>
+    </message>
+    <message>
+        <source>in {0}, which is not abstract itself</source>
+        <translation>i {0}, som ikke selv er abstrakt</translation>
+    </message>
+    <message>
+        <source>address</source>
+        <translation>adresse</translation>
+    </message>
+    <message>
+        <source>duration</source>
+        <translation>tidsrum</translation>
+    </message>
+    <message>
+        <source>date</source>
+        <translation>dato</translation>
+    </message>
+    <message>
+        <source>time of day</source>
+        <translation>klokkeslæt</translation>
+    </message>
+    <message>
+        <source>date and time</source>
+        <translation>dato og klokkeslæt</translation>
+    </message>
+    <message>
+        <source>integer</source>
+        <translation>heltal</translation>
+    </message>
+    <message>
+        <source>string</source>
+        <translation>tekst</translation>
+    </message>
+    <message>
+        <source>{0} (a constant)</source>
+        <translation>{0} (en konstant)</translation>
+    </message>
+    <message>
+        <source>{0} (an output)</source>
+        <translation>{0} (en udgang)</translation>
+    </message>
+    <message>
+        <source>{0} (a local variable of {1})</source>
+        <translation>{0} (en lokal variabel i {1})</translation>
+    </message>
+    <message>
+        <source>{0} (an input)</source>
+        <translation>{0} (en indgang)</translation>
+    </message>
+    <message>
+        <source>{0} (an input; the next scan overwrites it)</source>
+        <translation>{0} (en indgang; næste scan overskriver den)</translation>
+    </message>
+    <message>
+        <source>{0} (a property without SET)</source>
+        <translation>{0} (en egenskab uden SET)</translation>
+    </message>
+    <message>
+        <source>{0} (no instance, or several)</source>
+        <translation>{0} (ingen instans eller flere)</translation>
+    </message>
+    <message>
+        <source>{0} (a type; declare an instance of it)</source>
+        <translation>{0} (en type; erklær en instans af den)</translation>
+    </message>
+    <message>
+        <source>{0} (a variable, which hides the function of this name)</source>
+        <translation>{0} (en variabel, som skjuler funktionen af dette navn)</translation>
+    </message>
+    <message>
+        <source>an output</source>
+        <translation>en udgang</translation>
+    </message>
+    <message>
+        <source>an input</source>
+        <translation>en indgang</translation>
+    </message>
+    <message>
+        <source>an IN_OUT parameter</source>
+        <translation>en IN_OUT-parameter</translation>
+    </message>
+    <message>
+        <source>a power of a computed number</source>
+        <translation>en potens af et beregnet tal</translation>
+    </message>
+    <message>
+        <source>a call of {0}</source>
+        <translation>et kald af {0}</translation>
+    </message>
+    <message>
+        <source>a call without arguments</source>
+        <translation>et kald uden argumenter</translation>
+    </message>
+    <message>
+        <source>a computed second argument of {0}</source>
+        <translation>et beregnet andet argument til {0}</translation>
+    </message>
+    <message>
+        <source>{0} outside a loop</source>
+        <translation>{0} uden for en løkke</translation>
+    </message>
+    <message>
+        <source>this statement</source>
+        <translation>denne sætning</translation>
+    </message>
+    <message>
+        <source>FOR with this end or step</source>
+        <translation>FOR med denne slutning eller dette skridt</translation>
+    </message>
+    <message>
+        <source>an assignment of several variables</source>
+        <translation>en tildeling af flere variabler</translation>
+    </message>
+    <message>
+        <source>CASE of a computed value</source>
+        <translation>CASE af en beregnet værdi</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>en tekst</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>et tal</translation>
+    </message>
+    <message>
+        <source>an integer</source>
+        <translation>et heltal</translation>
+    </message>
+    <message>
+        <source>a number of seconds</source>
+        <translation>et antal sekunder</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>en liste</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>et objekt</translation>
+    </message>
+    <message>
+        <source>one of {0}</source>
+        <translation>en af {0}</translation>
     </message>
 </context>
 <context>
@@ -2879,6 +4761,273 @@
     </message>
 </context>
 <context>
+    <name>Tuning</name>
+    <message>
+        <source>The table has no column of times; name one time_s (seconds) or time_ms</source>
+        <translation>Tabellen har ingen kolonne med tider; kald en time_s (sekunder) eller time_ms</translation>
+    </message>
+    <message>
+        <source>The table has no column {0}; it has {1}</source>
+        <translation>Tabellen har ingen kolonne {0}; den har {1}</translation>
+    </message>
+    <message>
+        <source>The table has no column {0}; did you mean {1}?</source>
+        <translation>Tabellen har ingen kolonne {0}; mente du {1}?</translation>
+    </message>
+    <message>
+        <source>Line {0} has no number in column {1}</source>
+        <translation>Linje {0} har intet tal i kolonne {1}</translation>
+    </message>
+    <message>
+        <source>The time in line {0} is before that of the line above</source>
+        <translation>Tiden i linje {0} er før tiden i linjen ovenover</translation>
+    </message>
+    <message>
+        <source>{0} {0:sample is|samples are} too few for a model; record for longer</source>
+        <translation>{0} {0:måling er|målinger er} for lidt til en model; optag i længere tid</translation>
+    </message>
+    <message>
+        <source>usable</source>
+        <translation>brugbar</translation>
+    </message>
+    <message>
+        <source>the input is at a limit for {0} % of the time</source>
+        <translation>indgangen er ved en grænse i {0} % af tiden</translation>
+    </message>
+    <message>
+        <source>the output moves by only {0} times its noise</source>
+        <translation>udgangen bevæger sig kun {0} gange sin støj</translation>
+    </message>
+    <message>
+        <source>too short: {0} samples until the next change</source>
+        <translation>for kort: {0} målinger til næste ændring</translation>
+    </message>
+    <message>
+        <source>disturbed: no model explains more than {0} % of it</source>
+        <translation>forstyrret: ingen model forklarer mere end {0} % af det</translation>
+    </message>
+    <message>
+        <source>usable; it was still moving before</source>
+        <translation>brugbar; den bevægede sig stadig før</translation>
+    </message>
+    <message>
+        <source>There is no step or disturbance in the recording; change the set point or the output by hand once and record that</source>
+        <translation>Der er intet spring og ingen forstyrrelse i optagelsen; ændr setpunktet eller udgangen én gang manuelt, og optag det</translation>
+    </message>
+    <message>
+        <source>None of the {0} changes found is usable: {1}</source>
+        <translation>Ingen af de {0} fundne ændringer er brugbare: {1}</translation>
+    </message>
+    <message>
+        <source>No model explains what the output does; something else moves it</source>
+        <translation>Ingen model forklarer, hvad udgangen gør; noget andet bevæger den</translation>
+    </message>
+    <message>
+        <source>The rule {0} has no answer for this process</source>
+        <translation>Reglen {0} har intet svar for denne proces</translation>
+    </message>
+    <message>
+        <source>Unstable: the loop would swing up. Do not use this.</source>
+        <translation>Ustabil: Sløjfen ville svinge op. Brug den ikke.</translation>
+    </message>
+    <message>
+        <source>Fragile: a small change of the process makes it swing.</source>
+        <translation>Skrøbelig: En lille ændring af processen får den til at svinge.</translation>
+    </message>
+    <message>
+        <source>Brisk: quick, and it swings a little; the process should not change much.</source>
+        <translation>Rask: hurtig, og den svinger lidt; processen bør ikke ændre sig meget.</translation>
+    </message>
+    <message>
+        <source>Good: quick enough, and it tolerates the usual changes of a process.</source>
+        <translation>God: hurtig nok, og den tåler de sædvanlige ændringer af en proces.</translation>
+    </message>
+    <message>
+        <source>Calm: slow, and it tolerates a process that changes a lot.</source>
+        <translation>Rolig: langsom, og den tåler en proces, der ændrer sig meget.</translation>
+    </message>
+    <message>
+        <source>A step of the set point does not overshoot.</source>
+        <translation>Et spring i setpunktet giver intet oversving.</translation>
+    </message>
+    <message>
+        <source>A step of the set point overshoots by {0} %.</source>
+        <translation>Et spring i setpunktet giver {0} % oversving.</translation>
+    </message>
+    <message>
+        <source>Ziegler-Nichols is here to compare with: it swings and tolerates little. Take SIMC or the optimum instead.</source>
+        <translation>Ziegler-Nichols er her til sammenligning: Den svinger og tåler lidt. Tag SIMC eller optimum i stedet.</translation>
+    </message>
+    <message>
+        <source>The rule looks at one lag only; check the margins.</source>
+        <translation>Reglen ser kun på én forsinkelse; kontrollér marginerne.</translation>
+    </message>
+    <message>
+        <source>gain and dead time</source>
+        <translation>forstærkning og dødtid</translation>
+    </message>
+    <message>
+        <source>first order</source>
+        <translation>1. orden</translation>
+    </message>
+    <message>
+        <source>first order with dead time</source>
+        <translation>1. orden med dødtid</translation>
+    </message>
+    <message>
+        <source>second order</source>
+        <translation>2. orden</translation>
+    </message>
+    <message>
+        <source>second order with dead time</source>
+        <translation>2. orden med dødtid</translation>
+    </message>
+    <message>
+        <source>two equal lags</source>
+        <translation>to ens forsinkelser</translation>
+    </message>
+    <message>
+        <source>two equal lags with dead time</source>
+        <translation>to ens forsinkelser med dødtid</translation>
+    </message>
+    <message>
+        <source>oscillating</source>
+        <translation>svingende</translation>
+    </message>
+    <message>
+        <source>oscillating with dead time</source>
+        <translation>svingende med dødtid</translation>
+    </message>
+    <message>
+        <source>oscillating with a lag</source>
+        <translation>svingende med en forsinkelse</translation>
+    </message>
+    <message>
+        <source>second order with a zero</source>
+        <translation>2. orden med et nulpunkt</translation>
+    </message>
+    <message>
+        <source>second order with a zero and dead time</source>
+        <translation>2. orden med et nulpunkt og dødtid</translation>
+    </message>
+    <message>
+        <source>three equal lags</source>
+        <translation>tre ens forsinkelser</translation>
+    </message>
+    <message>
+        <source>three equal lags with a zero</source>
+        <translation>tre ens forsinkelser med et nulpunkt</translation>
+    </message>
+    <message>
+        <source>four equal lags</source>
+        <translation>fire ens forsinkelser</translation>
+    </message>
+    <message>
+        <source>five equal lags</source>
+        <translation>fem ens forsinkelser</translation>
+    </message>
+    <message>
+        <source>six equal lags</source>
+        <translation>seks ens forsinkelser</translation>
+    </message>
+    <message>
+        <source>seven equal lags</source>
+        <translation>syv ens forsinkelser</translation>
+    </message>
+    <message>
+        <source>eight equal lags</source>
+        <translation>otte ens forsinkelser</translation>
+    </message>
+    <message>
+        <source>three equal lags with dead time</source>
+        <translation>tre ens forsinkelser med dødtid</translation>
+    </message>
+    <message>
+        <source>three lags</source>
+        <translation>tre forsinkelser</translation>
+    </message>
+    <message>
+        <source>three lags with dead time</source>
+        <translation>tre forsinkelser med dødtid</translation>
+    </message>
+    <message>
+        <source>four lags</source>
+        <translation>fire forsinkelser</translation>
+    </message>
+    <message>
+        <source>integrating</source>
+        <translation>integrerende</translation>
+    </message>
+    <message>
+        <source>integrating with dead time</source>
+        <translation>integrerende med dødtid</translation>
+    </message>
+    <message>
+        <source>integrating with a lag</source>
+        <translation>integrerende med en forsinkelse</translation>
+    </message>
+    <message>
+        <source>integrating with a lag and dead time</source>
+        <translation>integrerende med en forsinkelse og dødtid</translation>
+    </message>
+    <message>
+        <source>integrating with two equal lags</source>
+        <translation>integrerende med to ens forsinkelser</translation>
+    </message>
+    <message>
+        <source>SIMC</source>
+        <translation>SIMC</translation>
+    </message>
+    <message>
+        <source>AMIGO</source>
+        <translation>AMIGO</translation>
+    </message>
+    <message>
+        <source>Optimum</source>
+        <translation>Optimum</translation>
+    </message>
+    <message>
+        <source>Chien-Hrones-Reswick</source>
+        <translation>Chien-Hrones-Reswick</translation>
+    </message>
+    <message>
+        <source>Ziegler-Nichols</source>
+        <translation>Ziegler-Nichols</translation>
+    </message>
+    <message>
+        <source>the recording has a gap in it</source>
+        <translation>optagelsen har et hul i det</translation>
+    </message>
+    <message>
+        <source>It oscillates with a period of {0} s and an amplitude of {1}, for {2} cycles in a row.</source>
+        <translation>Det svinger med en periode på {0} s og en amplitude på {1}, {2} perioder i træk.</translation>
+    </message>
+    <message>
+        <source>It does not oscillate.</source>
+        <translation>Det svinger ikke.</translation>
+    </message>
+    <message>
+        <source>The settings are the likely cause: with the model the loop swings at this period.</source>
+        <translation>Indstillingerne er den sandsynlige årsag: Med modellen svinger sløjfen med denne periode.</translation>
+    </message>
+    <message>
+        <source>A valve that sticks is the likely cause: the output moves evenly, the process answers in jumps.</source>
+        <translation>En ventil, der hænger, er den sandsynlige årsag: Udgangen bevæger sig jævnt, processen svarer i spring.</translation>
+    </message>
+    <message>
+        <source>The likely cause is outside: neither the settings nor a valve that sticks explain it.</source>
+        <translation>Den sandsynlige årsag er udefra: Hverken indstillingerne eller en ventil, der hænger, forklarer det.</translation>
+    </message>
+    <message>
+        <source>The output is at a limit for {0} % of the time.</source>
+        <translation>Udgangen er ved en grænse i {0} % af tiden.</translation>
+    </message>
+    <message>
+        <source>{0} % of what the measured value does is noise.</source>
+        <translation>{0} % af det, måleværdien gør, er støj.</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::ConversionDialog</name>
     <message>
         <source>%1 as ST</source>
@@ -2889,11 +5038,11 @@
         <translation>%1 som instruktionsliste</translation>
     </message>
     <message>
-        <source>Instruction list, as it stands</source>
+        <source>Instruction list (current text)</source>
         <translation>Instruktionsliste (nuværende tekst)</translation>
     </message>
     <message>
-        <source>ST, as it stands</source>
+        <source>ST (current text)</source>
         <translation>ST (nuværende tekst)</translation>
     </message>
     <message>
@@ -2946,14 +5095,6 @@
             <numerusform>%n filer er ændret: %1. Gem dem?</numerusform>
         </translation>
     </message>
-    <message>
-        <source>Changed outside</source>
-        <translation>Ændret udefra</translation>
-    </message>
-    <message>
-        <source>%1 was changed by another program, and here too. Load the file from disk and lose the changes made here?</source>
-        <translation>%1 er ændret af et andet program, og også her. Indlæs filen fra disken og mist ændringerne herfra?</translation>
-    </message>
     <message numerus="yes">
         <source>Changed in %n file(s); those edited since stay as they are</source>
         <translation>
@@ -2998,6 +5139,130 @@
     </message>
 </context>
 <context>
+    <name>plc::app::ExportDialog</name>
+    <message>
+        <source>Export the Project</source>
+        <translation>Eksporter projektet</translation>
+    </message>
+    <message>
+        <source>PLCopen XML 0200, for CODESYS and TwinCAT</source>
+        <translation>PLCopen XML 0200, til CODESYS og TwinCAT</translation>
+    </message>
+    <message>
+        <source>PLCopen XML 0201, for Beremiz and OpenPLC</source>
+        <translation>PLCopen XML 0201, til Beremiz og OpenPLC</translation>
+    </message>
+    <message>
+        <source>File…</source>
+        <translation>Fil…</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Eksporter</translation>
+    </message>
+    <message>
+        <source>Format:</source>
+        <translation>Format:</translation>
+    </message>
+    <message>
+        <source>To:</source>
+        <translation>Til:</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::GuideView</name>
+    <message>
+        <source>About this project</source>
+        <translation>Om dette projekt</translation>
+    </message>
+    <message>
+        <source>A README.md in the project&apos;s folder is shown here.</source>
+        <translation>En README.md i projektets mappe vises her.</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::ImportDialog</name>
+    <message>
+        <source>Place</source>
+        <translation>Sted</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Bemærkning</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Rapport</translation>
+    </message>
+    <message>
+        <source>Units: %1
+Bodies: %2
+Not kept: %3</source>
+        <translation>Programenheder: %1
+Kroppe: %2
+Ikke bevaret: %3</translation>
+    </message>
+    <message>
+        <source>Import a Project</source>
+        <translation>Importer et projekt</translation>
+    </message>
+    <message>
+        <source>PLCopen XML, TwinCAT or CODESYS files, structured text</source>
+        <translation>PLCopen XML, filer fra TwinCAT eller CODESYS, struktureret tekst</translation>
+    </message>
+    <message>
+        <source>File…</source>
+        <translation>Fil…</translation>
+    </message>
+    <message>
+        <source>Folder…</source>
+        <translation>Mappe…</translation>
+    </message>
+    <message>
+        <source>Source files</source>
+        <translation>Kildefiler</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Forhåndsvisning</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importer</translation>
+    </message>
+    <message>
+        <source>From:</source>
+        <translation>Fra:</translation>
+    </message>
+    <message>
+        <source>New project in:</source>
+        <translation>Nyt projekt i:</translation>
+    </message>
+    <message>
+        <source>Projects of other tools (%1)</source>
+        <translation>Projekter fra andre værktøjer (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>This folder is not empty; name a new one</source>
+        <translation>Denne mappe er ikke tom; angiv en ny</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::InstanceBar</name>
+    <message>
+        <source>Instance whose values are shown</source>
+        <translation>Instans, hvis værdier vises</translation>
+    </message>
+    <message>
+        <source>Values of the instance of %1:</source>
+        <translation>Værdier for instansen af %1:</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::LiveViews</name>
     <message>
         <source>Panel shown</source>
@@ -3021,11 +5286,23 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>Saving the recording…</source>
         <translation>Gemmer optagelsen…</translation>
     </message>
+    <message>
+        <source>Export the alarm history…</source>
+        <translation>Eksportér alarmhistorikken…</translation>
+    </message>
+    <message>
+        <source>Export the Alarm History</source>
+        <translation>Eksportér alarmhistorikken</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabeller (*.csv)</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MainWindow</name>
     <message>
-        <source>A panel&apos;s name is a file name: no / and no \</source>
+        <source>A panel&apos;s name cannot contain / or \</source>
         <translation>Et panels navn er et filnavn: uden / og uden \</translation>
     </message>
     <message>
@@ -3053,7 +5330,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Forcerede værdier</translation>
     </message>
     <message>
-        <source>Call Path</source>
+        <source>Call Stack</source>
         <translation>Kaldestak</translation>
     </message>
     <message>
@@ -3196,10 +5473,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>Rename</source>
         <translation>Omdøb</translation>
     </message>
-    <message>
-        <source>New name of %1, in the whole project:</source>
-        <translation>Nyt navn til %1, i hele projektet:</translation>
-    </message>
     <message numerus="yes">
         <source>%1 is now %2 in %n place(s)</source>
         <translation>
@@ -3220,7 +5493,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Biblioteker</translation>
     </message>
     <message>
-        <source>The tests run…</source>
+        <source>Running tests…</source>
         <translation>Testene kører…</translation>
     </message>
     <message>
@@ -3280,10 +5553,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Velkommen</translation>
     </message>
     <message>
-        <source>This is a PID controller working on a simulated process: the program above, its trace below, its operator panel at the right. Nothing can break: the plant is only numbers. Press Next to look around for a minute, or F5 to run it at once.</source>
-        <translation>Dette er en PID-regulator på en simuleret proces: programmet øverst, dets trace nederst, dets operatørpanel til højre. Intet kan gå i stykker, for anlægget er kun tal. Tryk på Næste for at se dig om et minut, eller på F5 for at køre det med det samme.</translation>
-    </message>
-    <message>
         <source>The project</source>
         <translation>Projektet</translation>
     </message>
@@ -3296,15 +5565,15 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Programmet</translation>
     </message>
     <message>
-        <source>Structured Text with colours by meaning. Errors are underlined while you type; Alt+Enter mends what it can; Ctrl+Space completes.</source>
-        <translation>Struktureret tekst med farver efter betydning. Fejl understreges, mens du skriver; Alt+Enter retter, hvad der kan rettes; Ctrl+Mellemrum fuldfører.</translation>
+        <source>Structured Text with colours by meaning. Errors are underlined while you type; Alt+Enter offers quick fixes; Ctrl+Space completes.</source>
+        <translation>Struktureret tekst med farver efter betydning. Fejl understreges, mens du skriver; Alt+Enter tilbyder hurtige rettelser; Ctrl+Mellemrum fuldender.</translation>
     </message>
     <message>
         <source>Run</source>
         <translation>Kør</translation>
     </message>
     <message>
-        <source>F5 compiles to native code and runs it. Values then stand beside each line.</source>
+        <source>F5 compiles to native code and runs it. Values then appear next to each line.</source>
         <translation>F5 oversætter til maskinkode og kører den. Værdierne vises derefter ved hver linje.</translation>
     </message>
     <message>
@@ -3332,11 +5601,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Tiden går også baglæns</translation>
     </message>
     <message>
-        <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume From Here” goes on from there.</source>
-        <translation>Træk i tidsskyderen, eller tryk Ctrl+Alt+Venstre: kode, diagrammer og panel vises på det tidspunkt. ”Fortsæt herfra” fortsætter styringen derfra.</translation>
-    </message>
-    <message>
-        <source>That is it</source>
+        <source>That’s it</source>
         <translation>Det var det</translation>
     </message>
     <message>
@@ -3456,8 +5721,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Gå til definitionen</translation>
     </message>
     <message>
-        <source>Find All Uses</source>
-        <translation>Find alle anvendelser</translation>
+        <source>Find References</source>
+        <translation>Find referencer</translation>
     </message>
     <message>
         <source>Rename…</source>
@@ -3468,15 +5733,15 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Fuldfør</translation>
     </message>
     <message>
-        <source>Apply a Fix (Alt+Enter)</source>
-        <translation>Anvend en rettelse (Alt+Enter)</translation>
+        <source>Quick Fix (Alt+Enter)</source>
+        <translation>Hurtig rettelse (Alt+Enter)</translation>
     </message>
     <message>
         <source>Format</source>
         <translation>Formater</translation>
     </message>
     <message>
-        <source>Comment In or Out (Ctrl+/)</source>
+        <source>Toggle Comment (Ctrl+/)</source>
         <translation>Kommenter ind eller ud (Ctrl+/)</translation>
     </message>
     <message>
@@ -3484,12 +5749,12 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Dupliker linjen</translation>
     </message>
     <message>
-        <source>Select the Block Around</source>
+        <source>Select Enclosing Block</source>
         <translation>Marker den omgivende blok</translation>
     </message>
     <message>
-        <source>Go to the Matching Word</source>
-        <translation>Gå til det tilhørende ord</translation>
+        <source>Go to Matching Keyword</source>
+        <translation>Gå til det tilhørende nøgleord</translation>
     </message>
     <message>
         <source>Next Problem</source>
@@ -3524,7 +5789,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Enkelt scan</translation>
     </message>
     <message>
-        <source>Step In</source>
+        <source>Step Into</source>
         <translation>Trin ind</translation>
     </message>
     <message>
@@ -3600,7 +5865,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Tilbage til livevisning</translation>
     </message>
     <message>
-        <source>Resume From Here</source>
+        <source>Resume from Here</source>
         <translation>Fortsæt herfra</translation>
     </message>
     <message>
@@ -3614,10 +5879,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Declarations as a Table</source>
         <translation>Erklæringer som tabel</translation>
-    </message>
-    <message>
-        <source>Chart Beside the Text</source>
-        <translation>SFC-diagram ved siden af teksten</translation>
     </message>
     <message>
         <source>Online Values in the Text</source>
@@ -3640,7 +5901,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Mørkt tema</translation>
     </message>
     <message>
-        <source>Theme of the System</source>
+        <source>System Theme</source>
         <translation>Systemets tema</translation>
     </message>
     <message>
@@ -3670,10 +5931,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>%1 – back to live</source>
         <translation>%1 – tilbage til livevisning</translation>
-    </message>
-    <message>
-        <source>Panel %1</source>
-        <translation>Panel %1</translation>
     </message>
     <message>
         <source>Unsaved changes</source>
@@ -3735,11 +5992,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>trace</translation>
     </message>
     <message>
-        <source>A file name holds no / and no \</source>
+        <source>A file name cannot contain / or \</source>
         <translation>Et filnavn indeholder hverken / eller \</translation>
     </message>
     <message>
-        <source>There is a trace %1 already</source>
+        <source>A trace %1 already exists</source>
         <translation>Der findes allerede en trace %1</translation>
     </message>
     <message>
@@ -3747,19 +6004,19 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Nyt navn på %1:</translation>
     </message>
     <message>
-        <source>There is a file %1 already</source>
+        <source>A file %1 already exists</source>
         <translation>Der findes allerede en fil %1</translation>
     </message>
     <message>
-        <source>The file can not be renamed; check the permissions of the folder</source>
+        <source>The file cannot be renamed; check the permissions of the folder</source>
         <translation>Filen kan ikke omdøbes; kontroller mappens rettigheder</translation>
     </message>
     <message>
-        <source>These panels lead to it; their buttons will be problems: %1</source>
+        <source>These panels link to it; their buttons will be reported as errors: %1</source>
         <translation>Disse paneler henviser til det; deres knapper fører så ingen steder hen: %1</translation>
     </message>
     <message>
-        <source>The file can not be removed; check the permissions of the folder</source>
+        <source>The file cannot be removed; check the permissions of the folder</source>
         <translation>Filen kan ikke slettes; kontroller mappens rettigheder</translation>
     </message>
     <message>
@@ -3795,7 +6052,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Projektet kontrolleres stadig; prøv igen om et øjeblik</translation>
     </message>
     <message>
-        <source>It holds %1.</source>
+        <source>It contains %1.</source>
         <translation>Den indeholder %1.</translation>
     </message>
     <message>
@@ -3803,7 +6060,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Sproget skifter, når testene er færdige</translation>
     </message>
     <message>
-        <source>Fault of the controller</source>
+        <source>Controller fault</source>
         <translation>Styringsfejl</translation>
     </message>
     <message>
@@ -3839,10 +6096,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Projektet blev eksporteret</translation>
     </message>
     <message>
-        <source>%1 is written in %2 and is saved as it was found</source>
-        <translation>%1 er skrevet i %2 og gemmes, som den blev fundet</translation>
-    </message>
-    <message>
         <source>Select the Next Occurrence Too</source>
         <translation>Vælg også næste forekomst</translation>
     </message>
@@ -3867,12 +6120,111 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Optagelsen af den seneste kørsel gemmes…</translation>
     </message>
     <message>
-        <source>%1 is not UTF-8 and was read as Windows-1252; saving it writes UTF-8</source>
-        <translation>%1 er ikke UTF-8 og blev læst som Windows-1252; der gemmes som UTF-8</translation>
-    </message>
-    <message>
         <source>Diagram Beside the Text</source>
         <translation>Diagram ved siden af teksten</translation>
+    </message>
+    <message>
+        <source>Bookmark</source>
+        <translation>Bogmærke</translation>
+    </message>
+    <message>
+        <source>Next Bookmark</source>
+        <translation>Næste bogmærke</translation>
+    </message>
+    <message>
+        <source>Previous Bookmark</source>
+        <translation>Forrige bogmærke</translation>
+    </message>
+    <message>
+        <source>Open Another File Beside…</source>
+        <translation>Åbn en anden fil ved siden af…</translation>
+    </message>
+    <message>
+        <source>About This Project</source>
+        <translation>Om dette projekt</translation>
+    </message>
+    <message>
+        <source>The project has no other file</source>
+        <translation>Projektet har ingen anden fil</translation>
+    </message>
+    <message>
+        <source>Open Another File Beside</source>
+        <translation>Åbn en anden fil ved siden af</translation>
+    </message>
+    <message>
+        <source>%1 Nothing can break: the plant is only numbers. Press Next to look around for a minute, or F5 to run it at once.</source>
+        <translation>%1 Intet kan gå i stykker: Anlægget er kun tal. Tryk på Næste for at se dig om i et minut, eller på F5 for at køre det med det samme.</translation>
+    </message>
+    <message>
+        <source>This is the project %1.</source>
+        <translation>Dette er projektet %1.</translation>
+    </message>
+    <message>
+        <source>What to press</source>
+        <translation>Hvad du skal trykke på</translation>
+    </message>
+    <message>
+        <source>The page beside the program is the project&apos;s README: what it shows, what to press, what to watch.</source>
+        <translation>Siden ved siden af programmet er projektets README: hvad det viser, hvad du skal trykke på, og hvad du skal overvåge.</translation>
+    </message>
+    <message>
+        <source>What the operator sees. This project has no panel yet; new ones are drawn with the mouse.</source>
+        <translation>Hvad operatøren ser. Dette projekt har endnu intet panel; nye tegnes med musen.</translation>
+    </message>
+    <message>
+        <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume from Here” continues from there.</source>
+        <translation>Træk tidsskyderen, eller tryk på Ctrl+Alt+Venstre: kode, diagrammer og panel viser fortiden. ”Fortsæt herfra” kører videre derfra.</translation>
+    </message>
+    <message>
+        <source>Tuning</source>
+        <translation>Regulatorindstilling</translation>
+    </message>
+    <message>
+        <source>%1 is not a source of this project</source>
+        <translation>%1 er ikke en kildefil i dette projekt</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::MergeDialog</name>
+    <message>
+        <source>Compare %1</source>
+        <translation>Sammenlign %1</translation>
+    </message>
+    <message>
+        <source>Previous</source>
+        <translation>Forrige</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Næste</translation>
+    </message>
+    <message>
+        <source>Take Over</source>
+        <translation>Overtag</translation>
+    </message>
+    <message>
+        <source>Take Over All</source>
+        <translation>Overtag alle</translation>
+    </message>
+    <message>
+        <source>Here (this text is kept)</source>
+        <translation>Her (denne tekst beholdes)</translation>
+    </message>
+    <message>
+        <source>On disk</source>
+        <translation>På disken</translation>
+    </message>
+    <message>
+        <source>Use the Text on the Left</source>
+        <translation>Brug teksten til venstre</translation>
+    </message>
+    <message>
+        <source>No differences</source>
+        <translation>Ingen forskelle</translation>
+    </message>
+    <message>
+        <source>Difference %1 of %2</source>
+        <translation>Forskel %1 af %2</translation>
     </message>
 </context>
 <context>
@@ -3942,15 +6294,15 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Opret</translation>
     </message>
     <message>
-        <source>The project needs a name</source>
+        <source>Enter a project name</source>
         <translation>Projektet skal have et navn</translation>
     </message>
     <message>
-        <source>%1 exists already and is not empty</source>
+        <source>%1 already exists and is not empty</source>
         <translation>%1 findes allerede og er ikke tom</translation>
     </message>
     <message>
-        <source>Will be made in %1</source>
+        <source>Will be created in %1</source>
         <translation>Oprettes i %1</translation>
     </message>
 </context>
@@ -4021,19 +6373,19 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Opret</translation>
     </message>
     <message>
-        <source>Give it a name</source>
+        <source>Enter a name</source>
         <translation>Giv den et navn</translation>
     </message>
     <message>
-        <source>A name has letters, digits and _, begins with a letter and is no keyword</source>
+        <source>A name has letters, digits and _, starts with a letter and is not a keyword</source>
         <translation>Et navn består af bogstaver, cifre og _, begynder med et bogstav og er ikke et nøgleord</translation>
     </message>
     <message>
-        <source>There is a %1 in the project already</source>
+        <source>%1 already exists in the project</source>
         <translation>Der er allerede en %1 i projektet</translation>
     </message>
     <message>
-        <source>There is a file %1 already: choose it, or another name</source>
+        <source>A file %1 already exists: choose it, or another name</source>
         <translation>Der er allerede en fil %1: vælg den eller et andet navn</translation>
     </message>
     <message>
@@ -4043,6 +6395,21 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Program as a function block diagram</source>
         <translation>Program som funktionsblokdiagram</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::PanelFiles</name>
+    <message>
+        <source>Texts</source>
+        <translation>Tekster</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmer</translation>
+    </message>
+    <message>
+        <source>Panel %1</source>
+        <translation>Panel %1</translation>
     </message>
 </context>
 <context>
@@ -4192,6 +6559,59 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
 </context>
 <context>
+    <name>plc::app::RenameDialog</name>
+    <message>
+        <source>Rename</source>
+        <translation>Omdøb</translation>
+    </message>
+    <message>
+        <source>New name of %1, in the whole project:</source>
+        <translation>Nyt navn til %1, i hele projektet:</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Sted</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Tekst</translation>
+    </message>
+    <message>
+        <source>Places that change</source>
+        <translation>Steder, der ændres</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) change:</source>
+        <translation>
+            <numerusform>%n sted ændres:</numerusform>
+            <numerusform>%n steder ændres:</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::RunsMenu</name>
+    <message>
+        <source>Earlier Runs</source>
+        <translation>Tidligere kørsler</translation>
+    </message>
+    <message>
+        <source>%1, ended by a fault, %2</source>
+        <translation>%1, afsluttet af en fejl, %2</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>The last run is being written…</source>
+        <translation>Den seneste kørsel skrives…</translation>
+    </message>
+    <message>
+        <source>No run has ended yet</source>
+        <translation>Ingen kørsel er slut endnu</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::SearchView</name>
     <message>
         <source>Find in all files</source>
@@ -4202,7 +6622,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Tekst at søge i alle filer</translation>
     </message>
     <message>
-        <source>Replace by</source>
+        <source>Replace with</source>
         <translation>Erstat med</translation>
     </message>
     <message>
@@ -4242,7 +6662,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Søgeresultater</translation>
     </message>
     <message>
-        <source>Not a pattern: %1</source>
+        <source>Invalid regular expression: %1</source>
         <translation>Ugyldigt regulært udtryk: %1</translation>
     </message>
     <message>
@@ -4330,7 +6750,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Genveje</translation>
     </message>
     <message>
-        <source>As the system</source>
+        <source>System default</source>
         <translation>Som systemet</translation>
     </message>
     <message>
@@ -4370,7 +6790,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Formater ved lagring</translation>
     </message>
     <message>
-        <source>Saving changes the running controller (online change)</source>
+        <source>Apply an online change when saving</source>
         <translation>Udfør onlineændring, når der gemmes</translation>
     </message>
     <message>
@@ -4402,7 +6822,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Filter for kommandoerne</translation>
     </message>
     <message>
-        <source>All Defaults</source>
+        <source>Restore Defaults</source>
         <translation>Gendan standarder</translation>
     </message>
     <message>
@@ -4427,6 +6847,10 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Make Writable</source>
         <translation>Gør skrivbar</translation>
+    </message>
+    <message>
+        <source>Close this side</source>
+        <translation>Luk denne side</translation>
     </message>
 </context>
 <context>
@@ -4470,6 +6894,68 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Open a Fresh Copy</source>
         <translation>Åbn en ny kopi</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::TestView</name>
+    <message>
+        <source>Run all tests</source>
+        <translation>Kør alle tests</translation>
+    </message>
+    <message>
+        <source>Run the selected tests</source>
+        <translation>Kør de valgte tests</translation>
+    </message>
+    <message>
+        <source>Run the failed tests</source>
+        <translation>Kør de fejlede tests</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Test</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Resultat</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tid</translation>
+    </message>
+    <message>
+        <source>Tests</source>
+        <translation>Tests</translation>
+    </message>
+    <message>
+        <source>%1 passed, %2 failed</source>
+        <translation>%1 bestået, %2 fejlet</translation>
+    </message>
+    <message>
+        <source>not run yet</source>
+        <translation>endnu ikke kørt</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>bestået</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>fejlet</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Show the Recording of the Failure</source>
+        <translation>Vis optagelsen af fejlen</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::TextPage</name>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>Linje %1: %2</translation>
     </message>
 </context>
 <context>
@@ -4545,7 +7031,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Linje</translation>
     </message>
     <message>
-        <source>Call path</source>
+        <source>Call stack</source>
         <translation>Kaldestak</translation>
     </message>
     <message>
@@ -4568,11 +7054,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>SFC-diagram</translation>
     </message>
     <message>
-        <source>Insert a step behind (Ins)</source>
+        <source>Insert a step after it (Ins)</source>
         <translation>Indsæt et trin efter (Ins)</translation>
     </message>
     <message>
-        <source>Insert a branch beside</source>
+        <source>Insert an alternative branch</source>
         <translation>Indsæt en alternativgren</translation>
     </message>
     <message>
@@ -4592,27 +7078,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Slet (Del)</translation>
     </message>
     <message>
-        <source>Show all</source>
-        <translation>Vis alt</translation>
-    </message>
-    <message>
-        <source>Export the chart</source>
-        <translation>Eksporter diagrammet</translation>
-    </message>
-    <message>
-        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
-        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <source>%1 can not be written</source>
-        <translation>%1 kan ikke skrives</translation>
-    </message>
-    <message>
-        <source>Print…</source>
-        <translation>Udskriv…</translation>
-    </message>
-    <message>
-        <source>The unit %1 is not in the text any more</source>
+        <source>The unit %1 is no longer in the text</source>
         <translation>Programenheden %1 er ikke længere i teksten</translation>
     </message>
     <message>
@@ -4620,19 +7086,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Teksten har fejl: dette er den sidste gyldige tegning</translation>
     </message>
     <message>
-        <source>%1 is not a chart</source>
-        <translation>%1 er ikke et SFC-diagram</translation>
-    </message>
-    <message>
-        <source>Mend the text first: this is the last good drawing</source>
-        <translation>Ret teksten først: dette er den sidste gyldige tegning</translation>
-    </message>
-    <message>
         <source>Select the step from which the branch goes out</source>
         <translation>Vælg det trin, grenen går ud fra</translation>
     </message>
     <message>
-        <source>Select the transition behind which the steps run at the same time</source>
+        <source>Select the transition after which the steps run at the same time</source>
         <translation>Vælg den transition, efter hvilken trinnene kører samtidig</translation>
     </message>
     <message>
@@ -4640,11 +7098,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Vælg det trin, der får aktionen</translation>
     </message>
     <message>
-        <source>Insert a Step Behind</source>
+        <source>Insert a Step After It</source>
         <translation>Indsæt et trin efter</translation>
     </message>
     <message>
-        <source>Insert a Branch Beside</source>
+        <source>Insert an Alternative Branch</source>
         <translation>Indsæt en alternativgren</translation>
     </message>
     <message>
@@ -4656,11 +7114,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Tilføj en aktion</translation>
     </message>
     <message>
-        <source>Make It the Initial Step</source>
+        <source>Set as Initial Step</source>
         <translation>Gør til starttrin</translation>
     </message>
     <message>
-        <source>Force the Step On</source>
+        <source>Force the Step Active</source>
         <translation>Forcer trinnet aktivt</translation>
     </message>
     <message>
@@ -4696,7 +7154,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Gren til højre</translation>
     </message>
     <message>
-        <source>%1 behind this transition</source>
+        <source>%1 after this transition</source>
         <translation>%1 efter denne transition</translation>
     </message>
     <message>
@@ -4728,24 +7186,20 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>aktion</translation>
     </message>
     <message>
-        <source>To the chart around (Backspace)</source>
+        <source>To the enclosing chart (Backspace)</source>
         <translation>Til det overordnede SFC-diagram (Backspace)</translation>
     </message>
     <message>
-        <source>Breakpoint: stops when the step becomes active, when the transition is taken (F9)</source>
+        <source>Breakpoint: stops when the step becomes active or the transition is taken (F9)</source>
         <translation>Stoppunkt: stopper, når trinnet bliver aktivt, eller transitionen udløses (F9)</translation>
     </message>
     <message>
-        <source>Force the step on</source>
+        <source>Force the step active</source>
         <translation>Forcer trinnet aktivt</translation>
     </message>
     <message>
         <source>Release the step</source>
         <translation>Ophæv forcering af trinnet</translation>
-    </message>
-    <message>
-        <source>Export as SVG, PNG or PDF…</source>
-        <translation>Eksporter som SVG, PNG eller PDF…</translation>
     </message>
     <message>
         <source>%1 is a variable: it has no body</source>
@@ -4778,6 +7232,50 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Delete the Whole Branch</source>
         <translation>Slet hele grenen</translation>
+    </message>
+    <message>
+        <source>Select what is to be copied</source>
+        <translation>Vælg det, der skal kopieres</translation>
+    </message>
+    <message>
+        <source>Select what is to be cut</source>
+        <translation>Vælg det, der skal klippes</translation>
+    </message>
+    <message>
+        <source>The clipboard contains no step, action or transition</source>
+        <translation>Udklipsholderen indeholder intet trin, ingen aktion og ingen transition</translation>
+    </message>
+    <message>
+        <source>Select the step or transition to paste after</source>
+        <translation>Vælg det trin eller den transition, der skal indsættes efter</translation>
+    </message>
+    <message>
+        <source>Select the transition that gets the condition</source>
+        <translation>Vælg den transition, der får betingelsen</translation>
+    </message>
+    <message>
+        <source>Start a Chart</source>
+        <translation>Start et SFC-diagram</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Klip</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopier</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Sæt ind</translation>
+    </message>
+    <message>
+        <source>%1 has no chart yet. A chart starts with an initial step; more steps are inserted after it with Ins, and F2 edits names and conditions.</source>
+        <translation>%1 har endnu intet SFC-diagram. Et SFC-diagram begynder med et starttrin; flere trin indsættes efter det med Ins, og F2 redigerer navne og betingelser.</translation>
+    </message>
+    <message>
+        <source>%1 is not a chart: its body has statements. A chart can be started in a program or function block whose body is empty.</source>
+        <translation>%1 er ikke et SFC-diagram: Kroppen indeholder sætninger. Et SFC-diagram kan startes i et program eller en funktionsblok med tom krop.</translation>
     </message>
 </context>
 <context>
@@ -4898,7 +7396,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Tekst at finde</translation>
     </message>
     <message>
-        <source>Replace by</source>
+        <source>Replace with</source>
         <translation>Erstat med</translation>
     </message>
     <message>
@@ -4945,7 +7443,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         </translation>
     </message>
     <message>
-        <source>not a pattern</source>
+        <source>invalid regular expression</source>
         <translation>ugyldigt regulært udtryk</translation>
     </message>
     <message numerus="yes">
@@ -4981,6 +7479,375 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Release all</source>
         <translation>Ophæv alle</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::GraphView</name>
+    <message>
+        <source>Show all</source>
+        <translation>Vis alt</translation>
+    </message>
+    <message>
+        <source>Export as SVG, PNG or PDF…</source>
+        <translation>Eksporter som SVG, PNG eller PDF…</translation>
+    </message>
+    <message>
+        <source>Export the Drawing</source>
+        <translation>Eksporter tegningen</translation>
+    </message>
+    <message>
+        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
+        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written</source>
+        <translation>%1 kan ikke skrives</translation>
+    </message>
+    <message>
+        <source>Print…</source>
+        <translation>Udskriv…</translation>
+    </message>
+    <message>
+        <source>Fix the text first: this is the last good drawing</source>
+        <translation>Ret teksten først: dette er den sidste gyldige tegning</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::LadderView</name>
+    <message>
+        <source>Ladder or function block diagram</source>
+        <translation>Ladder- eller funktionsblokdiagram</translation>
+    </message>
+    <message>
+        <source>Insert a rung below (Ctrl+T)</source>
+        <translation>Indsæt et netværk nedenunder (Ctrl+T)</translation>
+    </message>
+    <message>
+        <source>Insert a contact on the left (Ctrl+K)</source>
+        <translation>Indsæt en kontakt til venstre (Ctrl+K)</translation>
+    </message>
+    <message>
+        <source>Insert a contact on the right (Ctrl+D)</source>
+        <translation>Indsæt en kontakt til højre (Ctrl+D)</translation>
+    </message>
+    <message>
+        <source>Insert a parallel contact (Ctrl+R)</source>
+        <translation>Indsæt en parallel kontakt (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>Insert a coil (Ctrl+A)</source>
+        <translation>Indsæt en spole (Ctrl+A)</translation>
+    </message>
+    <message>
+        <source>Insert a function block (Ctrl+B)</source>
+        <translation>Indsæt en funktionsblok (Ctrl+B)</translation>
+    </message>
+    <message>
+        <source>Edit (F2)</source>
+        <translation>Rediger (F2)</translation>
+    </message>
+    <message>
+        <source>Delete (Del)</source>
+        <translation>Slet (Del)</translation>
+    </message>
+    <message>
+        <source>Breakpoint on the rung (F9)</source>
+        <translation>Stoppunkt på netværket (F9)</translation>
+    </message>
+    <message>
+        <source>Show as a function block diagram</source>
+        <translation>Vis som funktionsblokdiagram</translation>
+    </message>
+    <message>
+        <source>Show as a ladder diagram</source>
+        <translation>Vis som ladderdiagram</translation>
+    </message>
+    <message>
+        <source>%1 is no longer in the text</source>
+        <translation>%1 er ikke længere i teksten</translation>
+    </message>
+    <message>
+        <source>The text has errors: this is the last good drawing</source>
+        <translation>Teksten har fejl: dette er den sidste gyldige tegning</translation>
+    </message>
+    <message>
+        <source>Fix the text first: this is the last good drawing</source>
+        <translation>Ret teksten først: dette er den sidste gyldige tegning</translation>
+    </message>
+    <message>
+        <source>Select a rung</source>
+        <translation>Vælg et netværk</translation>
+    </message>
+    <message>
+        <source>Select a coil</source>
+        <translation>Vælg en spole</translation>
+    </message>
+    <message>
+        <source>Select a contact, a coil or a pin with a variable</source>
+        <translation>Vælg en kontakt, en spole eller et ben med en variabel</translation>
+    </message>
+    <message>
+        <source>The rung has no contact yet</source>
+        <translation>Netværket har ingen kontakt endnu</translation>
+    </message>
+    <message>
+        <source>Select the rung that gets the block</source>
+        <translation>Vælg det netværk, der skal have blokken</translation>
+    </message>
+    <message>
+        <source>block</source>
+        <translation>blok</translation>
+    </message>
+    <message>
+        <source>Contact on the left; at a coil, the last contact</source>
+        <translation>Kontakt til venstre; ved en spole den sidste kontakt</translation>
+    </message>
+    <message>
+        <source>Contact on the right</source>
+        <translation>Kontakt til højre</translation>
+    </message>
+    <message>
+        <source>Parallel contact</source>
+        <translation>Parallel kontakt</translation>
+    </message>
+    <message>
+        <source>Coil</source>
+        <translation>Spole</translation>
+    </message>
+    <message>
+        <source>Function block in the rung</source>
+        <translation>Funktionsblok i netværket</translation>
+    </message>
+    <message>
+        <source>Rung above</source>
+        <translation>Netværk ovenover</translation>
+    </message>
+    <message>
+        <source>Rung below</source>
+        <translation>Netværk nedenunder</translation>
+    </message>
+    <message>
+        <source>Negate a contact, a coil or a pin</source>
+        <translation>Inverter en kontakt, en spole eller et ben</translation>
+    </message>
+    <message>
+        <source>Coil: normal, set, reset</source>
+        <translation>Spole: normal, sæt, nulstil</translation>
+    </message>
+    <message>
+        <source>Comment of the rung</source>
+        <translation>Netværkets kommentar</translation>
+    </message>
+    <message>
+        <source>Edit what is selected (or Enter)</source>
+        <translation>Rediger det valgte (eller Enter)</translation>
+    </message>
+    <message>
+        <source>Delete what is selected</source>
+        <translation>Slet det valgte</translation>
+    </message>
+    <message>
+        <source>Breakpoint on the rung</source>
+        <translation>Stoppunkt på netværket</translation>
+    </message>
+    <message>
+        <source>This list</source>
+        <translation>Denne liste</translation>
+    </message>
+    <message>
+        <source>Arrows</source>
+        <translation>Piletaster</translation>
+    </message>
+    <message>
+        <source>Select the next part; Up and Down also the next rung</source>
+        <translation>Vælg næste del; op og ned også næste netværk</translation>
+    </message>
+    <message>
+        <source>Move the rung up; with Down, down</source>
+        <translation>Flyt netværket op; med pil ned, ned</translation>
+    </message>
+    <message>
+        <source>Typed before a name: a negated contact</source>
+        <translation>Skrevet foran et navn: en inverteret kontakt</translation>
+    </message>
+    <message>
+        <source>Keys in Ladder and Function Block Diagrams</source>
+        <translation>Taster i ladder- og funktionsblokdiagrammer</translation>
+    </message>
+    <message>
+        <source>Insert a Rung Above</source>
+        <translation>Indsæt et netværk ovenover</translation>
+    </message>
+    <message>
+        <source>Insert a Rung Below</source>
+        <translation>Indsæt et netværk nedenunder</translation>
+    </message>
+    <message>
+        <source>Insert a Contact</source>
+        <translation>Indsæt en kontakt</translation>
+    </message>
+    <message>
+        <source>Insert a Parallel Contact</source>
+        <translation>Indsæt en parallel kontakt</translation>
+    </message>
+    <message>
+        <source>Insert a Coil</source>
+        <translation>Indsæt en spole</translation>
+    </message>
+    <message>
+        <source>Insert a Function Block…</source>
+        <translation>Indsæt en funktionsblok…</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Rediger</translation>
+    </message>
+    <message>
+        <source>Comment…</source>
+        <translation>Kommentar…</translation>
+    </message>
+    <message>
+        <source>Negate</source>
+        <translation>Inverter</translation>
+    </message>
+    <message>
+        <source>Set or Reset</source>
+        <translation>Sæt eller nulstil</translation>
+    </message>
+    <message>
+        <source>Move the Rung Up</source>
+        <translation>Flyt netværket op</translation>
+    </message>
+    <message>
+        <source>Move the Rung Down</source>
+        <translation>Flyt netværket ned</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Slet</translation>
+    </message>
+    <message>
+        <source>Force TRUE</source>
+        <translation>Forcer TRUE</translation>
+    </message>
+    <message>
+        <source>Force FALSE</source>
+        <translation>Forcer FALSE</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>Ophæv forcering</translation>
+    </message>
+    <message>
+        <source>Toggle Breakpoint</source>
+        <translation>Slå stoppunkt til/fra</translation>
+    </message>
+    <message>
+        <source>Contacts as Bars (IEC 61131-3, ANSI)</source>
+        <translation>Kontakter som streger (IEC 61131-3, ANSI)</translation>
+    </message>
+    <message>
+        <source>Contacts as in Circuit Diagrams (IEC 60617)</source>
+        <translation>Kontakter som i kredsløbsdiagrammer (IEC 60617)</translation>
+    </message>
+    <message>
+        <source>Names</source>
+        <translation>Navne</translation>
+    </message>
+    <message>
+        <source>Addresses</source>
+        <translation>Adresser</translation>
+    </message>
+    <message>
+        <source>Names and Addresses</source>
+        <translation>Navne og adresser</translation>
+    </message>
+    <message>
+        <source>Comments of the Variables</source>
+        <translation>Variablernes kommentarer</translation>
+    </message>
+    <message>
+        <source>Comments of the Rungs</source>
+        <translation>Netværkenes kommentarer</translation>
+    </message>
+    <message>
+        <source>High Contrast</source>
+        <translation>Høj kontrast</translation>
+    </message>
+    <message>
+        <source>What is shown</source>
+        <translation>Hvad der vises</translation>
+    </message>
+    <message>
+        <source>type</source>
+        <translation>type</translation>
+    </message>
+    <message>
+        <source>Rename the variable everywhere</source>
+        <translation>Omdøb variablen overalt</translation>
+    </message>
+    <message>
+        <source>Go to the declaration</source>
+        <translation>Gå til erklæringen</translation>
+    </message>
+    <message>
+        <source>References to the variable</source>
+        <translation>Referencer til variablen</translation>
+    </message>
+    <message>
+        <source>Quick fix</source>
+        <translation>Hurtig rettelse</translation>
+    </message>
+    <message>
+        <source>Bookmark on the rung</source>
+        <translation>Bogmærke på netværket</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Omdøb…</translation>
+    </message>
+    <message>
+        <source>Find References</source>
+        <translation>Find referencer</translation>
+    </message>
+    <message>
+        <source>Go to Definition</source>
+        <translation>Gå til definitionen</translation>
+    </message>
+    <message>
+        <source>Quick Fix</source>
+        <translation>Hurtig rettelse</translation>
+    </message>
+    <message>
+        <source>Write TRUE</source>
+        <translation>Skriv TRUE</translation>
+    </message>
+    <message>
+        <source>Write FALSE</source>
+        <translation>Skriv FALSE</translation>
+    </message>
+    <message>
+        <source>Toggle Bookmark</source>
+        <translation>Slå bogmærke til eller fra</translation>
+    </message>
+    <message>
+        <source>Contact Here</source>
+        <translation>Kontakt her</translation>
+    </message>
+    <message>
+        <source>Negated Contact Here</source>
+        <translation>Negeret kontakt her</translation>
+    </message>
+    <message>
+        <source>Function Block Here</source>
+        <translation>Funktionsblok her</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::RunArchive</name>
+    <message>
+        <source>The recording of the last run was not kept: %1</source>
+        <translation>Optagelsen af den seneste kørsel blev ikke gemt: %1</translation>
     </message>
 </context>
 <context>
@@ -5052,8 +7919,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Gå til definitionen</translation>
     </message>
     <message>
-        <source>Find All Uses</source>
-        <translation>Find alle anvendelser</translation>
+        <source>Find References</source>
+        <translation>Find referencer</translation>
     </message>
     <message>
         <source>Rename…</source>
@@ -5154,6 +8021,276 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Reset the statistics</source>
         <translation>Nulstil statistikken</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::TuningView</name>
+    <message>
+        <source>Control loop</source>
+        <translation>Reguleringssløjfe</translation>
+    </message>
+    <message>
+        <source>Find Steps</source>
+        <translation>Find spring</translation>
+    </message>
+    <message>
+        <source>Looks for steps of the set point and of the output in the recording and makes a model of the process.</source>
+        <translation>Leder efter spring i setpunktet og udgangen i optagelsen og laver en model af processen.</translation>
+    </message>
+    <message>
+        <source>Write Parameters</source>
+        <translation>Skriv parametre</translation>
+    </message>
+    <message>
+        <source>Writes all parameters in one scan.</source>
+        <translation>Skriver alle parametre i ét scan.</translation>
+    </message>
+    <message>
+        <source>Take Back</source>
+        <translation>Tag tilbage</translation>
+    </message>
+    <message>
+        <source>Writes the parameters that were in force before.</source>
+        <translation>Skriver de parametre, der gjaldt før.</translation>
+    </message>
+    <message>
+        <source>Loop:</source>
+        <translation>Sløjfe:</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Brug</translation>
+    </message>
+    <message>
+        <source>At</source>
+        <translation>Ved</translation>
+    </message>
+    <message>
+        <source>Moved</source>
+        <translation>Flyttet</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Fra</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Til</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Vurdering</translation>
+    </message>
+    <message>
+        <source>Steps found</source>
+        <translation>Fundne spring</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Model</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>Regel</translation>
+    </message>
+    <message>
+        <source>Kind of controller</source>
+        <translation>Regulatortype</translation>
+    </message>
+    <message>
+        <source>Calm to brisk</source>
+        <translation>Rolig til rask</translation>
+    </message>
+    <message>
+        <source>Disturbance to set point</source>
+        <translation>Forstyrrelse til setpunkt</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Nu</translation>
+    </message>
+    <message>
+        <source>Proposed</source>
+        <translation>Foreslået</translation>
+    </message>
+    <message>
+        <source>Before and after</source>
+        <translation>Før og efter</translation>
+    </message>
+    <message>
+        <source>Model:</source>
+        <translation>Model:</translation>
+    </message>
+    <message>
+        <source>Rule:</source>
+        <translation>Regel:</translation>
+    </message>
+    <message>
+        <source>Controller:</source>
+        <translation>Regulator:</translation>
+    </message>
+    <message>
+        <source>Calm</source>
+        <translation>Rolig</translation>
+    </message>
+    <message>
+        <source>Brisk</source>
+        <translation>Rask</translation>
+    </message>
+    <message>
+        <source>Disturbance</source>
+        <translation>Forstyrrelse</translation>
+    </message>
+    <message>
+        <source>Set point</source>
+        <translation>Setpunkt</translation>
+    </message>
+    <message>
+        <source>Start the controller; its recording is what is looked at.</source>
+        <translation>Start styringen; det er dens optagelse, der undersøges.</translation>
+    </message>
+    <message>
+        <source>The program has no controller block.</source>
+        <translation>Programmet har ingen regulatorblok.</translation>
+    </message>
+    <message>
+        <source>Searching…</source>
+        <translation>Søger…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s) found, %1 used.</source>
+        <translation>
+            <numerusform>%n spring fundet, %1 brugt.</numerusform>
+            <numerusform>%n spring fundet, %1 brugt.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, explains %2 %</source>
+        <translation>%1, forklarer %2 %</translation>
+    </message>
+    <message>
+        <source>set point</source>
+        <translation>setpunkt</translation>
+    </message>
+    <message>
+        <source>output</source>
+        <translation>udgang</translation>
+    </message>
+    <message>
+        <source>Choose at least one step.</source>
+        <translation>Vælg mindst ét spring.</translation>
+    </message>
+    <message>
+        <source>The rule has no answer for this process.</source>
+        <translation>Reglen har intet svar for denne proces.</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>enhver</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Forstærkning</translation>
+    </message>
+    <message>
+        <source>Integral time</source>
+        <translation>Integraltid</translation>
+    </message>
+    <message>
+        <source>Derivative time</source>
+        <translation>Differentialtid</translation>
+    </message>
+    <message>
+        <source>Sensitivity Ms</source>
+        <translation>Følsomhed Ms</translation>
+    </message>
+    <message>
+        <source>unstable</source>
+        <translation>ustabil</translation>
+    </message>
+    <message>
+        <source>Gain margin</source>
+        <translation>Forstærkningsmargin</translation>
+    </message>
+    <message>
+        <source>Phase margin</source>
+        <translation>Fasemargin</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>Oversving</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Settling time</source>
+        <translation>Indsvingningstid</translation>
+    </message>
+    <message>
+        <source>Error after a load step</source>
+        <translation>Fejl efter et lastspring</translation>
+    </message>
+    <message>
+        <source>Control effort</source>
+        <translation>Styreindsats</translation>
+    </message>
+    <message>
+        <source>Noise in the output</source>
+        <translation>Støj i udgangen</translation>
+    </message>
+    <message>
+        <source>Recorded and modelled</source>
+        <translation>Optaget og modelleret</translation>
+    </message>
+    <message>
+        <source>time [s]</source>
+        <translation>tid [s]</translation>
+    </message>
+    <message>
+        <source>recorded</source>
+        <translation>optaget</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>model</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>nu</translation>
+    </message>
+    <message>
+        <source>proposed</source>
+        <translation>foreslået</translation>
+    </message>
+    <message>
+        <source>Step of the set point</source>
+        <translation>Spring i setpunktet</translation>
+    </message>
+    <message>
+        <source>Step of the load</source>
+        <translation>Spring i lasten</translation>
+    </message>
+    <message>
+        <source>The last step with these settings</source>
+        <translation>Det sidste spring med disse indstillinger</translation>
+    </message>
+    <message>
+        <source>Tuning</source>
+        <translation>Regulatorindstilling</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Skrevet: %1</translation>
+    </message>
+    <message>
+        <source>Taken back: %1</source>
+        <translation>Taget tilbage: %1</translation>
     </message>
 </context>
 <context>
@@ -5293,8 +8430,12 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Talformat</translation>
     </message>
     <message>
-        <source>As the list</source>
+        <source>As in the list</source>
         <translation>Som listen</translation>
+    </message>
+    <message>
+        <source>Source of %1 with the values of %2</source>
+        <translation>Kildetekst til %1 med værdierne fra %2</translation>
     </message>
 </context>
 <context>
@@ -5353,6 +8494,49 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
 </context>
 <context>
+    <name>plc::hmi::ArrayArrangementDialog</name>
+    <message>
+        <source>Arrange over array</source>
+        <translation>Arrangér over et array</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Array</source>
+        <translation>Array</translation>
+    </message>
+    <message>
+        <source>First index</source>
+        <translation>Første indeks</translation>
+    </message>
+    <message>
+        <source>Last index</source>
+        <translation>Sidste indeks</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Kolonner</translation>
+    </message>
+    <message>
+        <source>Horizontal gap</source>
+        <translation>Vandret afstand</translation>
+    </message>
+    <message>
+        <source>Vertical gap</source>
+        <translation>Lodret afstand</translation>
+    </message>
+    <message>
+        <source>In the other arguments, # becomes the index.</source>
+        <translation>I de andre argumenter bliver # til indekset.</translation>
+    </message>
+    <message>
+        <source>Choose an array with one index, for example Plant.Valves.</source>
+        <translation>Vælg et array med ét indeks, for eksempel Plant.Valves.</translation>
+    </message>
+</context>
+<context>
     <name>plc::hmi::ArrayDialog</name>
     <message>
         <source>Duplicate as array</source>
@@ -5367,18 +8551,16 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Kolonner</translation>
     </message>
     <message>
-        <source>Gap across</source>
-        <translation>Afstand vandret</translation>
-        <source>The unit %1 is not in the text any more</source>
-        <translation>Enheden %1 er ikke længere i teksten</translation>
-    </message>
-    <message>
-        <source>Gap down</source>
+        <source>Vertical gap</source>
         <translation>Afstand lodret</translation>
     </message>
     <message>
         <source>Index step</source>
         <translation>Indekstrin</translation>
+    </message>
+    <message>
+        <source>Horizontal gap</source>
+        <translation>Vandret afstand</translation>
     </message>
 </context>
 <context>
@@ -5386,12 +8568,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Move</source>
         <translation>Flyt</translation>
-    </message>
-    <message>
-        <source>Resize</source>
-        <translation>Ændr størrelse</translation>
-        <source>Select the step from which the branch goes out</source>
-        <translation>Vælg det trin, grenen går ud fra</translation>
     </message>
     <message>
         <source>Move point</source>
@@ -5408,6 +8584,14 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Insert</source>
         <translation>Indsæt</translation>
+    </message>
+    <message>
+        <source>Resize</source>
+        <translation>Ændr størrelse</translation>
+    </message>
+    <message>
+        <source>Bind</source>
+        <translation>Bind</translation>
     </message>
 </context>
 <context>
@@ -5442,11 +8626,15 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>Search elements</source>
         <translation>Søg elementer</translation>
     </message>
+    <message>
+        <source>Faceplates</source>
+        <translation>Faceplates</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::PanelDesigner</name>
     <message>
-        <source>Finding</source>
+        <source>Issue</source>
         <translation>Meddelelse</translation>
     </message>
     <message>
@@ -5510,11 +8698,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Juster forneden</translation>
     </message>
     <message>
-        <source>Equal gaps across</source>
+        <source>Distribute horizontally</source>
         <translation>Ens afstande vandret</translation>
     </message>
     <message>
-        <source>Equal gaps down</source>
+        <source>Distribute vertically</source>
         <translation>Ens afstande lodret</translation>
     </message>
     <message>
@@ -5524,12 +8712,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Same height</source>
         <translation>Samme højde</translation>
-    </message>
-    <message>
-        <source>Same size</source>
-        <translation>Samme størrelse</translation>
-        <source>%1 is a variable: it has no body</source>
-        <translation>%1 er en variabel: den har ingen krop</translation>
     </message>
     <message>
         <source>Bring to front</source>
@@ -5622,6 +8804,22 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Variables</source>
         <translation>Variabler</translation>
+    </message>
+    <message>
+        <source>Same size</source>
+        <translation>Samme størrelse</translation>
+    </message>
+    <message>
+        <source>Paste in place</source>
+        <translation>Sæt ind på samme sted</translation>
+    </message>
+    <message>
+        <source>Arrange over array…</source>
+        <translation>Arrangér over et array…</translation>
+    </message>
+    <message>
+        <source>Arrange over array</source>
+        <translation>Arrangér over et array</translation>
     </message>
 </context>
 <context>
@@ -5733,6 +8931,55 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>%1 is used by %2</source>
         <translation>%1 bruges af %2</translation>
+    </message>
+    <message>
+        <source>Import XLIFF</source>
+        <translation>Importér XLIFF</translation>
+    </message>
+    <message>
+        <source>Translations (*.xlf *.xliff)</source>
+        <translation>Oversættelser (*.xlf *.xliff)</translation>
+    </message>
+    <message>
+        <source>Export XLIFF</source>
+        <translation>Eksportér XLIFF</translation>
+    </message>
+    <message>
+        <source>Translated from</source>
+        <translation>Oversat fra</translation>
+    </message>
+    <message>
+        <source>Translated into</source>
+        <translation>Oversat til</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>Version</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n text(s) taken.</source>
+        <translation>
+            <numerusform>%n tekst overtaget.</numerusform>
+            <numerusform>%n tekster overtaget.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n text(s) as they were.</source>
+        <translation>
+            <numerusform>%n tekst som før.</numerusform>
+            <numerusform>%n tekster som før.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n text(s) without a translation.</source>
+        <translation>
+            <numerusform>%n tekst uden oversættelse.</numerusform>
+            <numerusform>%n tekster uden oversættelse.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>XLIFF %1</source>
+        <translation>XLIFF %1</translation>
     </message>
 </context>
 <context>
@@ -6132,6 +9379,14 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
         <source>Move channel</source>
         <translation>Flyt kanal</translation>
     </message>
+    <message>
+        <source>Compared recording</source>
+        <translation>Sammenlignet optagelse</translation>
+    </message>
+    <message>
+        <source>Offset in time</source>
+        <translation>Forskydning i tid</translation>
+    </message>
 </context>
 <context>
     <name>plc::trace::TimeBar</name>
@@ -6169,7 +9424,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
         <translation>Ét scan tilbage (Venstre)</translation>
     </message>
     <message>
-        <source>One scan forth (Right)</source>
+        <source>One scan forward (Right)</source>
         <translation>Ét scan frem (Højre)</translation>
     </message>
     <message>
@@ -6348,31 +9603,31 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
         <translation>Optagelser (*.rec);;Alle filer (*)</translation>
     </message>
     <message>
-        <source>Trace set-up</source>
+        <source>Trace configuration</source>
         <translation>Traceopsætning</translation>
     </message>
     <message>
-        <source>Open set-up…</source>
+        <source>Open configuration…</source>
         <translation>Åbn opsætning…</translation>
     </message>
     <message>
-        <source>Open trace set-up</source>
+        <source>Open trace configuration</source>
         <translation>Åbn traceopsætning</translation>
     </message>
     <message>
-        <source>Trace set-ups (*.trace.json)</source>
+        <source>Trace configurations (*.trace.json)</source>
         <translation>Traceopsætninger (*.trace.json)</translation>
     </message>
     <message>
-        <source>Save trace set-up</source>
+        <source>Save trace configuration</source>
         <translation>Gem traceopsætning</translation>
     </message>
     <message>
-        <source>Save set-up</source>
+        <source>Save configuration</source>
         <translation>Gem opsætning</translation>
     </message>
     <message>
-        <source>Save set-up as…</source>
+        <source>Save configuration as…</source>
         <translation>Gem opsætning som…</translation>
     </message>
     <message>
@@ -6490,1199 +9745,13 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
         <source>Saving the recording…</source>
         <translation>Gemmer optagelsen…</translation>
     </message>
-</context>
-<context>
-    <name>Phrases</name>
     <message>
-        <source>a name</source>
-        <translation>et navn</translation>
+        <source>%1, %2 later</source>
+        <translation>%1, %2 senere</translation>
     </message>
     <message>
-        <source>a label</source>
-        <translation>en etiket</translation>
-    </message>
-    <message>
-        <source>an operand</source>
-        <translation>en operand</translation>
-    </message>
-    <message>
-        <source>an expression</source>
-        <translation>et udtryk</translation>
-    </message>
-    <message>
-        <source>a value</source>
-        <translation>en værdi</translation>
-    </message>
-    <message>
-        <source>a type</source>
-        <translation>en type</translation>
-    </message>
-    <message>
-        <source>an index</source>
-        <translation>et indeks</translation>
-    </message>
-    <message>
-        <source>an argument</source>
-        <translation>et argument</translation>
-    </message>
-    <message>
-        <source>an address</source>
-        <translation>en adresse</translation>
-    </message>
-    <message>
-        <source>an action</source>
-        <translation>en aktion</translation>
-    </message>
-    <message>
-        <source>a CASE label</source>
-        <translation>en CASE-etiket</translation>
-    </message>
-    <message>
-        <source>a block&apos;s name</source>
-        <translation>navnet på en funktionsblok</translation>
-    </message>
-    <message>
-        <source>a processor&apos;s name</source>
-        <translation>navnet på en processor</translation>
-    </message>
-    <message>
-        <source>a task&apos;s name</source>
-        <translation>navnet på en task</translation>
-    </message>
-    <message>
-        <source>a program instance&apos;s name</source>
-        <translation>navnet på en programinstans</translation>
-    </message>
-    <message>
-        <source>an input or output</source>
-        <translation>en ind- eller udgang</translation>
-    </message>
-    <message>
-        <source>a variable&apos;s name</source>
-        <translation>navnet på en variabel</translation>
-    </message>
-    <message>
-        <source>a variable&apos;s path</source>
-        <translation>stien til en variabel</translation>
-    </message>
-    <message>
-        <source>a step&apos;s name</source>
-        <translation>navnet på et trin</translation>
-    </message>
-    <message>
-        <source>a type&apos;s name</source>
-        <translation>navnet på en type</translation>
-    </message>
-    <message>
-        <source>a member&apos;s name</source>
-        <translation>navnet på et medlem</translation>
-    </message>
-    <message>
-        <source>an access name</source>
-        <translation>et adgangsnavn</translation>
-    </message>
-    <message>
-        <source>an enumeration value</source>
-        <translation>en enumerationsværdi</translation>
-    </message>
-    <message>
-        <source>the end of the line</source>
-        <translation>linjens slutning</translation>
-    </message>
-    <message>
-        <source>the end of the file</source>
-        <translation>filens slutning</translation>
-    </message>
-    <message>
-        <source>{0} or {1}</source>
-        <translation>{0} eller {1}</translation>
-    </message>
-    <message>
-        <source>FOR and a time</source>
-        <translation>FOR og en tid</translation>
-    </message>
-    <message>
-        <source>:= or instructions</source>
-        <translation>:= eller instruktioner</translation>
-    </message>
-    <message>
-        <source>a subrange</source>
-        <translation>et delområde</translation>
-    </message>
-    <message>
-        <source>an enumeration</source>
-        <translation>en enumeration</translation>
-    </message>
-    <message>
-        <source>in parentheses</source>
-        <translation>i parentes</translation>
-    </message>
-    <message>
-        <source>a chart</source>
-        <translation>et SFC-diagram</translation>
-    </message>
-    <message>
-        <source>a body</source>
-        <translation>en krop</translation>
-    </message>
-    <message>
-        <source>in a CLASS</source>
-        <translation>i en CLASS</translation>
-    </message>
-    <message>
-        <source>in a FUNCTION</source>
-        <translation>i en FUNCTION</translation>
-    </message>
-    <message>
-        <source>in a METHOD</source>
-        <translation>i en METHOD</translation>
-    </message>
-    <message>
-        <source>in a PROGRAM</source>
-        <translation>i et PROGRAM</translation>
-    </message>
-    <message>
-        <source>in a FUNCTION_BLOCK</source>
-        <translation>i en FUNCTION_BLOCK</translation>
-    </message>
-    <message>
-        <source>here</source>
-        <translation>her</translation>
-    </message>
-    <message>
-        <source>in {0}</source>
-        <translation>i {0}</translation>
-    </message>
-    <message>
-        <source>in an expression</source>
-        <translation>i et udtryk</translation>
-    </message>
-    <message>
-        <source>in an initial value</source>
-        <translation>i en startværdi</translation>
-    </message>
-    <message>
-        <source>in this section</source>
-        <translation>i dette afsnit</translation>
-    </message>
-    <message>
-        <source>an initial value</source>
-        <translation>en startværdi</translation>
-    </message>
-    <message>
-        <source>RETURN with a value</source>
-        <translation>RETURN med en værdi</translation>
-    </message>
-    <message>
-        <source>in a declaration that calls FB_Init</source>
-        <translation>i en erklæring, der kalder FB_Init</translation>
-    </message>
-    <message>
-        <source>{0} (VAR_IN_OUT)</source>
-        <translation>{0} (VAR_IN_OUT)</translation>
-    </message>
-    <message>
-        <source>in {0}, which is not abstract itself</source>
-        <translation>i {0}, som ikke selv er abstrakt</translation>
-    </message>
-    <message>
-        <source>address</source>
-        <translation>adresse</translation>
-    </message>
-    <message>
-        <source>duration</source>
-        <translation>tidsrum</translation>
-    </message>
-    <message>
-        <source>date</source>
-        <translation>dato</translation>
-    </message>
-    <message>
-        <source>time of day</source>
-        <translation>klokkeslæt</translation>
-    </message>
-    <message>
-        <source>date and time</source>
-        <translation>dato og klokkeslæt</translation>
-    </message>
-    <message>
-        <source>integer</source>
-        <translation>heltal</translation>
-    </message>
-    <message>
-        <source>string</source>
-        <translation>tekst</translation>
-    </message>
-    <message>
-        <source>{0} (a constant)</source>
-        <translation>{0} (en konstant)</translation>
-    </message>
-    <message>
-        <source>{0} (an output)</source>
-        <translation>{0} (en udgang)</translation>
-    </message>
-    <message>
-        <source>{0} (a local variable of {1})</source>
-        <translation>{0} (en lokal variabel i {1})</translation>
-    </message>
-    <message>
-        <source>{0} (an input)</source>
-        <translation>{0} (en indgang)</translation>
-    </message>
-    <message>
-        <source>{0} (an input; the next scan overwrites it)</source>
-        <translation>{0} (en indgang; næste scan overskriver den)</translation>
-    </message>
-    <message>
-        <source>{0} (a property without SET)</source>
-        <translation>{0} (en egenskab uden SET)</translation>
-    </message>
-    <message>
-        <source>{0} (no instance, or several)</source>
-        <translation>{0} (ingen instans eller flere)</translation>
-    </message>
-    <message>
-        <source>{0} (a type; declare an instance of it)</source>
-        <translation>{0} (en type; erklær en instans af den)</translation>
-    </message>
-    <message>
-        <source>{0} (a variable, which hides the function of this name)</source>
-        <translation>{0} (en variabel, som skjuler funktionen af dette navn)</translation>
-    </message>
-    <message>
-        <source>an output</source>
-        <translation>en udgang</translation>
-    </message>
-    <message>
-        <source>an input</source>
-        <translation>en indgang</translation>
-    </message>
-    <message>
-        <source>an IN_OUT parameter</source>
-        <translation>en IN_OUT-parameter</translation>
-    </message>
-    <message>
-        <source>a power of a computed number</source>
-        <translation>en potens af et beregnet tal</translation>
-    </message>
-    <message>
-        <source>a call of {0}</source>
-        <translation>et kald af {0}</translation>
-    </message>
-    <message>
-        <source>a call without arguments</source>
-        <translation>et kald uden argumenter</translation>
-    </message>
-    <message>
-        <source>a computed second argument of {0}</source>
-        <translation>et beregnet andet argument til {0}</translation>
-    </message>
-    <message>
-        <source>{0} outside a loop</source>
-        <translation>{0} uden for en løkke</translation>
-    </message>
-    <message>
-        <source>this statement</source>
-        <translation>denne sætning</translation>
-    </message>
-    <message>
-        <source>FOR with this end or step</source>
-        <translation>FOR med denne slutning eller dette skridt</translation>
-    </message>
-    <message>
-        <source>an assignment of several variables</source>
-        <translation>en tildeling af flere variabler</translation>
-    </message>
-    <message>
-        <source>CASE of a computed value</source>
-        <translation>CASE af en beregnet værdi</translation>
-    </message>
-    <message>
-        <source>a text</source>
-        <translation>en tekst</translation>
-    </message>
-    <message>
-        <source>a number</source>
-        <translation>et tal</translation>
-    </message>
-    <message>
-        <source>an integer</source>
-        <translation>et heltal</translation>
-    </message>
-    <message>
-        <source>a number of seconds</source>
-        <translation>et antal sekunder</translation>
-    </message>
-    <message>
-        <source>a list</source>
-        <translation>en liste</translation>
-    </message>
-    <message>
-        <source>an object</source>
-        <translation>et objekt</translation>
-    </message>
-    <message>
-        <source>one of {0}</source>
-        <translation>en af {0}</translation>
-    </message>
-</context>
-<context>
-    <name>Fixes</name>
-    <message>
-        <source>Replace with {0}</source>
-        <translation>Erstat med {0}</translation>
-    </message>
-    <message>
-        <source>Insert {0}</source>
-        <translation>Indsæt {0}</translation>
-    </message>
-    <message>
-        <source>Did you mean {0}?</source>
-        <translation>Mente du {0}?</translation>
-    </message>
-    <message>
-        <source>Convert with {0}</source>
-        <translation>Konverter med {0}</translation>
-    </message>
-    <message>
-        <source>Move {0} to {1}</source>
-        <translation>Flyt {0} til {1}</translation>
-    </message>
-    <message>
-        <source>Add the property {0}</source>
-        <translation>Tilføj egenskaben {0}</translation>
-    </message>
-    <message>
-        <source>Add the method {0}</source>
-        <translation>Tilføj metoden {0}</translation>
-    </message>
-    <message>
-        <source>Add the missing branches</source>
-        <translation>Tilføj de manglende grene</translation>
-    </message>
-    <message>
-        <source>Add ELSE</source>
-        <translation>Tilføj ELSE</translation>
-    </message>
-    <message>
-        <source>Add () to call it</source>
-        <translation>Tilføj () for at kalde den</translation>
-    </message>
-    <message>
-        <source>Compare with 0</source>
-        <translation>Sammenlign med 0</translation>
-    </message>
-    <message>
-        <source>Remove the unused declaration</source>
-        <translation>Fjern den ubrugte erklæring</translation>
-    </message>
-    <message>
-        <source>Replace with IF and ELSIF</source>
-        <translation>Erstat med IF og ELSIF</translation>
-    </message>
-    <message>
-        <source>Change to a WSTRING literal</source>
-        <translation>Skift til en WSTRING-literal</translation>
-    </message>
-    <message>
-        <source>Replace with straight quotes</source>
-        <translation>Erstat med lige anførselstegn</translation>
-    </message>
-    <message>
-        <source>Make {0} the initial step</source>
-        <translation>Gør {0} til starttrin</translation>
-    </message>
-    <message>
-        <source>Dereference the pointer with ^</source>
-        <translation>Dereferer pointeren med ^</translation>
-    </message>
-</context>
-<context>
-    <name>Notes</name>
-    <message>
-        <source>first declared here</source>
-        <translation>først erklæret her</translation>
-    </message>
-    <message>
-        <source>declared here</source>
-        <translation>erklæret her</translation>
-    </message>
-    <message>
-        <source>the variable</source>
-        <translation>variablen</translation>
-    </message>
-    <message>
-        <source>the first program</source>
-        <translation>det første program</translation>
-    </message>
-    <message>
-        <source>overridden here</source>
-        <translation>tilsidesat her</translation>
-    </message>
-    <message>
-        <source>the first one</source>
-        <translation>den første</translation>
-    </message>
-    <message>
-        <source>by this transition, while it is active</source>
-        <translation>ved denne transition, mens det er aktivt</translation>
-    </message>
-</context>
-<context>
-    <name>Exchange</name>
-    <message>
-        <source>The file is written in {0}</source>
-        <translation>Filen er skrevet i {0}</translation>
-    </message>
-    <message>
-        <source>The file was not read: {0}</source>
-        <translation>Filen blev ikke læst: {0}</translation>
-    </message>
-    <message>
-        <source>The element {0} was not read</source>
-        <translation>Elementet {0} blev ikke læst</translation>
-    </message>
-    <message>
-        <source>The vendor&apos;s data {0} is kept in exchange.json</source>
-        <translation>Leverandørens data {0} er gemt i exchange.json</translation>
-    </message>
-    <message>
-        <source>The body in {0} became structured text; the diagram is kept in exchange.json</source>
-        <translation>Kroppen i {0} blev til struktureret tekst; diagrammet er gemt i exchange.json</translation>
-    </message>
-    <message>
-        <source>The body in {0} is stored in a form that only its own editor reads; export it there as PLCopen XML</source>
-        <translation>Kroppen i {0} er gemt i en form, som kun dens egen editor læser; eksporter den der som PLCopen XML</translation>
-    </message>
-    <message>
-        <source>A jump leads to the step {0}, which does not exist</source>
-        <translation>Et spring fører til trinnet {0}, som ikke findes</translation>
-    </message>
-    <message>
-        <source>The element {0} of the chart is not connected and was left out</source>
-        <translation>Elementet {0} i SFC-diagrammet er ikke forbundet og blev udeladt</translation>
-    </message>
-    <message>
-        <source>The transition from {0} has no condition; it is written as FALSE</source>
-        <translation>Transitionen fra {0} har ingen betingelse; den er skrevet som FALSE</translation>
-    </message>
-    <message>
-        <source>The element {0} takes part in a loop without a block that stores a value; its last value is not kept</source>
-        <translation>Elementet {0} indgår i en sløjfe uden en blok, der gemmer en værdi; dets sidste værdi bevares ikke</translation>
-    </message>
-    <message>
-        <source>The element {0} is not connected and was left out</source>
-        <translation>Elementet {0} er ikke forbundet og blev udeladt</translation>
-    </message>
-    <message>
-        <source>An edge in a function needs the value of the last call, which a function does not store</source>
-        <translation>En flanke i en funktion kræver værdien fra sidste kald, som en funktion ikke gemmer</translation>
-    </message>
-    <message>
-        <source>The result of {0} is used in several places and is computed in each</source>
-        <translation>Resultatet af {0} bruges flere steder og beregnes hvert sted</translation>
-    </message>
-    <message>
-        <source>The type of the result of {0} is not known; it is computed although EN is FALSE</source>
-        <translation>Typen af resultatet af {0} er ikke kendt; det beregnes, selv om EN er FALSE</translation>
-    </message>
-    <message>
-        <source>The library {0} is not part of Stepwise; uses of it are reported by the check</source>
-        <translation>Biblioteket {0} hører ikke til Stepwise; kontrollen melder, hvor det bruges</translation>
-    </message>
-    <message>
-        <source>Code in C is kept as a comment and is not executed</source>
-        <translation>Kode i C er bevaret som kommentar og udføres ikke</translation>
-    </message>
-    <message>
-        <source>There are two units named {0}; the second is in {1}</source>
-        <translation>Der er to programenheder med navnet {0}; den anden er i {1}</translation>
-    </message>
-    <message>
-        <source>The configuration of the devices was not read; assign the inputs and outputs again</source>
-        <translation>Enhedernes konfiguration blev ikke læst; tildel ind- og udgange igen</translation>
-    </message>
-    <message>
-        <source>The task {0} is started by the event {1}, which does not exist here; give it an INTERVAL or a SINGLE</source>
-        <translation>Tasken {0} startes af hændelsen {1}, som ikke findes her; giv den et INTERVAL eller et SINGLE</translation>
-    </message>
-    <message>
-        <source>{0} counts %MW1 in words, here it is counted in bytes; check that the addresses do not overlap</source>
-        <translation>{0} tæller %MW1 i ord, her tælles i byte; kontrollér, at adresserne ikke overlapper</translation>
-    </message>
-    <message>
-        <source>A comment outside of the elements was left out: {0}</source>
-        <translation>En kommentar uden for elementerne blev udeladt: {0}</translation>
-    </message>
-    <message>
-        <source>The diagram in {0} was not read: an expression repeats itself without end</source>
-        <translation>Diagrammet i {0} blev ikke læst: et udtryk gentager sig uden ende</translation>
-    </message>
-    <message>
-        <source>A condition in {0} needs the call of a block, which a condition cannot make</source>
-        <translation>En betingelse i {0} kræver et blokkald, som en betingelse ikke kan udføre</translation>
-    </message>
-    <message>
-        <source>The transition {0} is not a single expression and was not read</source>
-        <translation>Transitionen {0} er ikke et enkelt udtryk og blev ikke læst</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for panels; they were left out</source>
-        <translation>PLCopen XML har ingen plads til paneler; de blev udeladt</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for traces; they were left out</source>
-        <translation>PLCopen XML har ingen plads til traces; de blev udeladt</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for tests; they were left out</source>
-        <translation>PLCopen XML har ingen plads til tests; de blev udeladt</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for tests; the TEST &apos;{0}&apos; was left out</source>
-        <translation>PLCopen XML har ingen plads til tests; TEST ”{0}” blev udeladt</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for namespaces; a NAMESPACE was left out with its units</source>
-        <translation>PLCopen XML har ingen plads til navnerum; et NAMESPACE blev udeladt med sine programenheder</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for USING; it was left out</source>
-        <translation>PLCopen XML har ingen plads til USING; det blev udeladt</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for the name of the transition {0}; it was left out</source>
-        <translation>PLCopen XML har ingen plads til navnet på transitionen {0}; det blev udeladt</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has one indicator per action; {0} was left out</source>
-        <translation>PLCopen XML har én indikator pr. aktion; {0} blev udeladt</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no methods; {0} was left out</source>
-        <translation>Version 0201 har ingen metoder; {0} blev udeladt</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no properties; {0} was left out</source>
-        <translation>Version 0201 har ingen egenskaber; {0} blev udeladt</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no interfaces; {0} was left out</source>
-        <translation>Version 0201 har ingen interfaces; {0} blev udeladt</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no unions; {0} was left out</source>
-        <translation>Version 0201 har ingen unions; {0} blev udeladt</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no inheritance; EXTENDS or IMPLEMENTS of {0} was left out</source>
-        <translation>Version 0201 har ingen nedarvning; EXTENDS eller IMPLEMENTS i {0} blev udeladt</translation>
-    </message>
-    <message>
-        <source>Version 0201 does not have the type {0}; other tools will not know it</source>
-        <translation>Version 0201 har ikke typen {0}; andre værktøjer kender den ikke</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no place for the pragma {0} of a step; it was left out</source>
-        <translation>Version 0201 har ingen plads til pragmaet {0} på et trin; det blev udeladt</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no place for {0} of a task; it was left out</source>
-        <translation>Version 0201 har ingen plads til {0} for en task; det blev udeladt</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no place for the connections of the program {0}; they were left out</source>
-        <translation>Version 0201 har ingen plads til forbindelserne for programmet {0}; de blev udeladt</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no place for libraries; {0} was left out</source>
-        <translation>Version 0201 har ingen plads til biblioteker; {0} blev udeladt</translation>
-    </message>
-    <message>
-        <source>The file is no program source and was left out</source>
-        <translation>Filen er ingen programkilde og blev udeladt</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::ImportDialog</name>
-    <message>
-        <source>Place</source>
-        <translation>Sted</translation>
-    </message>
-    <message>
-        <source>Note</source>
-        <translation>Bemærkning</translation>
-    </message>
-    <message>
-        <source>Report</source>
-        <translation>Rapport</translation>
-    </message>
-    <message>
-        <source>Units: %1
-Bodies: %2
-Not kept: %3</source>
-        <translation>Programenheder: %1
-Kroppe: %2
-Ikke bevaret: %3</translation>
-    </message>
-    <message>
-        <source>Import a Project</source>
-        <translation>Importer et projekt</translation>
-    </message>
-    <message>
-        <source>PLCopen XML, TwinCAT or CODESYS files, structured text</source>
-        <translation>PLCopen XML, filer fra TwinCAT eller CODESYS, struktureret tekst</translation>
-    </message>
-    <message>
-        <source>File…</source>
-        <translation>Fil…</translation>
-    </message>
-    <message>
-        <source>Folder…</source>
-        <translation>Mappe…</translation>
-    </message>
-    <message>
-        <source>Source files</source>
-        <translation>Kildefiler</translation>
-    </message>
-    <message>
-        <source>Preview</source>
-        <translation>Forhåndsvisning</translation>
-    </message>
-    <message>
-        <source>Import</source>
-        <translation>Importer</translation>
-    </message>
-    <message>
-        <source>From:</source>
-        <translation>Fra:</translation>
-    </message>
-    <message>
-        <source>New project in:</source>
-        <translation>Nyt projekt i:</translation>
-    </message>
-    <message>
-        <source>Projects of other tools (%1)</source>
-        <translation>Projekter fra andre værktøjer (%1)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Alle filer (*)</translation>
-    </message>
-    <message>
-        <source>This folder is not empty; name a new one</source>
-        <translation>Denne mappe er ikke tom; angiv en ny</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::ExportDialog</name>
-    <message>
-        <source>Export the Project</source>
-        <translation>Eksporter projektet</translation>
-    </message>
-    <message>
-        <source>PLCopen XML 0200, for CODESYS and TwinCAT</source>
-        <translation>PLCopen XML 0200, til CODESYS og TwinCAT</translation>
-    </message>
-    <message>
-        <source>PLCopen XML 0201, for Beremiz and OpenPLC</source>
-        <translation>PLCopen XML 0201, til Beremiz og OpenPLC</translation>
-    </message>
-    <message>
-        <source>File…</source>
-        <translation>Fil…</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Eksporter</translation>
-    </message>
-    <message>
-        <source>Format:</source>
-        <translation>Format:</translation>
-    </message>
-    <message>
-        <source>To:</source>
-        <translation>Til:</translation>
-    </message>
-</context>
-<context>
-    <name>plc::editor::GraphView</name>
-    <message>
-        <source>Show all</source>
-        <translation>Vis alt</translation>
-    </message>
-    <message>
-        <source>Export as SVG, PNG or PDF…</source>
-        <translation>Eksporter som SVG, PNG eller PDF…</translation>
-    </message>
-    <message>
-        <source>Export the Drawing</source>
-        <translation>Eksporter tegningen</translation>
-    </message>
-    <message>
-        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
-        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written</source>
-        <translation>%1 kan ikke skrives</translation>
-    </message>
-    <message>
-        <source>Print…</source>
-        <translation>Udskriv…</translation>
-    </message>
-    <message>
-        <source>Fix the text first: this is the last good drawing</source>
-        <translation>Ret teksten først: dette er den sidste gyldige tegning</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::RenameDialog</name>
-    <message>
-        <source>Rename</source>
-        <translation>Omdøb</translation>
-    </message>
-    <message>
-        <source>New name of %1, in the whole project:</source>
-        <translation>Nyt navn til %1, i hele projektet:</translation>
-    </message>
-    <message>
-        <source>Place</source>
-        <translation>Sted</translation>
-    </message>
-    <message>
-        <source>Text</source>
-        <translation>Tekst</translation>
-    </message>
-    <message>
-        <source>Places that change</source>
-        <translation>Steder, der ændres</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n place(s) change:</source>
-        <translation>
-            <numerusform>%n sted ændres:</numerusform>
-            <numerusform>%n steder ændres:</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>DiskChange</name>
-    <message>
-        <source>Changed outside</source>
-        <translation>Ændret udefra</translation>
-    </message>
-    <message>
-        <source>%1 was changed by another program, and here too.</source>
-        <translation>%1 blev ændret af et andet program, og her også.</translation>
-    </message>
-    <message>
-        <source>Compare both side by side, load the file from disk and lose the changes made here, or keep what is here and replace the file with the next save?</source>
-        <translation>Sammenlign begge side om side, indlæs filen fra disken og mist ændringerne her, eller behold det, der er her, og erstat filen ved næste gem?</translation>
-    </message>
-    <message>
-        <source>Compare…</source>
-        <translation>Sammenlign…</translation>
-    </message>
-    <message>
-        <source>Load from Disk</source>
-        <translation>Indlæs fra disken</translation>
-    </message>
-    <message>
-        <source>Keep Mine</source>
-        <translation>Behold mine</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::InstanceBar</name>
-    <message>
-        <source>Instance whose values are shown</source>
-        <translation>Instans, hvis værdier vises</translation>
-    </message>
-    <message>
-        <source>Values of the instance of %1:</source>
-        <translation>Værdier for instansen af %1:</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::MergeDialog</name>
-    <message>
-        <source>Compare %1</source>
-        <translation>Sammenlign %1</translation>
-    </message>
-    <message>
-        <source>Previous</source>
-        <translation>Forrige</translation>
-    </message>
-    <message>
-        <source>Next</source>
-        <translation>Næste</translation>
-    </message>
-    <message>
-        <source>Take Over</source>
-        <translation>Overtag</translation>
-    </message>
-    <message>
-        <source>Take Over All</source>
-        <translation>Overtag alle</translation>
-    </message>
-    <message>
-        <source>Here (this text is kept)</source>
-        <translation>Her (denne tekst beholdes)</translation>
-    </message>
-    <message>
-        <source>On disk</source>
-        <translation>På disken</translation>
-    </message>
-    <message>
-        <source>Use the Text on the Left</source>
-        <translation>Brug teksten til venstre</translation>
-    </message>
-    <message>
-        <source>No differences</source>
-        <translation>Ingen forskelle</translation>
-    </message>
-    <message>
-        <source>Difference %1 of %2</source>
-        <translation>Forskel %1 af %2</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::PanelFiles</name>
-    <message>
-        <source>Texts</source>
-        <translation>Tekster</translation>
-    </message>
-    <message>
-        <source>Alarms</source>
-        <translation>Alarmer</translation>
-    </message>
-    <message>
-        <source>Panel %1</source>
-        <translation>Panel %1</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::RunsMenu</name>
-    <message>
-        <source>Earlier Runs</source>
-        <translation>Tidligere kørsler</translation>
-    </message>
-    <message>
-        <source>%1, ended by a fault, %2</source>
-        <translation>%1, afsluttet af en fejl, %2</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>The last run is being written…</source>
-        <translation>Den seneste kørsel skrives…</translation>
-    </message>
-    <message>
-        <source>No run has ended yet</source>
-        <translation>Ingen kørsel er slut endnu</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::TestView</name>
-    <message>
-        <source>Run all tests</source>
-        <translation>Kør alle tests</translation>
-    </message>
-    <message>
-        <source>Run the selected tests</source>
-        <translation>Kør de valgte tests</translation>
-    </message>
-    <message>
-        <source>Run the failed tests</source>
-        <translation>Kør de fejlede tests</translation>
-    </message>
-    <message>
-        <source>Test</source>
-        <translation>Test</translation>
-    </message>
-    <message>
-        <source>Result</source>
-        <translation>Resultat</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Tid</translation>
-    </message>
-    <message>
-        <source>Tests</source>
-        <translation>Tests</translation>
-    </message>
-    <message>
-        <source>%1 passed, %2 failed</source>
-        <translation>%1 bestået, %2 fejlet</translation>
-    </message>
-    <message>
-        <source>not run yet</source>
-        <translation>endnu ikke kørt</translation>
-    </message>
-    <message>
-        <source>passed</source>
-        <translation>bestået</translation>
-    </message>
-    <message>
-        <source>failed</source>
-        <translation>fejlet</translation>
-    </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
-    <message>
-        <source>Show the Recording of the Failure</source>
-        <translation>Vis optagelsen af fejlen</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::TextPage</name>
-    <message>
-        <source>Line %1: %2</source>
-        <translation>Linje %1: %2</translation>
-    </message>
-</context>
-<context>
-    <name>plc::editor::RunArchive</name>
-    <message>
-        <source>The recording of the last run was not kept: %1</source>
-        <translation>Optagelsen af den seneste kørsel blev ikke gemt: %1</translation>
-    </message>
-</context>
-<context>
-    <name>plc::editor::LadderView</name>
-    <message>
-        <source>Ladder or function block diagram</source>
-        <translation>Ladder- eller funktionsblokdiagram</translation>
-    </message>
-    <message>
-        <source>Insert a rung below (Ctrl+T)</source>
-        <translation>Indsæt et netværk nedenunder (Ctrl+T)</translation>
-    </message>
-    <message>
-        <source>Insert a contact on the left (Ctrl+K)</source>
-        <translation>Indsæt en kontakt til venstre (Ctrl+K)</translation>
-    </message>
-    <message>
-        <source>Insert a contact on the right (Ctrl+D)</source>
-        <translation>Indsæt en kontakt til højre (Ctrl+D)</translation>
-    </message>
-    <message>
-        <source>Insert a parallel contact (Ctrl+R)</source>
-        <translation>Indsæt en parallel kontakt (Ctrl+R)</translation>
-    </message>
-    <message>
-        <source>Insert a coil (Ctrl+A)</source>
-        <translation>Indsæt en spole (Ctrl+A)</translation>
-    </message>
-    <message>
-        <source>Insert a function block (Ctrl+B)</source>
-        <translation>Indsæt en funktionsblok (Ctrl+B)</translation>
-    </message>
-    <message>
-        <source>Edit (F2)</source>
-        <translation>Rediger (F2)</translation>
-    </message>
-    <message>
-        <source>Delete (Del)</source>
-        <translation>Slet (Del)</translation>
-    </message>
-    <message>
-        <source>Breakpoint on the rung (F9)</source>
-        <translation>Stoppunkt på netværket (F9)</translation>
-    </message>
-    <message>
-        <source>Show as a function block diagram</source>
-        <translation>Vis som funktionsblokdiagram</translation>
-    </message>
-    <message>
-        <source>Show as a ladder diagram</source>
-        <translation>Vis som ladderdiagram</translation>
-    </message>
-    <message>
-        <source>%1 is not in the text any more</source>
-        <translation>%1 er ikke længere i teksten</translation>
-    </message>
-    <message>
-        <source>The text has errors: this is the last good drawing</source>
-        <translation>Teksten har fejl: dette er den sidste gyldige tegning</translation>
-    </message>
-    <message>
-        <source>Fix the text first: this is the last good drawing</source>
-        <translation>Ret teksten først: dette er den sidste gyldige tegning</translation>
-    </message>
-    <message>
-        <source>Select a rung</source>
-        <translation>Vælg et netværk</translation>
-    </message>
-    <message>
-        <source>Select a coil</source>
-        <translation>Vælg en spole</translation>
-    </message>
-    <message>
-        <source>Select a contact, a coil or a pin with a variable</source>
-        <translation>Vælg en kontakt, en spole eller et ben med en variabel</translation>
-    </message>
-    <message>
-        <source>The rung has no contact yet</source>
-        <translation>Netværket har ingen kontakt endnu</translation>
-    </message>
-    <message>
-        <source>Select the rung that gets the block</source>
-        <translation>Vælg det netværk, der skal have blokken</translation>
-    </message>
-    <message>
-        <source>block</source>
-        <translation>blok</translation>
-    </message>
-    <message>
-        <source>Contact on the left; at a coil, the last contact</source>
-        <translation>Kontakt til venstre; ved en spole den sidste kontakt</translation>
-    </message>
-    <message>
-        <source>Contact on the right</source>
-        <translation>Kontakt til højre</translation>
-    </message>
-    <message>
-        <source>Parallel contact</source>
-        <translation>Parallel kontakt</translation>
-    </message>
-    <message>
-        <source>Coil</source>
-        <translation>Spole</translation>
-    </message>
-    <message>
-        <source>Function block in the rung</source>
-        <translation>Funktionsblok i netværket</translation>
-    </message>
-    <message>
-        <source>Rung above</source>
-        <translation>Netværk ovenover</translation>
-    </message>
-    <message>
-        <source>Rung below</source>
-        <translation>Netværk nedenunder</translation>
-    </message>
-    <message>
-        <source>Negate a contact, a coil or a pin</source>
-        <translation>Inverter en kontakt, en spole eller et ben</translation>
-    </message>
-    <message>
-        <source>Coil: normal, set, reset</source>
-        <translation>Spole: normal, sæt, nulstil</translation>
-    </message>
-    <message>
-        <source>Comment of the rung</source>
-        <translation>Netværkets kommentar</translation>
-    </message>
-    <message>
-        <source>Edit what is selected (or Enter)</source>
-        <translation>Rediger det valgte (eller Enter)</translation>
-    </message>
-    <message>
-        <source>Delete what is selected</source>
-        <translation>Slet det valgte</translation>
-    </message>
-    <message>
-        <source>Breakpoint on the rung</source>
-        <translation>Stoppunkt på netværket</translation>
-    </message>
-    <message>
-        <source>This list</source>
-        <translation>Denne liste</translation>
-    </message>
-    <message>
-        <source>Arrows</source>
-        <translation>Piletaster</translation>
-    </message>
-    <message>
-        <source>Select the next part; Up and Down also the next rung</source>
-        <translation>Vælg næste del; op og ned også næste netværk</translation>
-    </message>
-    <message>
-        <source>Move the rung up; with Down, down</source>
-        <translation>Flyt netværket op; med pil ned, ned</translation>
-    </message>
-    <message>
-        <source>Typed before a name: a negated contact</source>
-        <translation>Skrevet foran et navn: en inverteret kontakt</translation>
-    </message>
-    <message>
-        <source>Keys in Ladder and Function Block Diagrams</source>
-        <translation>Taster i ladder- og funktionsblokdiagrammer</translation>
-    </message>
-    <message>
-        <source>Insert a Rung Above</source>
-        <translation>Indsæt et netværk ovenover</translation>
-    </message>
-    <message>
-        <source>Insert a Rung Below</source>
-        <translation>Indsæt et netværk nedenunder</translation>
-    </message>
-    <message>
-        <source>Insert a Contact</source>
-        <translation>Indsæt en kontakt</translation>
-    </message>
-    <message>
-        <source>Insert a Parallel Contact</source>
-        <translation>Indsæt en parallel kontakt</translation>
-    </message>
-    <message>
-        <source>Insert a Coil</source>
-        <translation>Indsæt en spole</translation>
-    </message>
-    <message>
-        <source>Insert a Function Block…</source>
-        <translation>Indsæt en funktionsblok…</translation>
-    </message>
-    <message>
-        <source>Edit</source>
-        <translation>Rediger</translation>
-    </message>
-    <message>
-        <source>Comment…</source>
-        <translation>Kommentar…</translation>
-    </message>
-    <message>
-        <source>Negate</source>
-        <translation>Inverter</translation>
-    </message>
-    <message>
-        <source>Set or Reset</source>
-        <translation>Sæt eller nulstil</translation>
-    </message>
-    <message>
-        <source>Move the Rung Up</source>
-        <translation>Flyt netværket op</translation>
-    </message>
-    <message>
-        <source>Move the Rung Down</source>
-        <translation>Flyt netværket ned</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>Slet</translation>
-    </message>
-    <message>
-        <source>Force TRUE</source>
-        <translation>Forcer TRUE</translation>
-    </message>
-    <message>
-        <source>Force FALSE</source>
-        <translation>Forcer FALSE</translation>
-    </message>
-    <message>
-        <source>Release</source>
-        <translation>Ophæv forcering</translation>
-    </message>
-    <message>
-        <source>Toggle Breakpoint</source>
-        <translation>Slå stoppunkt til/fra</translation>
+        <source>%1, %2 earlier</source>
+        <translation>%1, %2 tidligere</translation>
     </message>
 </context>
 </TS>

@@ -517,6 +517,33 @@
     </message>
 </context>
 <context>
+    <name>DiskChange</name>
+    <message>
+        <source>Changed outside</source>
+        <translation>Außerhalb geändert</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program, and here too.</source>
+        <translation>%1 wurde von einem anderen Programm geändert und hier auch.</translation>
+    </message>
+    <message>
+        <source>Compare both side by side, load the file from disk and lose the changes made here, or keep what is here and replace the file with the next save?</source>
+        <translation>Beide nebeneinander vergleichen, die Datei von der Platte laden und die Änderungen hier verlieren, oder behalten, was hier steht, und die Datei beim nächsten Speichern ersetzen?</translation>
+    </message>
+    <message>
+        <source>Compare…</source>
+        <translation>Vergleichen…</translation>
+    </message>
+    <message>
+        <source>Load from Disk</source>
+        <translation>Von der Platte laden</translation>
+    </message>
+    <message>
+        <source>Keep Mine</source>
+        <translation>Meine behalten</translation>
+    </message>
+</context>
+<context>
     <name>EditHistory</name>
     <message>
         <source>&amp;Undo</source>
@@ -568,10 +595,6 @@
     <message>
         <source>the task ran longer than its watchdog time of {0}</source>
         <translation>die Task lief länger als ihre Watchdog-Zeit von {0}</translation>
-    </message>
-    <message>
-        <source>more than {0} loop passes and calls in one run of the task; check for an endless loop</source>
-        <translation>mehr als {0} Schleifendurchläufe und Aufrufe in einem Lauf der Task; auf eine Endlosschleife prüfen</translation>
     </message>
     <message>
         <source>calls are nested too deeply; check for endless recursion</source>
@@ -1338,10 +1361,6 @@
         <translation>Anweisungen in einer Zeile können nicht verschoben werden; trennen Sie sie zuerst im Text.</translation>
     </message>
     <message>
-        <source>The first input and the first output of {0} must be BOOL for it to stand in a rung.</source>
-        <translation>Der erste Eingang und der erste Ausgang von {0} müssen BOOL sein, damit er in einem Netzwerk Platz findet.</translation>
-    </message>
-    <message>
         <source>The rung reads what it writes; add this coil in a rung of its own.</source>
         <translation>Das Netzwerk liest, was es schreibt; fügen Sie diese Spule in einem eigenen Netzwerk hinzu.</translation>
     </message>
@@ -1578,7 +1597,7 @@
         <translation>{0} passt nicht in {1}</translation>
     </message>
     <message>
-        <source>STRING holds Latin-1 only; declare the variable as WSTRING</source>
+        <source>STRING contains Latin-1 only; declare the variable as WSTRING</source>
         <translation>STRING fasst nur Latin-1; deklarieren Sie die Variable als WSTRING</translation>
     </message>
     <message>
@@ -1846,14 +1865,570 @@
         <translation>{0} ist keine Anzahl von Zyklen</translation>
     </message>
     <message>
-        <source>{0} is not a time</source>
-        <translation>{0} ist keine Zeit</translation>
-        <source>This is no file that can be imported: PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
-        <translation>Diese Datei kann nicht importiert werden: gelesen werden PLCopen XML (.xml), TwinCAT (.TcPOU und so weiter), Text von CODESYS (.EXP, .export) und strukturierter Text (.st)</translation>
-    </message>
-    <message>
         <source>{0} is not a name: use letters, digits and underscores.</source>
         <translation>{0} ist kein gültiger Name; verwenden Sie Buchstaben, Ziffern und Unterstriche.</translation>
+    </message>
+    <message>
+        <source>{0} is not a time</source>
+        <translation>{0} ist keine Zeit</translation>
+    </message>
+    <message>
+        <source>This is not an XLIFF file</source>
+        <translation>Das ist keine XLIFF-Datei</translation>
+    </message>
+    <message>
+        <source>The XLIFF version {0} is not known; save the file as 1.2 or 2.0</source>
+        <translation>Die XLIFF-Version {0} ist nicht bekannt; speichern Sie die Datei als 1.2 oder 2.0</translation>
+    </message>
+    <message>
+        <source>The file does not say into which language it is translated</source>
+        <translation>Die Datei gibt nicht an, in welche Sprache sie übersetzt ist</translation>
+    </message>
+    <message>
+        <source>The XML is wrong: {0}</source>
+        <translation>Das XML ist fehlerhaft: {0}</translation>
+    </message>
+    <message>
+        <source>The text of the key {0} in {1} has changed since the export; check the translation</source>
+        <translation>Der Text des Schlüssels {0} in {1} hat sich seit dem Export geändert; prüfen Sie die Übersetzung</translation>
+    </message>
+    <message>
+        <source>The translation of the key {0} has other placeholders than its source, so it was not taken</source>
+        <translation>Die Übersetzung des Schlüssels {0} hat andere Platzhalter als ihre Quelle und wurde nicht übernommen</translation>
+    </message>
+    <message>
+        <source>The picture {0} is outside the project; copy it into the project, or set {1} to true under {2} in project.json</source>
+        <translation>Das Bild {0} liegt außerhalb des Projekts; kopieren Sie es in das Projekt, oder setzen Sie {1} unter {2} in project.json auf true</translation>
+    </message>
+    <message>
+        <source>The picture {0} is larger than {1} MB</source>
+        <translation>Das Bild {0} ist größer als {1} MB</translation>
+    </message>
+    <message>
+        <source>The picture {0} unpacks to more than {1} MB</source>
+        <translation>Das Bild {0} wird entpackt größer als {1} MB</translation>
+    </message>
+    <message>
+        <source>The picture {0} is {1} x {2} pixels; more than {3} million are not drawn</source>
+        <translation>Das Bild {0} hat {1} x {2} Pixel; mehr als {3} Millionen werden nicht gezeichnet</translation>
+    </message>
+    <message>
+        <source>{0} is not a picture in a known format such as PNG, JPEG or SVG</source>
+        <translation>{0} ist kein Bild in einem bekannten Format wie PNG, JPEG oder SVG</translation>
+    </message>
+    <message>
+        <source>The picture {0} draws more than {1} shapes</source>
+        <translation>Das Bild {0} zeichnet mehr als {1} Formen</translation>
+    </message>
+    <message>
+        <source>The shapes of the picture {0} are nested more than {1} deep or contain themselves</source>
+        <translation>Die Formen des Bildes {0} sind mehr als {1} tief verschachtelt oder enthalten sich selbst</translation>
+    </message>
+    <message>
+        <source>The picture {0} loads {1}; embed it in the picture as PNG or JPEG</source>
+        <translation>Das Bild {0} lädt {1}; betten Sie es als PNG oder JPEG in das Bild ein</translation>
+    </message>
+    <message>
+        <source>The picture {0} has dashed lines of more than {1} dashes</source>
+        <translation>Das Bild {0} hat gestrichelte Linien mit mehr als {1} Strichen</translation>
+    </message>
+    <message>
+        <source>This version does not know the property {0}; it is kept as it is</source>
+        <translation>Diese Version kennt die Eigenschaft {0} nicht; sie bleibt, wie sie ist</translation>
+    </message>
+    <message>
+        <source>This version does not know the property {0}; did you mean {1}?</source>
+        <translation>Diese Version kennt die Eigenschaft {0} nicht; meinten Sie {1}?</translation>
+    </message>
+    <message>
+        <source>The value must be true or false</source>
+        <translation>Der Wert muss true oder false sein</translation>
+    </message>
+    <message>
+        <source>The value must be a whole number</source>
+        <translation>Der Wert muss eine ganze Zahl sein</translation>
+    </message>
+    <message>
+        <source>The value must be a number</source>
+        <translation>Der Wert muss eine Zahl sein</translation>
+    </message>
+    <message>
+        <source>The value must be a list of two numbers: width and height</source>
+        <translation>Der Wert muss eine Liste aus zwei Zahlen sein: Breite und Höhe</translation>
+    </message>
+    <message>
+        <source>The value must be a list of four numbers: x, y, width and height</source>
+        <translation>Der Wert muss eine Liste aus vier Zahlen sein: x, y, Breite und Höhe</translation>
+    </message>
+    <message>
+        <source>The value must be a list of points, each a list of two numbers</source>
+        <translation>Der Wert muss eine Liste von Punkten sein, jeder eine Liste aus zwei Zahlen</translation>
+    </message>
+    <message>
+        <source>The value must be an object with an expression for each name</source>
+        <translation>Der Wert muss ein Objekt mit einem Ausdruck je Name sein</translation>
+    </message>
+    <message>
+        <source>The value must be a list of objects</source>
+        <translation>Der Wert muss eine Liste von Objekten sein</translation>
+    </message>
+    <message>
+        <source>The value must be a text in quotes</source>
+        <translation>Der Wert muss ein Text in Anführungszeichen sein</translation>
+    </message>
+    <message>
+        <source>{0} is not one of the choices: {1}</source>
+        <translation>{0} ist keine der Möglichkeiten: {1}</translation>
+    </message>
+    <message>
+        <source>{0} is not a colour; use the name of a role of the theme or a value such as {1}</source>
+        <translation>{0} ist keine Farbe; verwenden Sie den Namen einer Rolle des Farbschemas oder einen Wert wie {1}</translation>
+    </message>
+    <message>
+        <source>{0} is not a colour; did you mean {1}?</source>
+        <translation>{0} ist keine Farbe; meinten Sie {1}?</translation>
+    </message>
+    <message>
+        <source>{0} ({1}) must be greater than {2} ({3})</source>
+        <translation>{0} ({1}) muss größer als {2} ({3}) sein</translation>
+    </message>
+    <message>
+        <source>The panel has no group or tab {0}</source>
+        <translation>Das Panel hat keine Gruppe und keine Registerkarten {0}</translation>
+    </message>
+    <message>
+        <source>The group {0} contains itself</source>
+        <translation>Die Gruppe {0} enthält sich selbst</translation>
+    </message>
+    <message>
+        <source>{0} has no page {1}; its {2} {2:page is|pages are} numbered from 0</source>
+        <translation>{0} hat keine Seite {1}; {2:die eine Seite hat die Nummer 0|die {2} Seiten sind ab 0 nummeriert}</translation>
+    </message>
+    <message>
+        <source>The format {0} needs a number, and {1} is none; use {2}</source>
+        <translation>Das Format {0} braucht eine Zahl, und {1} ist keine; verwenden Sie {2}</translation>
+    </message>
+    <message>
+        <source>The project has no language {0}, so operators never see this column; add it to the languages in project.json</source>
+        <translation>Das Projekt hat die Sprache {0} nicht, Bediener sehen diese Spalte also nie; fügen Sie sie in project.json zu den Sprachen hinzu</translation>
+    </message>
+    <message>
+        <source>Nothing says what this does; give it a text, or place one beside it</source>
+        <translation>Nichts sagt, was das bewirkt; geben Sie ihm einen Text, oder setzen Sie einen daneben</translation>
+    </message>
+    <message>
+        <source>{0} is between {1} and {2} in the recording, so the range from {3} to {4} cuts it off</source>
+        <translation>{0} liegt in der Aufzeichnung zwischen {1} und {2}, der Bereich von {3} bis {4} schneidet also etwas ab</translation>
+    </message>
+    <message>
+        <source>{0} is not between {1} and {2}; {3} is used</source>
+        <translation>{0} liegt nicht zwischen {1} und {2}; verwendet wird {3}</translation>
+    </message>
+    <message>
+        <source>The faceplate does not say which panel it shows</source>
+        <translation>Das Faceplate gibt nicht an, welches Panel angezeigt wird</translation>
+    </message>
+    <message>
+        <source>The panel {0} contains this one, so it cannot be placed in it</source>
+        <translation>Das Panel {0} enthält dieses hier und kann deshalb nicht darin platziert werden</translation>
+    </message>
+    <message>
+        <source>The panel {0} has no parameter {1}</source>
+        <translation>Das Panel {0} hat keinen Parameter {1}</translation>
+    </message>
+    <message>
+        <source>The program has no type {0}; name a block or a structure, BOOL, REAL or the like, or text</source>
+        <translation>Das Programm hat keinen Typ {0}; geben Sie einen Baustein oder eine Struktur an, BOOL, REAL oder dergleichen, oder text</translation>
+    </message>
+    <message>
+        <source>The parameter {0} needs an argument of type {1}</source>
+        <translation>Der Parameter {0} braucht ein Argument vom Typ {1}</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; the parameter {2} needs {3}</source>
+        <translation>{0} ist {1}; der Parameter {2} braucht {3}</translation>
+    </message>
+    <message>
+        <source>{0} (tried with {1})</source>
+        <translation>{0} (versucht mit {1})</translation>
+    </message>
+    <message>
+        <source>The program was not built from sources.</source>
+        <translation>Das Programm wurde nicht aus Quelltexten übersetzt.</translation>
+    </message>
+    <message>
+        <source>The recording does not contain the program of this scan.</source>
+        <translation>Die Aufzeichnung enthält das Programm dieses Zyklus nicht.</translation>
+    </message>
+    <message>
+        <source>This scan is no longer in the recording.</source>
+        <translation>Dieser Zyklus ist nicht mehr in der Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>The scan before it is not in the recording, so the values with which this scan began are not known.</source>
+        <translation>Der Zyklus davor ist nicht in der Aufzeichnung; die Werte, mit denen dieser Zyklus begann, sind daher nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>The users and roles are not valid JSON</source>
+        <translation>Die Benutzer und Rollen sind kein gültiges JSON</translation>
+    </message>
+    <message>
+        <source>A role has no name</source>
+        <translation>Eine Rolle hat keinen Namen</translation>
+    </message>
+    <message>
+        <source>Two roles are named {0}</source>
+        <translation>Zwei Rollen heißen {0}</translation>
+    </message>
+    <message>
+        <source>There is no role {0}</source>
+        <translation>Die Rolle {0} gibt es nicht</translation>
+    </message>
+    <message>
+        <source>A user has no name</source>
+        <translation>Ein Benutzer hat keinen Namen</translation>
+    </message>
+    <message>
+        <source>Two users are named {0}</source>
+        <translation>Zwei Benutzer heißen {0}</translation>
+    </message>
+    <message>
+        <source>There is no user {0}</source>
+        <translation>Den Benutzer {0} gibt es nicht</translation>
+    </message>
+    <message>
+        <source>The password cannot be kept: {0}</source>
+        <translation>Das Passwort kann nicht abgelegt werden: {0}</translation>
+    </message>
+    <message>
+        <source>A password needs at least {0} characters</source>
+        <translation>Ein Passwort braucht mindestens {0} Zeichen</translation>
+    </message>
+    <message>
+        <source>The password must not be the name of the user</source>
+        <translation>Das Passwort darf nicht der Name des Benutzers sein</translation>
+    </message>
+    <message>
+        <source>The audit trail cannot be written: {0}</source>
+        <translation>Das Audit-Protokoll kann nicht geschrieben werden: {0}</translation>
+    </message>
+    <message>
+        <source>The audit trail cannot be read: {0}</source>
+        <translation>Das Audit-Protokoll kann nicht gelesen werden: {0}</translation>
+    </message>
+    <message>
+        <source>The frame {0} has no panel area, so no panel is seen in it</source>
+        <translation>Der Rahmen {0} hat keinen Panelbereich, darin ist also kein Panel zu sehen</translation>
+    </message>
+    <message>
+        <source>Only for the roles {0}, but the project has no users; anybody may operate it</source>
+        <translation>Nur für die Rollen {0}, aber das Projekt hat keine Benutzer; jeder darf es bedienen</translation>
+    </message>
+    <message>
+        <source>The recipes are not valid JSON</source>
+        <translation>Die Rezepte sind kein gültiges JSON</translation>
+    </message>
+    <message>
+        <source>A recipe has no name</source>
+        <translation>Ein Rezept hat keinen Namen</translation>
+    </message>
+    <message>
+        <source>Two recipes are named {0}</source>
+        <translation>Zwei Rezepte heißen {0}</translation>
+    </message>
+    <message>
+        <source>A row of a recipe names no variable</source>
+        <translation>Eine Zeile eines Rezepts nennt keine Variable</translation>
+    </message>
+    <message>
+        <source>The recipe has the variable {0} twice</source>
+        <translation>Das Rezept enthält die Variable {0} doppelt</translation>
+    </message>
+    <message>
+        <source>A set of a recipe has no name</source>
+        <translation>Ein Datensatz eines Rezepts hat keinen Namen</translation>
+    </message>
+    <message>
+        <source>Two sets of the recipe are named {0}</source>
+        <translation>Zwei Datensätze des Rezepts heißen {0}</translation>
+    </message>
+    <message>
+        <source>The first column must be named variable, and each set has a column of its own</source>
+        <translation>Die erste Spalte muss variable heißen, und jeder Datensatz hat eine eigene Spalte</translation>
+    </message>
+    <message>
+        <source>The recipe {0} has no variable {1}</source>
+        <translation>Das Rezept {0} hat keine Variable {1}</translation>
+    </message>
+    <message>
+        <source>There is no recipe {0}</source>
+        <translation>Das Rezept {0} gibt es nicht</translation>
+    </message>
+    <message>
+        <source>The recipe {0} has no set {1}</source>
+        <translation>Das Rezept {0} hat keinen Datensatz {1}</translation>
+    </message>
+    <message>
+        <source>The set {0} has no value for {1}</source>
+        <translation>Der Datensatz {0} hat keinen Wert für {1}</translation>
+    </message>
+    <message>
+        <source>{0} is outside the limits of {1}, {2} to {3}</source>
+        <translation>{0} liegt außerhalb der Grenzen von {1}, {2} bis {3}</translation>
+    </message>
+    <message>
+        <source>The list of shelved alarms cannot be read, so none is shelved: {0}</source>
+        <translation>Die Liste der zurückgestellten Alarme kann nicht gelesen werden; es ist also keiner zurückgestellt: {0}</translation>
+    </message>
+    <message>
+        <source>The list of shelved alarms cannot be written: {0}</source>
+        <translation>Die Liste der zurückgestellten Alarme kann nicht geschrieben werden: {0}</translation>
+    </message>
+</context>
+<context>
+    <name>Exchange</name>
+    <message>
+        <source>The file is written in {0}</source>
+        <translation>Die Datei ist in {0} geschrieben</translation>
+    </message>
+    <message>
+        <source>The file was not read: {0}</source>
+        <translation>Die Datei wurde nicht gelesen: {0}</translation>
+    </message>
+    <message>
+        <source>The element {0} was not read</source>
+        <translation>Das Element {0} wurde nicht gelesen</translation>
+    </message>
+    <message>
+        <source>The vendor&apos;s data {0} is kept in exchange.json</source>
+        <translation>Die Herstellerdaten {0} sind in exchange.json aufbewahrt</translation>
+    </message>
+    <message>
+        <source>The body in {0} became structured text; the diagram is kept in exchange.json</source>
+        <translation>Der Rumpf von {0} wurde zu strukturiertem Text; das Diagramm ist in exchange.json aufbewahrt</translation>
+    </message>
+    <message>
+        <source>The body in {0} is stored in a form that only its own editor reads; export it there as PLCopen XML</source>
+        <translation>Der Rumpf von {0} ist in einer Form gespeichert, die nur der eigene Editor liest; exportieren Sie ihn dort als PLCopen XML</translation>
+    </message>
+    <message>
+        <source>A jump leads to the step {0}, which does not exist</source>
+        <translation>Ein Sprung führt zum Schritt {0}, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>The element {0} of the chart is not connected and was left out</source>
+        <translation>Das Element {0} der Schrittkette ist nicht verbunden und wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>The transition from {0} has no condition; it is written as FALSE</source>
+        <translation>Die Transition von {0} hat keine Bedingung; sie ist als FALSE geschrieben</translation>
+    </message>
+    <message>
+        <source>The element {0} takes part in a loop without a block that stores a value; its last value is not kept</source>
+        <translation>Das Element {0} gehört zu einer Schleife ohne Baustein, der einen Wert speichert; sein letzter Wert bleibt nicht erhalten</translation>
+    </message>
+    <message>
+        <source>The element {0} is not connected and was left out</source>
+        <translation>Das Element {0} ist nicht verbunden und wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>An edge in a function needs the value of the last call, which a function does not store</source>
+        <translation>Eine Flanke in einer Funktion braucht den Wert des letzten Aufrufs, den eine Funktion nicht speichert</translation>
+    </message>
+    <message>
+        <source>The result of {0} is used in several places and is computed in each</source>
+        <translation>Das Ergebnis von {0} wird an mehreren Stellen verwendet und an jeder berechnet</translation>
+    </message>
+    <message>
+        <source>The type of the result of {0} is not known; it is computed although EN is FALSE</source>
+        <translation>Der Typ des Ergebnisses von {0} ist nicht bekannt; es wird berechnet, obwohl EN FALSE ist</translation>
+    </message>
+    <message>
+        <source>The library {0} is not part of Stepwise; uses of it are reported by the check</source>
+        <translation>Die Bibliothek {0} gehört nicht zu Stepwise; die Prüfung meldet ihre Verwendungen</translation>
+    </message>
+    <message>
+        <source>Code in C is kept as a comment and is not executed</source>
+        <translation>Code in C bleibt als Kommentar erhalten und wird nicht ausgeführt</translation>
+    </message>
+    <message>
+        <source>There are two units named {0}; the second is in {1}</source>
+        <translation>Es gibt zwei Bausteine namens {0}; der zweite steht in {1}</translation>
+    </message>
+    <message>
+        <source>The configuration of the devices was not read; assign the inputs and outputs again</source>
+        <translation>Die Konfiguration der Geräte wurde nicht gelesen; weisen Sie die Ein- und Ausgänge neu zu</translation>
+    </message>
+    <message>
+        <source>The task {0} is started by the event {1}, which does not exist here; give it an INTERVAL or a SINGLE</source>
+        <translation>Die Task {0} startet mit dem Ereignis {1}, das es hier nicht gibt; geben Sie ihr ein INTERVAL oder ein SINGLE</translation>
+    </message>
+    <message>
+        <source>{0} counts %MW1 in words, here it is counted in bytes; check that the addresses do not overlap</source>
+        <translation>{0} zählt %MW1 in Wörtern, hier zählt es in Bytes; prüfen Sie, dass sich die Adressen nicht überlappen</translation>
+    </message>
+    <message>
+        <source>A comment outside of the elements was left out: {0}</source>
+        <translation>Ein Kommentar außerhalb der Elemente wurde ausgelassen: {0}</translation>
+    </message>
+    <message>
+        <source>The diagram in {0} was not read: an expression repeats itself without end</source>
+        <translation>Das Diagramm in {0} wurde nicht gelesen: Ein Ausdruck wiederholt sich endlos</translation>
+    </message>
+    <message>
+        <source>A condition in {0} needs the call of a block, which a condition cannot make</source>
+        <translation>Eine Bedingung in {0} braucht den Aufruf eines Bausteins, den eine Bedingung nicht ausführen kann</translation>
+    </message>
+    <message>
+        <source>The transition {0} is not a single expression and was not read</source>
+        <translation>Die Transition {0} ist kein einzelner Ausdruck und wurde nicht gelesen</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for panels; they were left out</source>
+        <translation>PLCopen XML hat keinen Platz für Panels; sie wurden ausgelassen</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for traces; they were left out</source>
+        <translation>PLCopen XML hat keinen Platz für Traces; sie wurden ausgelassen</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for tests; they were left out</source>
+        <translation>PLCopen XML hat keinen Platz für Tests; sie wurden ausgelassen</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for tests; the TEST &apos;{0}&apos; was left out</source>
+        <translation>PLCopen XML hat keinen Platz für Tests; der TEST „{0}“ wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for namespaces; a NAMESPACE was left out with its units</source>
+        <translation>PLCopen XML hat keinen Platz für Namensräume; ein NAMESPACE wurde mit seinen Bausteinen ausgelassen</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for USING; it was left out</source>
+        <translation>PLCopen XML hat keinen Platz für USING; es wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for the name of the transition {0}; it was left out</source>
+        <translation>PLCopen XML hat keinen Platz für den Namen der Transition {0}; er wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has one indicator per action; {0} was left out</source>
+        <translation>PLCopen XML hat eine Rückmeldevariable je Aktion; {0} wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no methods; {0} was left out</source>
+        <translation>Version 0201 hat keine Methoden; {0} wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no properties; {0} was left out</source>
+        <translation>Version 0201 hat keine Eigenschaften; {0} wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no interfaces; {0} was left out</source>
+        <translation>Version 0201 hat keine Schnittstellen; {0} wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no unions; {0} was left out</source>
+        <translation>Version 0201 hat keine Unions; {0} wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no inheritance; EXTENDS or IMPLEMENTS of {0} was left out</source>
+        <translation>Version 0201 hat keine Vererbung; EXTENDS oder IMPLEMENTS von {0} wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>Version 0201 does not have the type {0}; other tools will not know it</source>
+        <translation>Version 0201 kennt den Typ {0} nicht; andere Werkzeuge werden ihn nicht kennen</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for the pragma {0} of a step; it was left out</source>
+        <translation>Version 0201 hat keinen Platz für das Pragma {0} eines Schritts; es wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for {0} of a task; it was left out</source>
+        <translation>Version 0201 hat keinen Platz für {0} einer Task; es wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for the connections of the program {0}; they were left out</source>
+        <translation>Version 0201 hat keinen Platz für die Verbindungen des Programms {0}; sie wurden ausgelassen</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for libraries; {0} was left out</source>
+        <translation>Version 0201 hat keinen Platz für Bibliotheken; {0} wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>The file is no program source and was left out</source>
+        <translation>Die Datei ist kein Programmquelltext und wurde ausgelassen</translation>
+    </message>
+</context>
+<context>
+    <name>Fixes</name>
+    <message>
+        <source>Replace with {0}</source>
+        <translation>Durch {0} ersetzen</translation>
+    </message>
+    <message>
+        <source>Insert {0}</source>
+        <translation>{0} einfügen</translation>
+    </message>
+    <message>
+        <source>Did you mean {0}?</source>
+        <translation>Meinten Sie {0}?</translation>
+    </message>
+    <message>
+        <source>Convert with {0}</source>
+        <translation>Mit {0} konvertieren</translation>
+    </message>
+    <message>
+        <source>Move {0} to {1}</source>
+        <translation>{0} nach {1} verschieben</translation>
+    </message>
+    <message>
+        <source>Add the property {0}</source>
+        <translation>Eigenschaft {0} hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add the method {0}</source>
+        <translation>Methode {0} hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add the missing branches</source>
+        <translation>Fehlende Zweige hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add ELSE</source>
+        <translation>ELSE hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add () to call it</source>
+        <translation>Mit () aufrufen</translation>
+    </message>
+    <message>
+        <source>Compare with 0</source>
+        <translation>Mit 0 vergleichen</translation>
+    </message>
+    <message>
+        <source>Remove the unused declaration</source>
+        <translation>Nicht verwendete Deklaration entfernen</translation>
+    </message>
+    <message>
+        <source>Replace with IF and ELSIF</source>
+        <translation>Durch IF und ELSIF ersetzen</translation>
+    </message>
+    <message>
+        <source>Change to a WSTRING literal</source>
+        <translation>In ein WSTRING-Literal ändern</translation>
+    </message>
+    <message>
+        <source>Replace with straight quotes</source>
+        <translation>Durch gerade Anführungszeichen ersetzen</translation>
+    </message>
+    <message>
+        <source>Make {0} the initial step</source>
+        <translation>{0} zum Initialschritt machen</translation>
+    </message>
+    <message>
+        <source>Dereference the pointer with ^</source>
+        <translation>Zeiger mit ^ dereferenzieren</translation>
     </message>
 </context>
 <context>
@@ -1879,8 +2454,8 @@
         <translation>Ein ST-Ausdruck</translation>
     </message>
     <message>
-        <source>Shown to the operator. A typed text gets its key by itself; @key names one.</source>
-        <translation>Wird dem Bediener angezeigt. Eingegebener Text erhält automatisch einen Schlüssel; mit @Schlüssel wählen Sie einen vorhandenen.</translation>
+        <source>Shown to the operator. A typed text gets its key automatically; @key uses an existing one.</source>
+        <translation>Wird dem Bediener angezeigt. Eingegebener Text erhält automatisch einen Schlüssel; @Schlüssel verwendet einen vorhandenen.</translation>
     </message>
     <message>
         <source>X</source>
@@ -2087,7 +2662,7 @@
         <translation>Registerkarte</translation>
     </message>
     <message>
-        <source>Place and size</source>
+        <source>Position and size</source>
         <translation>Position und Größe</translation>
     </message>
     <message>
@@ -2367,11 +2942,11 @@
         <translation>Orientierung</translation>
     </message>
     <message>
-        <source>Shows the value</source>
+        <source>Show the value</source>
         <translation>Wert anzeigen</translation>
     </message>
     <message>
-        <source>Turning knob</source>
+        <source>Rotary knob</source>
         <translation>Drehknopf</translation>
     </message>
     <message>
@@ -2407,7 +2982,7 @@
         <translation>Maske (# Ziffer, A Buchstabe, * beliebig)</translation>
     </message>
     <message>
-        <source>Hides the value</source>
+        <source>Hide the value</source>
         <translation>Wert verbergen</translation>
     </message>
     <message>
@@ -2547,7 +3122,7 @@
         <translation>Erster Index</translation>
     </message>
     <message>
-        <source>Shows the numbers</source>
+        <source>Show the numbers</source>
         <translation>Nummern anzeigen</translation>
     </message>
     <message>
@@ -2715,7 +3290,7 @@
         <translation>Geometrie</translation>
     </message>
     <message>
-        <source>Look</source>
+        <source>Appearance</source>
         <translation>Aussehen</translation>
     </message>
     <message>
@@ -2726,12 +3301,953 @@
         <source>Motion</source>
         <translation>Bewegung</translation>
     </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Type (a block, a structure, BOOL, REAL, text)</source>
+        <translation>Typ (ein Baustein, eine Struktur, BOOL, REAL, text)</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>Vorgabe</translation>
+    </message>
+    <message>
+        <source>Faceplate</source>
+        <translation>Faceplate</translation>
+    </message>
+    <message>
+        <source>Arguments</source>
+        <translation>Argumente</translation>
+    </message>
+    <message>
+        <source>Adapts to the screen by</source>
+        <translation>Passt sich dem Bildschirm an durch</translation>
+    </message>
+    <message>
+        <source>On a tall screen</source>
+        <translation>Auf hohem Bildschirm</translation>
+    </message>
+    <message>
+        <source>Shown in the frame</source>
+        <translation>Im Rahmen angezeigt</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>Panel to show</source>
+        <translation>Anzuzeigendes Panel</translation>
+    </message>
+    <message>
+        <source>First-out group</source>
+        <translation>Erstmeldegruppe</translation>
+    </message>
+    <message>
+        <source>Horizontal anchor</source>
+        <translation>Anker waagrecht</translation>
+    </message>
+    <message>
+        <source>Vertical anchor</source>
+        <translation>Anker senkrecht</translation>
+    </message>
+    <message>
+        <source>Only for the roles</source>
+        <translation>Nur für die Rollen</translation>
+    </message>
+    <message>
+        <source>For all others</source>
+        <translation>Für alle anderen</translation>
+    </message>
+    <message>
+        <source>Writes are confirmed</source>
+        <translation>Schreiben wird bestätigt</translation>
+    </message>
+    <message>
+        <source>Navigation bar</source>
+        <translation>Navigationsleiste</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Panels</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>Benutzer</translation>
+    </message>
+    <message>
+        <source>Recipe</source>
+        <translation>Rezept</translation>
+    </message>
+    <message>
+        <source>Alarm statistics</source>
+        <translation>Alarmstatistik</translation>
+    </message>
+    <message>
+        <source>Hours to look back</source>
+        <translation>Betrachtete Stunden</translation>
+    </message>
+    <message>
+        <source>Panel area</source>
+        <translation>Panelbereich</translation>
+    </message>
+</context>
+<context>
+    <name>HmiChoices</name>
+    <message>
+        <source>Dot</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>Start sign</source>
+        <translation>Startzeichen</translation>
+    </message>
+    <message>
+        <source>Stop sign</source>
+        <translation>Stoppzeichen</translation>
+    </message>
+    <message>
+        <source>Pause sign</source>
+        <translation>Pausezeichen</translation>
+    </message>
+    <message>
+        <source>Plus</source>
+        <translation>Pluszeichen</translation>
+    </message>
+    <message>
+        <source>Minus</source>
+        <translation>Minuszeichen</translation>
+    </message>
+    <message>
+        <source>House</source>
+        <translation>Haus</translation>
+    </message>
+    <message>
+        <source>Circular arrow</source>
+        <translation>Kreispfeil</translation>
+    </message>
+    <message>
+        <source>Time of day</source>
+        <translation>Uhrzeit</translation>
+    </message>
+    <message>
+        <source>By time</source>
+        <translation>Nach Zeit</translation>
+    </message>
+    <message>
+        <source>Solid</source>
+        <translation>Durchgezogen</translation>
+    </message>
+    <message>
+        <source>Dashed</source>
+        <translation>Gestrichelt</translation>
+    </message>
+    <message>
+        <source>Dotted</source>
+        <translation>Gepunktet</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>At the start</source>
+        <translation>Am Anfang</translation>
+    </message>
+    <message>
+        <source>Centred</source>
+        <translation>Zentriert</translation>
+    </message>
+    <message>
+        <source>At the end</source>
+        <translation>Am Ende</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>Hoher Kontrast</translation>
+    </message>
+    <message>
+        <source>Arrow</source>
+        <translation>Pfeil</translation>
+    </message>
+    <message>
+        <source>Arc line</source>
+        <translation>Bogenlinie</translation>
+    </message>
+    <message>
+        <source>Pie</source>
+        <translation>Kreisausschnitt</translation>
+    </message>
+    <message>
+        <source>Chord</source>
+        <translation>Kreisabschnitt</translation>
+    </message>
+    <message>
+        <source>Show all of it</source>
+        <translation>Ganz anzeigen</translation>
+    </message>
+    <message>
+        <source>Fill the frame</source>
+        <translation>Rahmen ausfüllen</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>Strecken</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Unten</translation>
+    </message>
+    <message>
+        <source>Momentary</source>
+        <translation>Tastend</translation>
+    </message>
+    <message>
+        <source>Toggle</source>
+        <translation>Umschalten</translation>
+    </message>
+    <message>
+        <source>Set to TRUE</source>
+        <translation>Auf TRUE setzen</translation>
+    </message>
+    <message>
+        <source>Set to FALSE</source>
+        <translation>Auf FALSE setzen</translation>
+    </message>
+    <message>
+        <source>Write a value</source>
+        <translation>Wert schreiben</translation>
+    </message>
+    <message>
+        <source>Go to a panel</source>
+        <translation>Zu einem Panel gehen</translation>
+    </message>
+    <message>
+        <source>Change the language</source>
+        <translation>Sprache wechseln</translation>
+    </message>
+    <message>
+        <source>Acknowledge alarms</source>
+        <translation>Alarme quittieren</translation>
+    </message>
+    <message>
+        <source>Horizontal</source>
+        <translation>Waagrecht</translation>
+    </message>
+    <message>
+        <source>Vertical</source>
+        <translation>Senkrecht</translation>
+    </message>
+    <message>
+        <source>Date and time of day</source>
+        <translation>Datum und Uhrzeit</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Calendar week</source>
+        <translation>Kalenderwoche</translation>
+    </message>
+    <message>
+        <source>Round</source>
+        <translation>Rund</translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation>Quadratisch</translation>
+    </message>
+    <message>
+        <source>Rounded</source>
+        <translation>Abgerundet</translation>
+    </message>
+    <message>
+        <source>Dished ends</source>
+        <translation>Gewölbte Böden</translation>
+    </message>
+    <message>
+        <source>Flat ends</source>
+        <translation>Ebene Böden</translation>
+    </message>
+    <message>
+        <source>Hopper</source>
+        <translation>Trichter</translation>
+    </message>
+    <message>
+        <source>Open at the top</source>
+        <translation>Oben offen</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Auswählen</translation>
+    </message>
+    <message>
+        <source>Present alarms</source>
+        <translation>Anstehende Alarme</translation>
+    </message>
+    <message>
+        <source>Alarm history</source>
+        <translation>Alarmhistorie</translation>
+    </message>
+    <message>
+        <source>By priority</source>
+        <translation>Nach Priorität</translation>
+    </message>
+    <message>
+        <source>Buttons</source>
+        <translation>Schaltflächen</translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <translation>Menü</translation>
+    </message>
+    <message>
+        <source>In their own language</source>
+        <translation>In der eigenen Sprache</translation>
+    </message>
+    <message>
+        <source>Language tags</source>
+        <translation>Sprachkürzel</translation>
+    </message>
+    <message>
+        <source>Motor</source>
+        <translation>Motor</translation>
+    </message>
+    <message>
+        <source>Pump</source>
+        <translation>Pumpe</translation>
+    </message>
+    <message>
+        <source>Valve</source>
+        <translation>Ventil</translation>
+    </message>
+    <message>
+        <source>Tank</source>
+        <translation>Behälter</translation>
+    </message>
+    <message>
+        <source>Silo</source>
+        <translation>Silo</translation>
+    </message>
+    <message>
+        <source>Conveyor</source>
+        <translation>Förderband</translation>
+    </message>
+    <message>
+        <source>Agitator</source>
+        <translation>Rührwerk</translation>
+    </message>
+    <message>
+        <source>Heater</source>
+        <translation>Heizung</translation>
+    </message>
+    <message>
+        <source>Fan</source>
+        <translation>Ventilator</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>Sensor</translation>
+    </message>
+    <message>
+        <source>Lamp</source>
+        <translation>Lampe</translation>
+    </message>
+    <message>
+        <source>Siren</source>
+        <translation>Sirene</translation>
+    </message>
+    <message>
+        <source>Lorry</source>
+        <translation>Lkw</translation>
+    </message>
+    <message>
+        <source>Vehicle</source>
+        <translation>Fahrzeug</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Hintergrund</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Raised surface</source>
+        <translation>Erhabene Fläche</translation>
+    </message>
+    <message>
+        <source>Sunken surface</source>
+        <translation>Vertiefte Fläche</translation>
+    </message>
+    <message>
+        <source>Line colour</source>
+        <translation>Linienfarbe</translation>
+    </message>
+    <message>
+        <source>Faint line</source>
+        <translation>Schwache Linie</translation>
+    </message>
+    <message>
+        <source>Text colour</source>
+        <translation>Textfarbe</translation>
+    </message>
+    <message>
+        <source>Muted text</source>
+        <translation>Gedämpfter Text</translation>
+    </message>
+    <message>
+        <source>Button colour</source>
+        <translation>Farbe der Schaltfläche</translation>
+    </message>
+    <message>
+        <source>Accent</source>
+        <translation>Akzent</translation>
+    </message>
+    <message>
+        <source>Switched off</source>
+        <translation>Ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>In Betrieb</translation>
+    </message>
+    <message>
+        <source>Liquid</source>
+        <translation>Flüssigkeit</translation>
+    </message>
+    <message>
+        <source>Pipe colour</source>
+        <translation>Rohrfarbe</translation>
+    </message>
+    <message>
+        <source>Measured value</source>
+        <translation>Messwert</translation>
+    </message>
+    <message>
+        <source>Lit segment</source>
+        <translation>Leuchtendes Segment</translation>
+    </message>
+    <message>
+        <source>Display glass</source>
+        <translation>Anzeigeglas</translation>
+    </message>
+    <message>
+        <source>Alarm colour</source>
+        <translation>Alarmfarbe</translation>
+    </message>
+    <message>
+        <source>High priority</source>
+        <translation>Hohe Priorität</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>Low priority</source>
+        <translation>Niedrige Priorität</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation>Rot</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation>Orange</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation>Gelb</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Grün</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Blau</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>Weiß</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>Schwarz</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Grau</translation>
+    </message>
+    <message>
+        <source>Good state</source>
+        <translation>Guter Zustand</translation>
+    </message>
+    <message>
+        <source>Curve 1</source>
+        <translation>Kurve 1</translation>
+    </message>
+    <message>
+        <source>Curve 2</source>
+        <translation>Kurve 2</translation>
+    </message>
+    <message>
+        <source>Curve 3</source>
+        <translation>Kurve 3</translation>
+    </message>
+    <message>
+        <source>Curve 4</source>
+        <translation>Kurve 4</translation>
+    </message>
+    <message>
+        <source>Curve 5</source>
+        <translation>Kurve 5</translation>
+    </message>
+    <message>
+        <source>Curve 6</source>
+        <translation>Kurve 6</translation>
+    </message>
+    <message>
+        <source>Curve 7</source>
+        <translation>Kurve 7</translation>
+    </message>
+    <message>
+        <source>Curve 8</source>
+        <translation>Kurve 8</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>a BOOL</source>
+        <translation>ein BOOL</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>ein Text</translation>
+    </message>
+    <message>
+        <source>an array</source>
+        <translation>ein Array</translation>
+    </message>
+    <message>
+        <source>any type</source>
+        <translation>beliebiger Typ</translation>
+    </message>
+    <message>
+        <source>Left and right</source>
+        <translation>Links und rechts</translation>
+    </message>
+    <message>
+        <source>Top and bottom</source>
+        <translation>Oben und unten</translation>
+    </message>
+    <message>
+        <source>Scaling to its size</source>
+        <translation>Skalieren auf seine Größe</translation>
+    </message>
+    <message>
+        <source>Moving what is anchored</source>
+        <translation>Verschieben der verankerten Elemente</translation>
+    </message>
+    <message>
+        <source>Keep the proportions</source>
+        <translation>Seitenverhältnis behalten</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Unten</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Gesperrt</translation>
+    </message>
+    <message>
+        <source>Hidden</source>
+        <translation>Ausgeblendet</translation>
+    </message>
+    <message>
+        <source>Open a panel in a window</source>
+        <translation>Panel in einem Fenster öffnen</translation>
+    </message>
+    <message>
+        <source>Close the window</source>
+        <translation>Fenster schließen</translation>
+    </message>
+    <message>
+        <source>Go back</source>
+        <translation>Zurückgehen</translation>
+    </message>
+    <message>
+        <source>Go to the start panel</source>
+        <translation>Zum Startpanel gehen</translation>
+    </message>
+    <message>
+        <source>Log out</source>
+        <translation>Abmelden</translation>
+    </message>
+    <message>
+        <source>Shelved alarms</source>
+        <translation>Zurückgestellte Alarme</translation>
+    </message>
+</context>
+<context>
+    <name>Inside</name>
+    <message>
+        <source>set by {0}  {1} ({2}, task {3})</source>
+        <translation>gesetzt von {0}  {1} ({2}, Task {3})</translation>
+    </message>
+    <message>
+        <source>set by {0}  {1} ({2})</source>
+        <translation>gesetzt von {0}  {1} ({2})</translation>
+    </message>
+    <message>
+        <source>set by what the compiler adds ({0})</source>
+        <translation>gesetzt von Code, den der Compiler ergänzt ({0})</translation>
+    </message>
+    <message>
+        <source>written from outside</source>
+        <translation>von außen geschrieben</translation>
+    </message>
+    <message>
+        <source>written from {0}</source>
+        <translation>geschrieben von: {0}</translation>
+    </message>
+    <message>
+        <source>forced</source>
+        <translation>geforct</translation>
+    </message>
+    <message>
+        <source>forced from {0}</source>
+        <translation>geforct von: {0}</translation>
+    </message>
+    <message>
+        <source>put back by a reset</source>
+        <translation>durch einen Reset zurückgesetzt</translation>
+    </message>
+    <message>
+        <source>carried over by an online change</source>
+        <translation>bei einem Online-Change übernommen</translation>
+    </message>
+    <message>
+        <source>restored from the retained values</source>
+        <translation>aus den remanenten Werten wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>its initial value</source>
+        <translation>sein Initialwert</translation>
+    </message>
+    <message>
+        <source>put into the safe state when the controller stopped</source>
+        <translation>beim Anhalten der Steuerung in den sicheren Zustand gesetzt</translation>
+    </message>
+    <message>
+        <source>as recorded in the scan that was resumed from</source>
+        <translation>wie aufgezeichnet in dem Zyklus, ab dem fortgesetzt wurde</translation>
+    </message>
+    <message>
+        <source>set by a statement of a test</source>
+        <translation>von einer Anweisung eines Tests gesetzt</translation>
+    </message>
+    <message>
+        <source>not known who set it</source>
+        <translation>unbekannt, wer es gesetzt hat</translation>
+    </message>
+    <message>
+        <source>the command line</source>
+        <translation>Befehlszeile</translation>
+    </message>
+    <message>
+        <source>the studio</source>
+        <translation>Studio</translation>
+    </message>
+    <message>
+        <source>panel {0}, {1}</source>
+        <translation>Panel {0}, {1}</translation>
+    </message>
+    <message>
+        <source>{0} (scan {1})</source>
+        <translation>{0} (Zyklus {1})</translation>
+    </message>
+    <message>
+        <source>{0}  {1} from {2} to {3}, {4}</source>
+        <translation>{0}  {1} von {2} auf {3}, {4}</translation>
+    </message>
+    <message>
+        <source>{0}  {1} to {2}, {3}</source>
+        <translation>{0}  {1} auf {2}, {3}</translation>
+    </message>
+    <message>
+        <source>called by {0}  {1}</source>
+        <translation>aufgerufen von {0}  {1}</translation>
+    </message>
+    <message>
+        <source>{0} is {1} at {2}, since {3}.</source>
+        <translation>{0} ist bei {2} {1}, seit {3}.</translation>
+    </message>
+    <message>
+        <source>{0} is {1} at {2}, as it was when the recording began.</source>
+        <translation>{0} ist bei {2} {1}, wie zu Beginn der Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>{0} is {1} at {2}.</source>
+        <translation>{0} ist bei {2} {1}.</translation>
+    </message>
+    <message>
+        <source>It was {0}.</source>
+        <translation>Der Wert wurde {0}.</translation>
+    </message>
+    <message>
+        <source>It has its initial value.</source>
+        <translation>Die Variable hat ihren Initialwert.</translation>
+    </message>
+    <message>
+        <source>It became {0} because</source>
+        <translation>Sie wurde {0}, weil</translation>
+    </message>
+    <message>
+        <source>This needed</source>
+        <translation>Voraussetzung war</translation>
+    </message>
+    <message>
+        <source>It needs</source>
+        <translation>Voraussetzung ist</translation>
+    </message>
+    <message>
+        <source>It stays so because</source>
+        <translation>Sie bleibt so, weil</translation>
+    </message>
+    <message>
+        <source>Step by step</source>
+        <translation>Schritt für Schritt</translation>
+    </message>
+    <message>
+        <source>because</source>
+        <translation>weil</translation>
+    </message>
+    <message>
+        <source>time passed.</source>
+        <translation>Zeit verging.</translation>
+    </message>
+    <message>
+        <source>it was the first scan.</source>
+        <translation>es der erste Zyklus war.</translation>
+    </message>
+    <message>
+        <source>other variables were forced.</source>
+        <translation>andere Variablen geforct waren.</translation>
+    </message>
+    <message>
+        <source>{0} became {1}.</source>
+        <translation>{0} wurde {1}.</translation>
+    </message>
+    <message>
+        <source>{0} became {1}, {2}.</source>
+        <translation>{0} wurde {1}, {2}.</translation>
+    </message>
+    <message>
+        <source>{0} changed.</source>
+        <translation>{0} hat sich geändert.</translation>
+    </message>
+    <message>
+        <source>{0} changed, {1}.</source>
+        <translation>{0} hat sich geändert, {1}.</translation>
+    </message>
+    <message>
+        <source>{0} was {1}.</source>
+        <translation>{0} war {1}.</translation>
+    </message>
+    <message>
+        <source>{0} was {1} since {2}, {3}.</source>
+        <translation>{0} war {1} seit {2}, {3}.</translation>
+    </message>
+    <message>
+        <source>{0}   → {1}</source>
+        <translation>{0}   → {1}</translation>
+    </message>
+    <message>
+        <source>it ran because {0} was {1}</source>
+        <translation>ausgeführt, weil {0} {1} war</translation>
+    </message>
+    <message>
+        <source>nothing wrote it later because {0} was {1}</source>
+        <translation>danach nicht mehr geschrieben, weil {0} {1} war</translation>
+    </message>
+    <message>
+        <source>a statement that would write it did not run because {0} was {1}</source>
+        <translation>eine Anweisung, die den Wert schreiben würde, wurde nicht ausgeführt, weil {0} {1} war</translation>
+    </message>
+    <message>
+        <source>{0} ({1})</source>
+        <translation>{0} ({1})</translation>
+    </message>
+    <message>
+        <source>{0}</source>
+        <translation>{0}</translation>
+    </message>
+    <message>
+        <source>{0}: {1}</source>
+        <translation>{0}: {1}</translation>
+    </message>
+    <message>
+        <source>{0} was {1} when the scan began</source>
+        <translation>{0} war {1}, als der Zyklus begann</translation>
+    </message>
+    <message>
+        <source>{0}   {1}</source>
+        <translation>{0}   {1}</translation>
+    </message>
+    <message>
+        <source>its time of {0} is over</source>
+        <translation>die Zeit von {0} ist abgelaufen</translation>
+    </message>
+    <message>
+        <source>it does not run</source>
+        <translation>läuft nicht</translation>
+    </message>
+    <message>
+        <source>it has run {0} of {1}, {2} to go</source>
+        <translation>{0} von {1} sind abgelaufen, {2} fehlen noch</translation>
+    </message>
+    <message>
+        <source>it has counted {0} of {1}</source>
+        <translation>hat {0} von {1} gezählt</translation>
+    </message>
+    <message>
+        <source>No change of up to three variables makes it {0} in this scan.</source>
+        <translation>Keine Änderung von bis zu drei Variablen macht sie in diesem Zyklus {0}.</translation>
+    </message>
+    <message>
+        <source>It would be {0} if {1}.</source>
+        <translation>Sie wäre {0}, wenn {1}.</translation>
+    </message>
+    <message>
+        <source>It would also be {0} if {1}.</source>
+        <translation>Sie wäre auch {0}, wenn {1}.</translation>
+    </message>
+    <message>
+        <source>{0} were {1} (it is {2})</source>
+        <translation>{0} {1} wäre (ist {2})</translation>
+    </message>
+    <message>
+        <source>{0} and {1}</source>
+        <translation>{0} und {1}</translation>
+    </message>
+    <message>
+        <source>What keeps it {0}</source>
+        <translation>Was sie auf {0} hält</translation>
+    </message>
+    <message>
+        <source>Note: {0}.</source>
+        <translation>Hinweis: {0}.</translation>
+    </message>
+    <message>
+        <source>recorded by an earlier version, which kept no journal</source>
+        <translation>von einer älteren Version aufgezeichnet, die kein Journal führte</translation>
+    </message>
+    <message>
+        <source>it was written to while it was halted at a breakpoint</source>
+        <translation>während des Halts an einem Haltepunkt wurde geschrieben</translation>
+    </message>
+    <message>
+        <source>the scan had another result when it was run again</source>
+        <translation>der Zyklus hatte bei der Wiederholung ein anderes Ergebnis</translation>
+    </message>
+    <message>
+        <source>it has no value in this scan: {0}</source>
+        <translation>kein Wert in diesem Zyklus: {0}</translation>
+    </message>
+    <message>
+        <source>&quot;Why not?&quot; needs a condition (BOOL), for example &quot;Main.level &gt; 80&quot;</source>
+        <translation>„Warum nicht?“ braucht eine Bedingung (BOOL), zum Beispiel „Main.level &gt; 80“</translation>
+    </message>
+    <message>
+        <source>the program was not built from sources</source>
+        <translation>das Programm wurde nicht aus Quelltexten übersetzt</translation>
+    </message>
+    <message>
+        <source>this scan is not in the recording</source>
+        <translation>dieser Zyklus ist nicht in der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>it does not change in this recording</source>
+        <translation>ändert sich in dieser Aufzeichnung nicht</translation>
+    </message>
+    <message>
+        <source>nothing wrote it in this scan</source>
+        <translation>in diesem Zyklus nicht geschrieben</translation>
+    </message>
+    <message>
+        <source>no statement of the project ran in this scan</source>
+        <translation>keine Anweisung des Projekts wurde in diesem Zyklus ausgeführt</translation>
+    </message>
 </context>
 <context>
     <name>LongTask</name>
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>Loops</name>
+    <message>
+        <source>The program has no controller block; name the signals with --input and --output</source>
+        <translation>Das Programm hat keinen Reglerbaustein; geben Sie die Signale mit --input und --output an</translation>
+    </message>
+    <message>
+        <source>There is no single loop {0}; the program has {1}</source>
+        <translation>Es gibt keinen eindeutigen Regelkreis {0}; das Programm hat {1}</translation>
+    </message>
+    <message>
+        <source>The recording contains no program that knows it</source>
+        <translation>Die Aufzeichnung enthält kein Programm, das sie kennt</translation>
+    </message>
+    <message>
+        <source>It is not a number and cannot be a signal of a loop</source>
+        <translation>Das ist keine Zahl und kann kein Signal eines Regelkreises sein</translation>
+    </message>
+    <message>
+        <source>This range is no longer recorded, or the program was changed in it; choose another one</source>
+        <translation>Dieser Bereich ist nicht mehr aufgezeichnet, oder das Programm wurde darin geändert; wählen Sie einen anderen</translation>
+    </message>
+    <message>
+        <source>{0} gets an expression in the call; give the measured value a variable of its own to try settings</source>
+        <translation>{0} erhält im Aufruf einen Ausdruck; geben Sie dem Messwert eine eigene Variable, um Einstellungen zu erproben</translation>
     </message>
 </context>
 <context>
@@ -2798,6 +4314,372 @@
     <message>
         <source>Resumed from this scan</source>
         <translation>Ab diesem Zyklus fortgesetzt</translation>
+    </message>
+</context>
+<context>
+    <name>Notes</name>
+    <message>
+        <source>first declared here</source>
+        <translation>zuerst hier deklariert</translation>
+    </message>
+    <message>
+        <source>declared here</source>
+        <translation>hier deklariert</translation>
+    </message>
+    <message>
+        <source>the variable</source>
+        <translation>die Variable</translation>
+    </message>
+    <message>
+        <source>the first program</source>
+        <translation>das erste Programm</translation>
+    </message>
+    <message>
+        <source>overridden here</source>
+        <translation>hier überschrieben</translation>
+    </message>
+    <message>
+        <source>the first one</source>
+        <translation>der erste</translation>
+    </message>
+    <message>
+        <source>by this transition, while it is active</source>
+        <translation>durch diese Transition, während er aktiv ist</translation>
+    </message>
+</context>
+<context>
+    <name>Phrases</name>
+    <message>
+        <source>a name</source>
+        <translation>ein Name</translation>
+    </message>
+    <message>
+        <source>a label</source>
+        <translation>eine Sprungmarke</translation>
+    </message>
+    <message>
+        <source>an operand</source>
+        <translation>ein Operand</translation>
+    </message>
+    <message>
+        <source>an expression</source>
+        <translation>ein Ausdruck</translation>
+    </message>
+    <message>
+        <source>a value</source>
+        <translation>ein Wert</translation>
+    </message>
+    <message>
+        <source>a type</source>
+        <translation>ein Typ</translation>
+    </message>
+    <message>
+        <source>an index</source>
+        <translation>ein Index</translation>
+    </message>
+    <message>
+        <source>an argument</source>
+        <translation>ein Argument</translation>
+    </message>
+    <message>
+        <source>an address</source>
+        <translation>eine Adresse</translation>
+    </message>
+    <message>
+        <source>an action</source>
+        <translation>eine Aktion</translation>
+    </message>
+    <message>
+        <source>a CASE label</source>
+        <translation>eine CASE-Marke</translation>
+    </message>
+    <message>
+        <source>a block&apos;s name</source>
+        <translation>der Name eines Funktionsbausteins</translation>
+    </message>
+    <message>
+        <source>a processor&apos;s name</source>
+        <translation>der Name eines Prozessors</translation>
+    </message>
+    <message>
+        <source>a task&apos;s name</source>
+        <translation>der Name einer Task</translation>
+    </message>
+    <message>
+        <source>a program instance&apos;s name</source>
+        <translation>der Name einer Programminstanz</translation>
+    </message>
+    <message>
+        <source>an input or output</source>
+        <translation>ein Ein- oder Ausgang</translation>
+    </message>
+    <message>
+        <source>a variable&apos;s name</source>
+        <translation>der Name einer Variablen</translation>
+    </message>
+    <message>
+        <source>a variable&apos;s path</source>
+        <translation>der Pfad einer Variablen</translation>
+    </message>
+    <message>
+        <source>a step&apos;s name</source>
+        <translation>der Name eines Schritts</translation>
+    </message>
+    <message>
+        <source>a type&apos;s name</source>
+        <translation>der Name eines Typs</translation>
+    </message>
+    <message>
+        <source>a member&apos;s name</source>
+        <translation>der Name eines Elements</translation>
+    </message>
+    <message>
+        <source>an access name</source>
+        <translation>ein Zugriffsname</translation>
+    </message>
+    <message>
+        <source>an enumeration value</source>
+        <translation>ein Enumerationswert</translation>
+    </message>
+    <message>
+        <source>the end of the line</source>
+        <translation>Zeilenende</translation>
+    </message>
+    <message>
+        <source>the end of the file</source>
+        <translation>Dateiende</translation>
+    </message>
+    <message>
+        <source>{0} or {1}</source>
+        <translation>{0} oder {1}</translation>
+    </message>
+    <message>
+        <source>FOR and a time</source>
+        <translation>FOR und eine Zeit</translation>
+    </message>
+    <message>
+        <source>:= or instructions</source>
+        <translation>:= oder Anweisungen</translation>
+    </message>
+    <message>
+        <source>a subrange</source>
+        <translation>ein Unterbereich</translation>
+    </message>
+    <message>
+        <source>an enumeration</source>
+        <translation>eine Enumeration</translation>
+    </message>
+    <message>
+        <source>in parentheses</source>
+        <translation>in Klammern</translation>
+    </message>
+    <message>
+        <source>a chart</source>
+        <translation>eine Schrittkette</translation>
+    </message>
+    <message>
+        <source>a body</source>
+        <translation>ein Rumpf</translation>
+    </message>
+    <message>
+        <source>in a CLASS</source>
+        <translation>in einer CLASS</translation>
+    </message>
+    <message>
+        <source>in a FUNCTION</source>
+        <translation>in einer FUNCTION</translation>
+    </message>
+    <message>
+        <source>in a METHOD</source>
+        <translation>in einer METHOD</translation>
+    </message>
+    <message>
+        <source>in a PROGRAM</source>
+        <translation>in einem PROGRAM</translation>
+    </message>
+    <message>
+        <source>in a FUNCTION_BLOCK</source>
+        <translation>in einem FUNCTION_BLOCK</translation>
+    </message>
+    <message>
+        <source>here</source>
+        <translation>hier</translation>
+    </message>
+    <message>
+        <source>in {0}</source>
+        <translation>in {0}</translation>
+    </message>
+    <message>
+        <source>in an expression</source>
+        <translation>in einem Ausdruck</translation>
+    </message>
+    <message>
+        <source>in an initial value</source>
+        <translation>in einem Initialwert</translation>
+    </message>
+    <message>
+        <source>in this section</source>
+        <translation>in diesem Abschnitt</translation>
+    </message>
+    <message>
+        <source>an initial value</source>
+        <translation>ein Initialwert</translation>
+    </message>
+    <message>
+        <source>RETURN with a value</source>
+        <translation>RETURN mit einem Wert</translation>
+    </message>
+    <message>
+        <source>in a declaration that calls FB_Init</source>
+        <translation>in einer Deklaration, die FB_Init aufruft</translation>
+    </message>
+    <message>
+        <source>{0} (VAR_IN_OUT)</source>
+        <translation>{0} (VAR_IN_OUT)</translation>
+    </message>
+    <message>
+        <source>in {0}, which is not abstract itself</source>
+        <translation>in {0}, das selbst nicht abstrakt ist</translation>
+    </message>
+    <message>
+        <source>address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>duration</source>
+        <translation>Zeitdauer</translation>
+    </message>
+    <message>
+        <source>date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>time of day</source>
+        <translation>Tageszeit</translation>
+    </message>
+    <message>
+        <source>date and time</source>
+        <translation>Datum und Uhrzeit</translation>
+    </message>
+    <message>
+        <source>integer</source>
+        <translation>Ganzzahl</translation>
+    </message>
+    <message>
+        <source>string</source>
+        <translation>Zeichenkette</translation>
+    </message>
+    <message>
+        <source>{0} (a constant)</source>
+        <translation>{0} (eine Konstante)</translation>
+    </message>
+    <message>
+        <source>{0} (an output)</source>
+        <translation>{0} (ein Ausgang)</translation>
+    </message>
+    <message>
+        <source>{0} (a local variable of {1})</source>
+        <translation>{0} (eine lokale Variable von {1})</translation>
+    </message>
+    <message>
+        <source>{0} (an input)</source>
+        <translation>{0} (ein Eingang)</translation>
+    </message>
+    <message>
+        <source>{0} (an input; the next scan overwrites it)</source>
+        <translation>{0} (ein Eingang; der nächste Zyklus überschreibt ihn)</translation>
+    </message>
+    <message>
+        <source>{0} (a property without SET)</source>
+        <translation>{0} (eine Eigenschaft ohne SET)</translation>
+    </message>
+    <message>
+        <source>{0} (no instance, or several)</source>
+        <translation>{0} (keine Instanz oder mehrere)</translation>
+    </message>
+    <message>
+        <source>{0} (a type; declare an instance of it)</source>
+        <translation>{0} (ein Typ; eine Instanz davon deklarieren)</translation>
+    </message>
+    <message>
+        <source>{0} (a variable, which hides the function of this name)</source>
+        <translation>{0} (eine Variable, die die Funktion dieses Namens verdeckt)</translation>
+    </message>
+    <message>
+        <source>an output</source>
+        <translation>ein Ausgang</translation>
+    </message>
+    <message>
+        <source>an input</source>
+        <translation>ein Eingang</translation>
+    </message>
+    <message>
+        <source>an IN_OUT parameter</source>
+        <translation>ein IN_OUT-Parameter</translation>
+    </message>
+    <message>
+        <source>a power of a computed number</source>
+        <translation>eine Potenz einer berechneten Zahl</translation>
+    </message>
+    <message>
+        <source>a call of {0}</source>
+        <translation>ein Aufruf von {0}</translation>
+    </message>
+    <message>
+        <source>a call without arguments</source>
+        <translation>ein Aufruf ohne Argumente</translation>
+    </message>
+    <message>
+        <source>a computed second argument of {0}</source>
+        <translation>ein berechnetes zweites Argument von {0}</translation>
+    </message>
+    <message>
+        <source>{0} outside a loop</source>
+        <translation>{0} außerhalb einer Schleife</translation>
+    </message>
+    <message>
+        <source>this statement</source>
+        <translation>diese Anweisung</translation>
+    </message>
+    <message>
+        <source>FOR with this end or step</source>
+        <translation>FOR mit diesem Ende oder dieser Schrittweite</translation>
+    </message>
+    <message>
+        <source>an assignment of several variables</source>
+        <translation>eine Zuweisung mehrerer Variablen</translation>
+    </message>
+    <message>
+        <source>CASE of a computed value</source>
+        <translation>CASE eines berechneten Werts</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>ein Text</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>an integer</source>
+        <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>a number of seconds</source>
+        <translation>eine Zahl von Sekunden</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>eine Liste</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>ein Objekt</translation>
+    </message>
+    <message>
+        <source>one of {0}</source>
+        <translation>eines von {0}</translation>
     </message>
 </context>
 <context>
@@ -2879,6 +4761,273 @@
     </message>
 </context>
 <context>
+    <name>Tuning</name>
+    <message>
+        <source>The table has no column of times; name one time_s (seconds) or time_ms</source>
+        <translation>Die Tabelle hat keine Zeitspalte; nennen Sie eine time_s (Sekunden) oder time_ms</translation>
+    </message>
+    <message>
+        <source>The table has no column {0}; it has {1}</source>
+        <translation>Die Tabelle hat keine Spalte {0}; sie hat {1}</translation>
+    </message>
+    <message>
+        <source>The table has no column {0}; did you mean {1}?</source>
+        <translation>Die Tabelle hat keine Spalte {0}; meinten Sie {1}?</translation>
+    </message>
+    <message>
+        <source>Line {0} has no number in column {1}</source>
+        <translation>Zeile {0} hat keine Zahl in Spalte {1}</translation>
+    </message>
+    <message>
+        <source>The time in line {0} is before that of the line above</source>
+        <translation>Die Zeit in Zeile {0} liegt vor der Zeit in der Zeile darüber</translation>
+    </message>
+    <message>
+        <source>{0} {0:sample is|samples are} too few for a model; record for longer</source>
+        <translation>{0} {0:Messwert ist|Messwerte sind} zu wenig für ein Modell; länger aufzeichnen</translation>
+    </message>
+    <message>
+        <source>usable</source>
+        <translation>brauchbar</translation>
+    </message>
+    <message>
+        <source>the input is at a limit for {0} % of the time</source>
+        <translation>der Eingang ist während {0} % der Zeit an einer Grenze</translation>
+    </message>
+    <message>
+        <source>the output moves by only {0} times its noise</source>
+        <translation>der Ausgang bewegt sich nur um das {0}-Fache seines Rauschens</translation>
+    </message>
+    <message>
+        <source>too short: {0} samples until the next change</source>
+        <translation>zu kurz: {0} Messwerte bis zur nächsten Änderung</translation>
+    </message>
+    <message>
+        <source>disturbed: no model explains more than {0} % of it</source>
+        <translation>gestört: kein Modell erklärt mehr als {0} % davon</translation>
+    </message>
+    <message>
+        <source>usable; it was still moving before</source>
+        <translation>brauchbar; war davor noch in Bewegung</translation>
+    </message>
+    <message>
+        <source>There is no step or disturbance in the recording; change the set point or the output by hand once and record that</source>
+        <translation>In der Aufzeichnung ist kein Sprung und keine Störung; ändern Sie den Sollwert oder den Ausgang einmal von Hand und zeichnen Sie das auf</translation>
+    </message>
+    <message>
+        <source>None of the {0} changes found is usable: {1}</source>
+        <translation>Keine der {0} gefundenen Änderungen ist brauchbar: {1}</translation>
+    </message>
+    <message>
+        <source>No model explains what the output does; something else moves it</source>
+        <translation>Kein Modell erklärt den Verlauf des Ausgangs; etwas anderes bewegt ihn</translation>
+    </message>
+    <message>
+        <source>The rule {0} has no answer for this process</source>
+        <translation>Die Regel {0} hat für diese Strecke keine Lösung</translation>
+    </message>
+    <message>
+        <source>Unstable: the loop would swing up. Do not use this.</source>
+        <translation>Instabil: Der Regelkreis würde sich aufschwingen. Nicht verwenden.</translation>
+    </message>
+    <message>
+        <source>Fragile: a small change of the process makes it swing.</source>
+        <translation>Empfindlich: Eine kleine Änderung der Strecke bringt sie zum Schwingen.</translation>
+    </message>
+    <message>
+        <source>Brisk: quick, and it swings a little; the process should not change much.</source>
+        <translation>Zügig: schnell, mit leichtem Schwingen; die Strecke sollte sich nicht stark ändern.</translation>
+    </message>
+    <message>
+        <source>Good: quick enough, and it tolerates the usual changes of a process.</source>
+        <translation>Gut: schnell genug, und es verträgt die üblichen Änderungen einer Strecke.</translation>
+    </message>
+    <message>
+        <source>Calm: slow, and it tolerates a process that changes a lot.</source>
+        <translation>Ruhig: langsam, und es verträgt eine Strecke, die sich stark ändert.</translation>
+    </message>
+    <message>
+        <source>A step of the set point does not overshoot.</source>
+        <translation>Ein Sprung des Sollwerts führt zu keinem Überschwingen.</translation>
+    </message>
+    <message>
+        <source>A step of the set point overshoots by {0} %.</source>
+        <translation>Ein Sprung des Sollwerts führt zu {0} % Überschwingen.</translation>
+    </message>
+    <message>
+        <source>Ziegler-Nichols is here to compare with: it swings and tolerates little. Take SIMC or the optimum instead.</source>
+        <translation>Ziegler-Nichols dient hier zum Vergleich: Es schwingt und verträgt wenig. Nehmen Sie stattdessen SIMC oder das Optimum.</translation>
+    </message>
+    <message>
+        <source>The rule looks at one lag only; check the margins.</source>
+        <translation>Die Regel berücksichtigt nur eine Verzögerung; die Reserven prüfen.</translation>
+    </message>
+    <message>
+        <source>gain and dead time</source>
+        <translation>Verstärkung und Totzeit</translation>
+    </message>
+    <message>
+        <source>first order</source>
+        <translation>1. Ordnung</translation>
+    </message>
+    <message>
+        <source>first order with dead time</source>
+        <translation>1. Ordnung mit Totzeit</translation>
+    </message>
+    <message>
+        <source>second order</source>
+        <translation>2. Ordnung</translation>
+    </message>
+    <message>
+        <source>second order with dead time</source>
+        <translation>2. Ordnung mit Totzeit</translation>
+    </message>
+    <message>
+        <source>two equal lags</source>
+        <translation>zwei gleiche Verzögerungen</translation>
+    </message>
+    <message>
+        <source>two equal lags with dead time</source>
+        <translation>zwei gleiche Verzögerungen mit Totzeit</translation>
+    </message>
+    <message>
+        <source>oscillating</source>
+        <translation>schwingend</translation>
+    </message>
+    <message>
+        <source>oscillating with dead time</source>
+        <translation>schwingend mit Totzeit</translation>
+    </message>
+    <message>
+        <source>oscillating with a lag</source>
+        <translation>schwingend mit einer Verzögerung</translation>
+    </message>
+    <message>
+        <source>second order with a zero</source>
+        <translation>2. Ordnung mit einer Nullstelle</translation>
+    </message>
+    <message>
+        <source>second order with a zero and dead time</source>
+        <translation>2. Ordnung mit einer Nullstelle und Totzeit</translation>
+    </message>
+    <message>
+        <source>three equal lags</source>
+        <translation>drei gleiche Verzögerungen</translation>
+    </message>
+    <message>
+        <source>three equal lags with a zero</source>
+        <translation>drei gleiche Verzögerungen mit einer Nullstelle</translation>
+    </message>
+    <message>
+        <source>four equal lags</source>
+        <translation>vier gleiche Verzögerungen</translation>
+    </message>
+    <message>
+        <source>five equal lags</source>
+        <translation>fünf gleiche Verzögerungen</translation>
+    </message>
+    <message>
+        <source>six equal lags</source>
+        <translation>sechs gleiche Verzögerungen</translation>
+    </message>
+    <message>
+        <source>seven equal lags</source>
+        <translation>sieben gleiche Verzögerungen</translation>
+    </message>
+    <message>
+        <source>eight equal lags</source>
+        <translation>acht gleiche Verzögerungen</translation>
+    </message>
+    <message>
+        <source>three equal lags with dead time</source>
+        <translation>drei gleiche Verzögerungen mit Totzeit</translation>
+    </message>
+    <message>
+        <source>three lags</source>
+        <translation>drei Verzögerungen</translation>
+    </message>
+    <message>
+        <source>three lags with dead time</source>
+        <translation>drei Verzögerungen mit Totzeit</translation>
+    </message>
+    <message>
+        <source>four lags</source>
+        <translation>vier Verzögerungen</translation>
+    </message>
+    <message>
+        <source>integrating</source>
+        <translation>integrierend</translation>
+    </message>
+    <message>
+        <source>integrating with dead time</source>
+        <translation>integrierend mit Totzeit</translation>
+    </message>
+    <message>
+        <source>integrating with a lag</source>
+        <translation>integrierend mit einer Verzögerung</translation>
+    </message>
+    <message>
+        <source>integrating with a lag and dead time</source>
+        <translation>integrierend mit einer Verzögerung und Totzeit</translation>
+    </message>
+    <message>
+        <source>integrating with two equal lags</source>
+        <translation>integrierend mit zwei gleichen Verzögerungen</translation>
+    </message>
+    <message>
+        <source>SIMC</source>
+        <translation>SIMC</translation>
+    </message>
+    <message>
+        <source>AMIGO</source>
+        <translation>AMIGO</translation>
+    </message>
+    <message>
+        <source>Optimum</source>
+        <translation>Optimum</translation>
+    </message>
+    <message>
+        <source>Chien-Hrones-Reswick</source>
+        <translation>Chien-Hrones-Reswick</translation>
+    </message>
+    <message>
+        <source>Ziegler-Nichols</source>
+        <translation>Ziegler-Nichols</translation>
+    </message>
+    <message>
+        <source>the recording has a gap in it</source>
+        <translation>die Aufzeichnung hat darin eine Lücke</translation>
+    </message>
+    <message>
+        <source>It oscillates with a period of {0} s and an amplitude of {1}, for {2} cycles in a row.</source>
+        <translation>Schwingt mit einer Periode von {0} s und einer Amplitude von {1}, {2} Perioden in Folge.</translation>
+    </message>
+    <message>
+        <source>It does not oscillate.</source>
+        <translation>Schwingt nicht.</translation>
+    </message>
+    <message>
+        <source>The settings are the likely cause: with the model the loop swings at this period.</source>
+        <translation>Wahrscheinliche Ursache sind die Einstellungen: Mit dem Modell schwingt der Regelkreis mit dieser Periode.</translation>
+    </message>
+    <message>
+        <source>A valve that sticks is the likely cause: the output moves evenly, the process answers in jumps.</source>
+        <translation>Wahrscheinliche Ursache ist ein klemmendes Ventil: Der Ausgang bewegt sich gleichmäßig, die Strecke antwortet in Sprüngen.</translation>
+    </message>
+    <message>
+        <source>The likely cause is outside: neither the settings nor a valve that sticks explain it.</source>
+        <translation>Die wahrscheinliche Ursache liegt außerhalb: Weder die Einstellungen noch ein klemmendes Ventil erklären es.</translation>
+    </message>
+    <message>
+        <source>The output is at a limit for {0} % of the time.</source>
+        <translation>Der Ausgang ist während {0} % der Zeit an einer Grenze.</translation>
+    </message>
+    <message>
+        <source>{0} % of what the measured value does is noise.</source>
+        <translation>{0} % der Bewegung des Messwerts sind Rauschen.</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::ConversionDialog</name>
     <message>
         <source>%1 as ST</source>
@@ -2889,11 +5038,11 @@
         <translation>%1 als Anweisungsliste</translation>
     </message>
     <message>
-        <source>Instruction list, as it stands</source>
+        <source>Instruction list (current text)</source>
         <translation>Anweisungsliste (vorhandener Text)</translation>
     </message>
     <message>
-        <source>ST, as it stands</source>
+        <source>ST (current text)</source>
         <translation>ST (vorhandener Text)</translation>
     </message>
     <message>
@@ -2946,14 +5095,6 @@
             <numerusform>%n Dateien wurden geändert: %1. Speichern?</numerusform>
         </translation>
     </message>
-    <message>
-        <source>Changed outside</source>
-        <translation>Außerhalb geändert</translation>
-    </message>
-    <message>
-        <source>%1 was changed by another program, and here too. Load the file from disk and lose the changes made here?</source>
-        <translation>%1 wurde von einem anderen Programm geändert, und hier auch. Die Datei neu laden und die Änderungen von hier verlieren?</translation>
-    </message>
     <message numerus="yes">
         <source>Changed in %n file(s); those edited since stay as they are</source>
         <translation>
@@ -2998,6 +5139,130 @@
     </message>
 </context>
 <context>
+    <name>plc::app::ExportDialog</name>
+    <message>
+        <source>Export the Project</source>
+        <translation>Projekt exportieren</translation>
+    </message>
+    <message>
+        <source>PLCopen XML 0200, for CODESYS and TwinCAT</source>
+        <translation>PLCopen XML 0200, für CODESYS und TwinCAT</translation>
+    </message>
+    <message>
+        <source>PLCopen XML 0201, for Beremiz and OpenPLC</source>
+        <translation>PLCopen XML 0201, für Beremiz und OpenPLC</translation>
+    </message>
+    <message>
+        <source>File…</source>
+        <translation>Datei…</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Format:</source>
+        <translation>Format:</translation>
+    </message>
+    <message>
+        <source>To:</source>
+        <translation>Nach:</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::GuideView</name>
+    <message>
+        <source>About this project</source>
+        <translation>Über dieses Projekt</translation>
+    </message>
+    <message>
+        <source>A README.md in the project&apos;s folder is shown here.</source>
+        <translation>Eine README.md im Projektordner wird hier angezeigt.</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::ImportDialog</name>
+    <message>
+        <source>Place</source>
+        <translation>Stelle</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>Units: %1
+Bodies: %2
+Not kept: %3</source>
+        <translation>Bausteine: %1
+Rümpfe: %2
+Nicht erhalten: %3</translation>
+    </message>
+    <message>
+        <source>Import a Project</source>
+        <translation>Projekt importieren</translation>
+    </message>
+    <message>
+        <source>PLCopen XML, TwinCAT or CODESYS files, structured text</source>
+        <translation>PLCopen XML, Dateien von TwinCAT oder CODESYS, strukturierter Text</translation>
+    </message>
+    <message>
+        <source>File…</source>
+        <translation>Datei…</translation>
+    </message>
+    <message>
+        <source>Folder…</source>
+        <translation>Ordner…</translation>
+    </message>
+    <message>
+        <source>Source files</source>
+        <translation>Quelldateien</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importieren</translation>
+    </message>
+    <message>
+        <source>From:</source>
+        <translation>Von:</translation>
+    </message>
+    <message>
+        <source>New project in:</source>
+        <translation>Neues Projekt in:</translation>
+    </message>
+    <message>
+        <source>Projects of other tools (%1)</source>
+        <translation>Projekte anderer Werkzeuge (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>This folder is not empty; name a new one</source>
+        <translation>Dieser Ordner ist nicht leer; geben Sie einen neuen an</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::InstanceBar</name>
+    <message>
+        <source>Instance whose values are shown</source>
+        <translation>Instanz, deren Werte angezeigt werden</translation>
+    </message>
+    <message>
+        <source>Values of the instance of %1:</source>
+        <translation>Werte der Instanz von %1:</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::LiveViews</name>
     <message>
         <source>Panel shown</source>
@@ -3021,11 +5286,23 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>Saving the recording…</source>
         <translation>Die Aufzeichnung wird gespeichert…</translation>
     </message>
+    <message>
+        <source>Export the alarm history…</source>
+        <translation>Alarmhistorie exportieren…</translation>
+    </message>
+    <message>
+        <source>Export the Alarm History</source>
+        <translation>Alarmhistorie exportieren</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MainWindow</name>
     <message>
-        <source>A panel&apos;s name is a file name: no / and no \</source>
+        <source>A panel&apos;s name cannot contain / or \</source>
         <translation>Der Name eines Panels ist ein Dateiname: ohne / und ohne \</translation>
     </message>
     <message>
@@ -3053,7 +5330,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Geforcte Werte</translation>
     </message>
     <message>
-        <source>Call Path</source>
+        <source>Call Stack</source>
         <translation>Aufrufliste</translation>
     </message>
     <message>
@@ -3196,10 +5473,6 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>Rename</source>
         <translation>Umbenennen</translation>
     </message>
-    <message>
-        <source>New name of %1, in the whole project:</source>
-        <translation>Neuer Name von %1, im ganzen Projekt:</translation>
-    </message>
     <message numerus="yes">
         <source>%1 is now %2 in %n place(s)</source>
         <translation>
@@ -3220,7 +5493,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Bibliotheken</translation>
     </message>
     <message>
-        <source>The tests run…</source>
+        <source>Running tests…</source>
         <translation>Die Tests laufen…</translation>
     </message>
     <message>
@@ -3280,10 +5553,6 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Willkommen</translation>
     </message>
     <message>
-        <source>This is a PID controller working on a simulated process: the program above, its trace below, its operator panel at the right. Nothing can break: the plant is only numbers. Press Next to look around for a minute, or F5 to run it at once.</source>
-        <translation>Das ist ein PID-Regler an einem simulierten Prozess: oben das Programm, unten sein Trace, rechts sein Bedienpanel. Kaputtgehen kann nichts, die Strecke besteht nur aus Zahlen. „Weiter“ führt eine Minute lang herum, F5 startet sofort.</translation>
-    </message>
-    <message>
         <source>The project</source>
         <translation>Das Projekt</translation>
     </message>
@@ -3296,15 +5565,15 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Das Programm</translation>
     </message>
     <message>
-        <source>Structured Text with colours by meaning. Errors are underlined while you type; Alt+Enter mends what it can; Ctrl+Space completes.</source>
-        <translation>Strukturierter Text mit Farben nach Bedeutung. Fehler werden beim Tippen unterstrichen; Alt+Enter behebt, was geht; Strg+Leertaste ergänzt.</translation>
+        <source>Structured Text with colours by meaning. Errors are underlined while you type; Alt+Enter offers quick fixes; Ctrl+Space completes.</source>
+        <translation>Strukturierter Text mit Farben nach Bedeutung. Fehler werden beim Tippen unterstrichen; Alt+Enter bietet Schnellkorrekturen an; Strg+Leertaste ergänzt.</translation>
     </message>
     <message>
         <source>Run</source>
         <translation>Start</translation>
     </message>
     <message>
-        <source>F5 compiles to native code and runs it. Values then stand beside each line.</source>
+        <source>F5 compiles to native code and runs it. Values then appear next to each line.</source>
         <translation>F5 übersetzt in Maschinencode und führt ihn aus. Die Werte erscheinen dann neben jeder Zeile.</translation>
     </message>
     <message>
@@ -3332,11 +5601,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Die Zeit läuft auch rückwärts</translation>
     </message>
     <message>
-        <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume From Here” goes on from there.</source>
-        <translation>Den Zeitschieber ziehen oder Strg+Alt+Links drücken: Code, Diagramme und Panel werden zu diesem Zeitpunkt angezeigt. „Ab hier fortsetzen“ setzt die Steuerung von dort fort.</translation>
-    </message>
-    <message>
-        <source>That is it</source>
+        <source>That’s it</source>
         <translation>Das war es</translation>
     </message>
     <message>
@@ -3456,8 +5721,8 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Gehe zur Definition</translation>
     </message>
     <message>
-        <source>Find All Uses</source>
-        <translation>Alle Verwendungen suchen</translation>
+        <source>Find References</source>
+        <translation>Referenzen suchen</translation>
     </message>
     <message>
         <source>Rename…</source>
@@ -3468,15 +5733,15 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Vervollständigen</translation>
     </message>
     <message>
-        <source>Apply a Fix (Alt+Enter)</source>
-        <translation>Korrektur anwenden (Alt+Enter)</translation>
+        <source>Quick Fix (Alt+Enter)</source>
+        <translation>Schnellkorrektur (Alt+Enter)</translation>
     </message>
     <message>
         <source>Format</source>
         <translation>Formatieren</translation>
     </message>
     <message>
-        <source>Comment In or Out (Ctrl+/)</source>
+        <source>Toggle Comment (Ctrl+/)</source>
         <translation>Ein- oder auskommentieren (Strg+/)</translation>
     </message>
     <message>
@@ -3484,12 +5749,12 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Zeile duplizieren</translation>
     </message>
     <message>
-        <source>Select the Block Around</source>
+        <source>Select Enclosing Block</source>
         <translation>Umgebenden Block markieren</translation>
     </message>
     <message>
-        <source>Go to the Matching Word</source>
-        <translation>Gehe zum Gegenstück</translation>
+        <source>Go to Matching Keyword</source>
+        <translation>Gehe zum zugehörigen Schlüsselwort</translation>
     </message>
     <message>
         <source>Next Problem</source>
@@ -3524,7 +5789,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Einzelzyklus</translation>
     </message>
     <message>
-        <source>Step In</source>
+        <source>Step Into</source>
         <translation>Einzelschritt</translation>
     </message>
     <message>
@@ -3600,7 +5865,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Zurück zum Livebetrieb</translation>
     </message>
     <message>
-        <source>Resume From Here</source>
+        <source>Resume from Here</source>
         <translation>Ab hier fortsetzen</translation>
     </message>
     <message>
@@ -3614,10 +5879,6 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Declarations as a Table</source>
         <translation>Deklarationen als Tabelle</translation>
-    </message>
-    <message>
-        <source>Chart Beside the Text</source>
-        <translation>Schrittkette neben dem Text</translation>
     </message>
     <message>
         <source>Online Values in the Text</source>
@@ -3640,7 +5901,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Dunkles Farbschema</translation>
     </message>
     <message>
-        <source>Theme of the System</source>
+        <source>System Theme</source>
         <translation>Farbschema des Systems</translation>
     </message>
     <message>
@@ -3670,10 +5931,6 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>%1 – back to live</source>
         <translation>%1 – zurück zum Livebetrieb</translation>
-    </message>
-    <message>
-        <source>Panel %1</source>
-        <translation>Panel %1</translation>
     </message>
     <message>
         <source>Unsaved changes</source>
@@ -3735,11 +5992,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>trace</translation>
     </message>
     <message>
-        <source>A file name holds no / and no \</source>
+        <source>A file name cannot contain / or \</source>
         <translation>Ein Dateiname enthält weder / noch \</translation>
     </message>
     <message>
-        <source>There is a trace %1 already</source>
+        <source>A trace %1 already exists</source>
         <translation>Ein Trace %1 ist bereits vorhanden</translation>
     </message>
     <message>
@@ -3747,19 +6004,19 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Neuer Name von %1:</translation>
     </message>
     <message>
-        <source>There is a file %1 already</source>
+        <source>A file %1 already exists</source>
         <translation>Eine Datei %1 ist bereits vorhanden</translation>
     </message>
     <message>
-        <source>The file can not be renamed; check the permissions of the folder</source>
+        <source>The file cannot be renamed; check the permissions of the folder</source>
         <translation>Die Datei kann nicht umbenannt werden; prüfen Sie die Rechte des Ordners</translation>
     </message>
     <message>
-        <source>These panels lead to it; their buttons will be problems: %1</source>
+        <source>These panels link to it; their buttons will be reported as errors: %1</source>
         <translation>Diese Panels verweisen darauf; ihre Schaltflächen führen dann ins Leere: %1</translation>
     </message>
     <message>
-        <source>The file can not be removed; check the permissions of the folder</source>
+        <source>The file cannot be removed; check the permissions of the folder</source>
         <translation>Die Datei kann nicht gelöscht werden; prüfen Sie die Rechte des Ordners</translation>
     </message>
     <message>
@@ -3795,7 +6052,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Das Projekt wird noch geprüft; versuchen Sie es gleich noch einmal</translation>
     </message>
     <message>
-        <source>It holds %1.</source>
+        <source>It contains %1.</source>
         <translation>Sie enthält %1.</translation>
     </message>
     <message>
@@ -3803,7 +6060,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Die Sprache wechselt, wenn die Tests zu Ende sind</translation>
     </message>
     <message>
-        <source>Fault of the controller</source>
+        <source>Controller fault</source>
         <translation>Steuerungsfehler</translation>
     </message>
     <message>
@@ -3839,10 +6096,6 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Das Projekt wurde exportiert</translation>
     </message>
     <message>
-        <source>%1 is written in %2 and is saved as it was found</source>
-        <translation>%1 ist in %2 geschrieben und wird so gespeichert, wie die Datei vorgefunden wurde</translation>
-    </message>
-    <message>
         <source>Select the Next Occurrence Too</source>
         <translation>Nächstes Vorkommen auch auswählen</translation>
     </message>
@@ -3867,12 +6120,111 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Die Aufzeichnung des letzten Laufs wird aufbewahrt…</translation>
     </message>
     <message>
-        <source>%1 is not UTF-8 and was read as Windows-1252; saving it writes UTF-8</source>
-        <translation>%1 ist nicht UTF-8 und wurde als Windows-1252 gelesen; Speichern schreibt UTF-8</translation>
-    </message>
-    <message>
         <source>Diagram Beside the Text</source>
         <translation>Diagramm neben dem Text</translation>
+    </message>
+    <message>
+        <source>Bookmark</source>
+        <translation>Lesezeichen</translation>
+    </message>
+    <message>
+        <source>Next Bookmark</source>
+        <translation>Nächstes Lesezeichen</translation>
+    </message>
+    <message>
+        <source>Previous Bookmark</source>
+        <translation>Voriges Lesezeichen</translation>
+    </message>
+    <message>
+        <source>Open Another File Beside…</source>
+        <translation>Andere Datei daneben öffnen…</translation>
+    </message>
+    <message>
+        <source>About This Project</source>
+        <translation>Über dieses Projekt</translation>
+    </message>
+    <message>
+        <source>The project has no other file</source>
+        <translation>Das Projekt hat keine andere Datei</translation>
+    </message>
+    <message>
+        <source>Open Another File Beside</source>
+        <translation>Andere Datei daneben öffnen</translation>
+    </message>
+    <message>
+        <source>%1 Nothing can break: the plant is only numbers. Press Next to look around for a minute, or F5 to run it at once.</source>
+        <translation>%1 Es kann nichts kaputtgehen: Die Anlage besteht nur aus Zahlen. Mit „Weiter“ sehen Sie sich eine Minute lang um, mit F5 starten Sie sofort.</translation>
+    </message>
+    <message>
+        <source>This is the project %1.</source>
+        <translation>Dies ist das Projekt %1.</translation>
+    </message>
+    <message>
+        <source>What to press</source>
+        <translation>Was zu drücken ist</translation>
+    </message>
+    <message>
+        <source>The page beside the program is the project&apos;s README: what it shows, what to press, what to watch.</source>
+        <translation>Die Seite neben dem Programm ist die README des Projekts: was es anzeigt, was zu drücken und was zu überwachen ist.</translation>
+    </message>
+    <message>
+        <source>What the operator sees. This project has no panel yet; new ones are drawn with the mouse.</source>
+        <translation>Was der Bediener sieht. Dieses Projekt hat noch kein Panel; neue zeichnen Sie mit der Maus.</translation>
+    </message>
+    <message>
+        <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume from Here” continues from there.</source>
+        <translation>Ziehen Sie den Zeitschieber, oder drücken Sie Strg+Alt+Links: Code, Diagramme und Panel werden im Zustand von damals angezeigt. „Ab hier fortsetzen“ läuft von dort weiter.</translation>
+    </message>
+    <message>
+        <source>Tuning</source>
+        <translation>Reglereinstellung</translation>
+    </message>
+    <message>
+        <source>%1 is not a source of this project</source>
+        <translation>%1 ist keine Quelldatei dieses Projekts</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::MergeDialog</name>
+    <message>
+        <source>Compare %1</source>
+        <translation>%1 vergleichen</translation>
+    </message>
+    <message>
+        <source>Previous</source>
+        <translation>Voriger</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Nächster</translation>
+    </message>
+    <message>
+        <source>Take Over</source>
+        <translation>Übernehmen</translation>
+    </message>
+    <message>
+        <source>Take Over All</source>
+        <translation>Alle übernehmen</translation>
+    </message>
+    <message>
+        <source>Here (this text is kept)</source>
+        <translation>Hier (dieser Text wird behalten)</translation>
+    </message>
+    <message>
+        <source>On disk</source>
+        <translation>Auf der Platte</translation>
+    </message>
+    <message>
+        <source>Use the Text on the Left</source>
+        <translation>Den linken Text verwenden</translation>
+    </message>
+    <message>
+        <source>No differences</source>
+        <translation>Keine Unterschiede</translation>
+    </message>
+    <message>
+        <source>Difference %1 of %2</source>
+        <translation>Unterschied %1 von %2</translation>
     </message>
 </context>
 <context>
@@ -3942,15 +6294,15 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Anlegen</translation>
     </message>
     <message>
-        <source>The project needs a name</source>
+        <source>Enter a project name</source>
         <translation>Das Projekt braucht einen Namen</translation>
     </message>
     <message>
-        <source>%1 exists already and is not empty</source>
+        <source>%1 already exists and is not empty</source>
         <translation>%1 ist bereits vorhanden und nicht leer</translation>
     </message>
     <message>
-        <source>Will be made in %1</source>
+        <source>Will be created in %1</source>
         <translation>Wird in %1 angelegt</translation>
     </message>
 </context>
@@ -4021,19 +6373,19 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Anlegen</translation>
     </message>
     <message>
-        <source>Give it a name</source>
+        <source>Enter a name</source>
         <translation>Geben Sie einen Namen an</translation>
     </message>
     <message>
-        <source>A name has letters, digits and _, begins with a letter and is no keyword</source>
+        <source>A name has letters, digits and _, starts with a letter and is not a keyword</source>
         <translation>Ein Name besteht aus Buchstaben, Ziffern und _, beginnt mit einem Buchstaben und ist kein Schlüsselwort</translation>
     </message>
     <message>
-        <source>There is a %1 in the project already</source>
+        <source>%1 already exists in the project</source>
         <translation>%1 ist im Projekt bereits vorhanden</translation>
     </message>
     <message>
-        <source>There is a file %1 already: choose it, or another name</source>
+        <source>A file %1 already exists: choose it, or another name</source>
         <translation>Die Datei %1 ist bereits vorhanden: Wählen Sie sie oder einen anderen Namen</translation>
     </message>
     <message>
@@ -4043,6 +6395,21 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Program as a function block diagram</source>
         <translation>Programm als Funktionsplan</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::PanelFiles</name>
+    <message>
+        <source>Texts</source>
+        <translation>Texte</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarme</translation>
+    </message>
+    <message>
+        <source>Panel %1</source>
+        <translation>Panel %1</translation>
     </message>
 </context>
 <context>
@@ -4192,6 +6559,59 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
 </context>
 <context>
+    <name>plc::app::RenameDialog</name>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>New name of %1, in the whole project:</source>
+        <translation>Neuer Name von %1, im ganzen Projekt:</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Stelle</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>Places that change</source>
+        <translation>Stellen, die sich ändern</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) change:</source>
+        <translation>
+            <numerusform>%n Stelle ändert sich:</numerusform>
+            <numerusform>%n Stellen ändern sich:</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::RunsMenu</name>
+    <message>
+        <source>Earlier Runs</source>
+        <translation>Frühere Läufe</translation>
+    </message>
+    <message>
+        <source>%1, ended by a fault, %2</source>
+        <translation>%1, durch einen Fehler beendet, %2</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>The last run is being written…</source>
+        <translation>Der letzte Lauf wird geschrieben…</translation>
+    </message>
+    <message>
+        <source>No run has ended yet</source>
+        <translation>Noch kein Lauf ist zu Ende</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::SearchView</name>
     <message>
         <source>Find in all files</source>
@@ -4202,7 +6622,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>In allen Dateien gesuchter Text</translation>
     </message>
     <message>
-        <source>Replace by</source>
+        <source>Replace with</source>
         <translation>Ersetzen durch</translation>
     </message>
     <message>
@@ -4242,7 +6662,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Suchergebnisse</translation>
     </message>
     <message>
-        <source>Not a pattern: %1</source>
+        <source>Invalid regular expression: %1</source>
         <translation>Ungültiger regulärer Ausdruck: %1</translation>
     </message>
     <message>
@@ -4330,7 +6750,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Tastenkürzel</translation>
     </message>
     <message>
-        <source>As the system</source>
+        <source>System default</source>
         <translation>Wie das System</translation>
     </message>
     <message>
@@ -4370,7 +6790,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Beim Speichern formatieren</translation>
     </message>
     <message>
-        <source>Saving changes the running controller (online change)</source>
+        <source>Apply an online change when saving</source>
         <translation>Beim Speichern Online-Change ausführen</translation>
     </message>
     <message>
@@ -4402,7 +6822,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Filter der Befehle</translation>
     </message>
     <message>
-        <source>All Defaults</source>
+        <source>Restore Defaults</source>
         <translation>Standard wiederherstellen</translation>
     </message>
     <message>
@@ -4427,6 +6847,10 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Make Writable</source>
         <translation>Schreibbar machen</translation>
+    </message>
+    <message>
+        <source>Close this side</source>
+        <translation>Diese Seite schließen</translation>
     </message>
 </context>
 <context>
@@ -4470,6 +6894,68 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Open a Fresh Copy</source>
         <translation>Neue Kopie öffnen</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::TestView</name>
+    <message>
+        <source>Run all tests</source>
+        <translation>Alle Tests ausführen</translation>
+    </message>
+    <message>
+        <source>Run the selected tests</source>
+        <translation>Die ausgewählten Tests ausführen</translation>
+    </message>
+    <message>
+        <source>Run the failed tests</source>
+        <translation>Die fehlgeschlagenen Tests ausführen</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Test</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Tests</source>
+        <translation>Tests</translation>
+    </message>
+    <message>
+        <source>%1 passed, %2 failed</source>
+        <translation>%1 bestanden, %2 fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>not run yet</source>
+        <translation>noch nicht gelaufen</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>bestanden</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Show the Recording of the Failure</source>
+        <translation>Aufzeichnung des Fehlschlags anzeigen</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::TextPage</name>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>Zeile %1: %2</translation>
     </message>
 </context>
 <context>
@@ -4545,7 +7031,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Zeile</translation>
     </message>
     <message>
-        <source>Call path</source>
+        <source>Call stack</source>
         <translation>Aufrufliste</translation>
     </message>
     <message>
@@ -4568,11 +7054,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Schrittkette</translation>
     </message>
     <message>
-        <source>Insert a step behind (Ins)</source>
+        <source>Insert a step after it (Ins)</source>
         <translation>Schritt danach einfügen (Einfg)</translation>
     </message>
     <message>
-        <source>Insert a branch beside</source>
+        <source>Insert an alternative branch</source>
         <translation>Alternativzweig einfügen</translation>
     </message>
     <message>
@@ -4592,27 +7078,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Löschen (Entf)</translation>
     </message>
     <message>
-        <source>Show all</source>
-        <translation>Alles anzeigen</translation>
-    </message>
-    <message>
-        <source>Export the chart</source>
-        <translation>Diagramm exportieren</translation>
-    </message>
-    <message>
-        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
-        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <source>%1 can not be written</source>
-        <translation>%1 kann nicht geschrieben werden</translation>
-    </message>
-    <message>
-        <source>Print…</source>
-        <translation>Drucken…</translation>
-    </message>
-    <message>
-        <source>The unit %1 is not in the text any more</source>
+        <source>The unit %1 is no longer in the text</source>
         <translation>Der Baustein %1 ist im Text nicht mehr vorhanden</translation>
     </message>
     <message>
@@ -4620,19 +7086,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Der Text hat Fehler: Dies ist die letzte gültige Zeichnung</translation>
     </message>
     <message>
-        <source>%1 is not a chart</source>
-        <translation>%1 ist keine Schrittkette</translation>
-    </message>
-    <message>
-        <source>Mend the text first: this is the last good drawing</source>
-        <translation>Zuerst den Text berichtigen: Dies ist die letzte gültige Zeichnung</translation>
-    </message>
-    <message>
         <source>Select the step from which the branch goes out</source>
         <translation>Wählen Sie den Schritt, von dem der Zweig ausgeht</translation>
     </message>
     <message>
-        <source>Select the transition behind which the steps run at the same time</source>
+        <source>Select the transition after which the steps run at the same time</source>
         <translation>Wählen Sie die Transition, nach der die Schritte gleichzeitig laufen</translation>
     </message>
     <message>
@@ -4640,11 +7098,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Wählen Sie den Schritt, der die Aktion bekommt</translation>
     </message>
     <message>
-        <source>Insert a Step Behind</source>
+        <source>Insert a Step After It</source>
         <translation>Schritt danach einfügen</translation>
     </message>
     <message>
-        <source>Insert a Branch Beside</source>
+        <source>Insert an Alternative Branch</source>
         <translation>Alternativzweig einfügen</translation>
     </message>
     <message>
@@ -4656,11 +7114,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Aktion hinzufügen</translation>
     </message>
     <message>
-        <source>Make It the Initial Step</source>
+        <source>Set as Initial Step</source>
         <translation>Zum Initialschritt machen</translation>
     </message>
     <message>
-        <source>Force the Step On</source>
+        <source>Force the Step Active</source>
         <translation>Schritt aktiv forcen</translation>
     </message>
     <message>
@@ -4696,7 +7154,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Zweig nach rechts</translation>
     </message>
     <message>
-        <source>%1 behind this transition</source>
+        <source>%1 after this transition</source>
         <translation>%1 nach dieser Transition</translation>
     </message>
     <message>
@@ -4728,24 +7186,20 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Aktion</translation>
     </message>
     <message>
-        <source>To the chart around (Backspace)</source>
+        <source>To the enclosing chart (Backspace)</source>
         <translation>Zur übergeordneten Schrittkette (Rücktaste)</translation>
     </message>
     <message>
-        <source>Breakpoint: stops when the step becomes active, when the transition is taken (F9)</source>
+        <source>Breakpoint: stops when the step becomes active or the transition is taken (F9)</source>
         <translation>Haltepunkt: hält, wenn der Schritt aktiv wird oder die Transition schaltet (F9)</translation>
     </message>
     <message>
-        <source>Force the step on</source>
+        <source>Force the step active</source>
         <translation>Schritt aktiv forcen</translation>
     </message>
     <message>
         <source>Release the step</source>
         <translation>Forcen des Schritts aufheben</translation>
-    </message>
-    <message>
-        <source>Export as SVG, PNG or PDF…</source>
-        <translation>Als SVG, PNG oder PDF exportieren…</translation>
     </message>
     <message>
         <source>%1 is a variable: it has no body</source>
@@ -4778,6 +7232,50 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Delete the Whole Branch</source>
         <translation>Ganzen Zweig löschen</translation>
+    </message>
+    <message>
+        <source>Select what is to be copied</source>
+        <translation>Wählen Sie aus, was kopiert werden soll</translation>
+    </message>
+    <message>
+        <source>Select what is to be cut</source>
+        <translation>Wählen Sie aus, was ausgeschnitten werden soll</translation>
+    </message>
+    <message>
+        <source>The clipboard contains no step, action or transition</source>
+        <translation>Die Zwischenablage enthält keinen Schritt, keine Aktion und keine Transition</translation>
+    </message>
+    <message>
+        <source>Select the step or transition to paste after</source>
+        <translation>Wählen Sie den Schritt oder die Transition, nach der eingefügt wird</translation>
+    </message>
+    <message>
+        <source>Select the transition that gets the condition</source>
+        <translation>Wählen Sie die Transition, die die Bedingung erhält</translation>
+    </message>
+    <message>
+        <source>Start a Chart</source>
+        <translation>Schrittkette beginnen</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Ausschneiden</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Einfügen</translation>
+    </message>
+    <message>
+        <source>%1 has no chart yet. A chart starts with an initial step; more steps are inserted after it with Ins, and F2 edits names and conditions.</source>
+        <translation>%1 hat noch keine Schrittkette. Eine Schrittkette beginnt mit einem Initialschritt; weitere Schritte werden mit Einfg dahinter eingefügt, F2 bearbeitet Namen und Bedingungen.</translation>
+    </message>
+    <message>
+        <source>%1 is not a chart: its body has statements. A chart can be started in a program or function block whose body is empty.</source>
+        <translation>%1 ist keine Schrittkette: Der Rumpf enthält Anweisungen. Eine Schrittkette kann in einem Programm oder Funktionsbaustein mit leerem Rumpf begonnen werden.</translation>
     </message>
 </context>
 <context>
@@ -4898,7 +7396,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Gesuchter Text</translation>
     </message>
     <message>
-        <source>Replace by</source>
+        <source>Replace with</source>
         <translation>Ersetzen durch</translation>
     </message>
     <message>
@@ -4945,7 +7443,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         </translation>
     </message>
     <message>
-        <source>not a pattern</source>
+        <source>invalid regular expression</source>
         <translation>ungültiger regulärer Ausdruck</translation>
     </message>
     <message numerus="yes">
@@ -4981,6 +7479,375 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Release all</source>
         <translation>Forcen für alle aufheben</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::GraphView</name>
+    <message>
+        <source>Show all</source>
+        <translation>Alles anzeigen</translation>
+    </message>
+    <message>
+        <source>Export as SVG, PNG or PDF…</source>
+        <translation>Als SVG, PNG oder PDF exportieren…</translation>
+    </message>
+    <message>
+        <source>Export the Drawing</source>
+        <translation>Zeichnung exportieren</translation>
+    </message>
+    <message>
+        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
+        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written</source>
+        <translation>%1 kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>Print…</source>
+        <translation>Drucken…</translation>
+    </message>
+    <message>
+        <source>Fix the text first: this is the last good drawing</source>
+        <translation>Beheben Sie zuerst die Fehler im Text: Dies ist die letzte gültige Zeichnung</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::LadderView</name>
+    <message>
+        <source>Ladder or function block diagram</source>
+        <translation>Kontaktplan oder Funktionsplan</translation>
+    </message>
+    <message>
+        <source>Insert a rung below (Ctrl+T)</source>
+        <translation>Netzwerk darunter einfügen (Strg+T)</translation>
+    </message>
+    <message>
+        <source>Insert a contact on the left (Ctrl+K)</source>
+        <translation>Kontakt links einfügen (Strg+K)</translation>
+    </message>
+    <message>
+        <source>Insert a contact on the right (Ctrl+D)</source>
+        <translation>Kontakt rechts einfügen (Strg+D)</translation>
+    </message>
+    <message>
+        <source>Insert a parallel contact (Ctrl+R)</source>
+        <translation>Parallelen Kontakt einfügen (Strg+R)</translation>
+    </message>
+    <message>
+        <source>Insert a coil (Ctrl+A)</source>
+        <translation>Spule einfügen (Strg+A)</translation>
+    </message>
+    <message>
+        <source>Insert a function block (Ctrl+B)</source>
+        <translation>Funktionsbaustein einfügen (Strg+B)</translation>
+    </message>
+    <message>
+        <source>Edit (F2)</source>
+        <translation>Bearbeiten (F2)</translation>
+    </message>
+    <message>
+        <source>Delete (Del)</source>
+        <translation>Löschen (Entf)</translation>
+    </message>
+    <message>
+        <source>Breakpoint on the rung (F9)</source>
+        <translation>Haltepunkt am Netzwerk (F9)</translation>
+    </message>
+    <message>
+        <source>Show as a function block diagram</source>
+        <translation>Als Funktionsplan anzeigen</translation>
+    </message>
+    <message>
+        <source>Show as a ladder diagram</source>
+        <translation>Als Kontaktplan anzeigen</translation>
+    </message>
+    <message>
+        <source>%1 is no longer in the text</source>
+        <translation>%1 steht nicht mehr im Text</translation>
+    </message>
+    <message>
+        <source>The text has errors: this is the last good drawing</source>
+        <translation>Der Text hat Fehler: dies ist die letzte gültige Zeichnung</translation>
+    </message>
+    <message>
+        <source>Fix the text first: this is the last good drawing</source>
+        <translation>Zuerst den Text berichtigen: Dies ist die letzte gültige Zeichnung</translation>
+    </message>
+    <message>
+        <source>Select a rung</source>
+        <translation>Wählen Sie ein Netzwerk</translation>
+    </message>
+    <message>
+        <source>Select a coil</source>
+        <translation>Wählen Sie eine Spule</translation>
+    </message>
+    <message>
+        <source>Select a contact, a coil or a pin with a variable</source>
+        <translation>Wählen Sie einen Kontakt, eine Spule oder einen Anschluss mit einer Variablen</translation>
+    </message>
+    <message>
+        <source>The rung has no contact yet</source>
+        <translation>Das Netzwerk hat noch keinen Kontakt</translation>
+    </message>
+    <message>
+        <source>Select the rung that gets the block</source>
+        <translation>Wählen Sie das Netzwerk für den Baustein</translation>
+    </message>
+    <message>
+        <source>block</source>
+        <translation>Baustein</translation>
+    </message>
+    <message>
+        <source>Contact on the left; at a coil, the last contact</source>
+        <translation>Kontakt links; an einer Spule der letzte Kontakt</translation>
+    </message>
+    <message>
+        <source>Contact on the right</source>
+        <translation>Kontakt rechts</translation>
+    </message>
+    <message>
+        <source>Parallel contact</source>
+        <translation>Paralleler Kontakt</translation>
+    </message>
+    <message>
+        <source>Coil</source>
+        <translation>Spule</translation>
+    </message>
+    <message>
+        <source>Function block in the rung</source>
+        <translation>Funktionsbaustein im Netzwerk</translation>
+    </message>
+    <message>
+        <source>Rung above</source>
+        <translation>Netzwerk darüber</translation>
+    </message>
+    <message>
+        <source>Rung below</source>
+        <translation>Netzwerk darunter</translation>
+    </message>
+    <message>
+        <source>Negate a contact, a coil or a pin</source>
+        <translation>Kontakt, Spule oder Anschluss negieren</translation>
+    </message>
+    <message>
+        <source>Coil: normal, set, reset</source>
+        <translation>Spule: normal, setzen, rücksetzen</translation>
+    </message>
+    <message>
+        <source>Comment of the rung</source>
+        <translation>Kommentar des Netzwerks</translation>
+    </message>
+    <message>
+        <source>Edit what is selected (or Enter)</source>
+        <translation>Auswahl bearbeiten (oder Eingabe)</translation>
+    </message>
+    <message>
+        <source>Delete what is selected</source>
+        <translation>Auswahl löschen</translation>
+    </message>
+    <message>
+        <source>Breakpoint on the rung</source>
+        <translation>Haltepunkt am Netzwerk</translation>
+    </message>
+    <message>
+        <source>This list</source>
+        <translation>Diese Liste</translation>
+    </message>
+    <message>
+        <source>Arrows</source>
+        <translation>Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>Select the next part; Up and Down also the next rung</source>
+        <translation>Nächstes Teil wählen; Auf und Ab auch das nächste Netzwerk</translation>
+    </message>
+    <message>
+        <source>Move the rung up; with Down, down</source>
+        <translation>Netzwerk nach oben schieben; mit Ab nach unten</translation>
+    </message>
+    <message>
+        <source>Typed before a name: a negated contact</source>
+        <translation>Vor einem Namen getippt: ein negierter Kontakt</translation>
+    </message>
+    <message>
+        <source>Keys in Ladder and Function Block Diagrams</source>
+        <translation>Tasten in Kontakt- und Funktionsplänen</translation>
+    </message>
+    <message>
+        <source>Insert a Rung Above</source>
+        <translation>Netzwerk darüber einfügen</translation>
+    </message>
+    <message>
+        <source>Insert a Rung Below</source>
+        <translation>Netzwerk darunter einfügen</translation>
+    </message>
+    <message>
+        <source>Insert a Contact</source>
+        <translation>Kontakt einfügen</translation>
+    </message>
+    <message>
+        <source>Insert a Parallel Contact</source>
+        <translation>Parallelen Kontakt einfügen</translation>
+    </message>
+    <message>
+        <source>Insert a Coil</source>
+        <translation>Spule einfügen</translation>
+    </message>
+    <message>
+        <source>Insert a Function Block…</source>
+        <translation>Funktionsbaustein einfügen…</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Bearbeiten</translation>
+    </message>
+    <message>
+        <source>Comment…</source>
+        <translation>Kommentar…</translation>
+    </message>
+    <message>
+        <source>Negate</source>
+        <translation>Negieren</translation>
+    </message>
+    <message>
+        <source>Set or Reset</source>
+        <translation>Setzen oder rücksetzen</translation>
+    </message>
+    <message>
+        <source>Move the Rung Up</source>
+        <translation>Netzwerk nach oben</translation>
+    </message>
+    <message>
+        <source>Move the Rung Down</source>
+        <translation>Netzwerk nach unten</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Force TRUE</source>
+        <translation>TRUE forcen</translation>
+    </message>
+    <message>
+        <source>Force FALSE</source>
+        <translation>FALSE forcen</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>Forcen aufheben</translation>
+    </message>
+    <message>
+        <source>Toggle Breakpoint</source>
+        <translation>Haltepunkt umschalten</translation>
+    </message>
+    <message>
+        <source>Contacts as Bars (IEC 61131-3, ANSI)</source>
+        <translation>Kontakte als Striche (IEC 61131-3, ANSI)</translation>
+    </message>
+    <message>
+        <source>Contacts as in Circuit Diagrams (IEC 60617)</source>
+        <translation>Kontakte wie in Stromlaufplänen (IEC 60617)</translation>
+    </message>
+    <message>
+        <source>Names</source>
+        <translation>Namen</translation>
+    </message>
+    <message>
+        <source>Addresses</source>
+        <translation>Adressen</translation>
+    </message>
+    <message>
+        <source>Names and Addresses</source>
+        <translation>Namen und Adressen</translation>
+    </message>
+    <message>
+        <source>Comments of the Variables</source>
+        <translation>Kommentare der Variablen</translation>
+    </message>
+    <message>
+        <source>Comments of the Rungs</source>
+        <translation>Kommentare der Netzwerke</translation>
+    </message>
+    <message>
+        <source>High Contrast</source>
+        <translation>Hoher Kontrast</translation>
+    </message>
+    <message>
+        <source>What is shown</source>
+        <translation>Was angezeigt wird</translation>
+    </message>
+    <message>
+        <source>type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>Rename the variable everywhere</source>
+        <translation>Variable überall umbenennen</translation>
+    </message>
+    <message>
+        <source>Go to the declaration</source>
+        <translation>Gehe zur Deklaration</translation>
+    </message>
+    <message>
+        <source>References to the variable</source>
+        <translation>Referenzen der Variable</translation>
+    </message>
+    <message>
+        <source>Quick fix</source>
+        <translation>Schnellkorrektur</translation>
+    </message>
+    <message>
+        <source>Bookmark on the rung</source>
+        <translation>Lesezeichen am Netzwerk</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Umbenennen…</translation>
+    </message>
+    <message>
+        <source>Find References</source>
+        <translation>Referenzen suchen</translation>
+    </message>
+    <message>
+        <source>Go to Definition</source>
+        <translation>Gehe zur Definition</translation>
+    </message>
+    <message>
+        <source>Quick Fix</source>
+        <translation>Schnellkorrektur</translation>
+    </message>
+    <message>
+        <source>Write TRUE</source>
+        <translation>TRUE schreiben</translation>
+    </message>
+    <message>
+        <source>Write FALSE</source>
+        <translation>FALSE schreiben</translation>
+    </message>
+    <message>
+        <source>Toggle Bookmark</source>
+        <translation>Lesezeichen umschalten</translation>
+    </message>
+    <message>
+        <source>Contact Here</source>
+        <translation>Kontakt hier</translation>
+    </message>
+    <message>
+        <source>Negated Contact Here</source>
+        <translation>Negierter Kontakt hier</translation>
+    </message>
+    <message>
+        <source>Function Block Here</source>
+        <translation>Funktionsbaustein hier</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::RunArchive</name>
+    <message>
+        <source>The recording of the last run was not kept: %1</source>
+        <translation>Die Aufzeichnung des letzten Laufs wurde nicht aufbewahrt: %1</translation>
     </message>
 </context>
 <context>
@@ -5052,8 +7919,8 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Gehe zur Definition</translation>
     </message>
     <message>
-        <source>Find All Uses</source>
-        <translation>Alle Verwendungen suchen</translation>
+        <source>Find References</source>
+        <translation>Referenzen suchen</translation>
     </message>
     <message>
         <source>Rename…</source>
@@ -5154,6 +8021,276 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Reset the statistics</source>
         <translation>Statistik zurücksetzen</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::TuningView</name>
+    <message>
+        <source>Control loop</source>
+        <translation>Regelkreis</translation>
+    </message>
+    <message>
+        <source>Find Steps</source>
+        <translation>Sprünge suchen</translation>
+    </message>
+    <message>
+        <source>Looks for steps of the set point and of the output in the recording and makes a model of the process.</source>
+        <translation>Sucht in der Aufzeichnung nach Sprüngen des Sollwerts und des Ausgangs und bildet ein Modell der Strecke.</translation>
+    </message>
+    <message>
+        <source>Write Parameters</source>
+        <translation>Parameter schreiben</translation>
+    </message>
+    <message>
+        <source>Writes all parameters in one scan.</source>
+        <translation>Schreibt alle Parameter in einem Zyklus.</translation>
+    </message>
+    <message>
+        <source>Take Back</source>
+        <translation>Zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Writes the parameters that were in force before.</source>
+        <translation>Schreibt die Parameter, die vorher galten.</translation>
+    </message>
+    <message>
+        <source>Loop:</source>
+        <translation>Regelkreis:</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Verwenden</translation>
+    </message>
+    <message>
+        <source>At</source>
+        <translation>Bei</translation>
+    </message>
+    <message>
+        <source>Moved</source>
+        <translation>Bewegt</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Beurteilung</translation>
+    </message>
+    <message>
+        <source>Steps found</source>
+        <translation>Gefundene Sprünge</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>Regel</translation>
+    </message>
+    <message>
+        <source>Kind of controller</source>
+        <translation>Reglerart</translation>
+    </message>
+    <message>
+        <source>Calm to brisk</source>
+        <translation>Ruhig bis zügig</translation>
+    </message>
+    <message>
+        <source>Disturbance to set point</source>
+        <translation>Störung bis Sollwert</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>Proposed</source>
+        <translation>Vorgeschlagen</translation>
+    </message>
+    <message>
+        <source>Before and after</source>
+        <translation>Vorher und nachher</translation>
+    </message>
+    <message>
+        <source>Model:</source>
+        <translation>Modell:</translation>
+    </message>
+    <message>
+        <source>Rule:</source>
+        <translation>Regel:</translation>
+    </message>
+    <message>
+        <source>Controller:</source>
+        <translation>Regler:</translation>
+    </message>
+    <message>
+        <source>Calm</source>
+        <translation>Ruhig</translation>
+    </message>
+    <message>
+        <source>Brisk</source>
+        <translation>Zügig</translation>
+    </message>
+    <message>
+        <source>Disturbance</source>
+        <translation>Störgröße</translation>
+    </message>
+    <message>
+        <source>Set point</source>
+        <translation>Sollwert</translation>
+    </message>
+    <message>
+        <source>Start the controller; its recording is what is looked at.</source>
+        <translation>Starten Sie die Steuerung; untersucht wird ihre Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>The program has no controller block.</source>
+        <translation>Das Programm hat keinen Reglerbaustein.</translation>
+    </message>
+    <message>
+        <source>Searching…</source>
+        <translation>Suche läuft…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s) found, %1 used.</source>
+        <translation>
+            <numerusform>%n Sprung gefunden, %1 verwendet.</numerusform>
+            <numerusform>%n Sprünge gefunden, %1 verwendet.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, explains %2 %</source>
+        <translation>%1, erklärt %2 %</translation>
+    </message>
+    <message>
+        <source>set point</source>
+        <translation>Sollwert</translation>
+    </message>
+    <message>
+        <source>output</source>
+        <translation>Ausgang</translation>
+    </message>
+    <message>
+        <source>Choose at least one step.</source>
+        <translation>Wählen Sie mindestens einen Sprung.</translation>
+    </message>
+    <message>
+        <source>The rule has no answer for this process.</source>
+        <translation>Die Regel hat für diese Strecke keine Lösung.</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>beliebig</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Verstärkung</translation>
+    </message>
+    <message>
+        <source>Integral time</source>
+        <translation>Nachstellzeit</translation>
+    </message>
+    <message>
+        <source>Derivative time</source>
+        <translation>Vorhaltzeit</translation>
+    </message>
+    <message>
+        <source>Sensitivity Ms</source>
+        <translation>Empfindlichkeit Ms</translation>
+    </message>
+    <message>
+        <source>unstable</source>
+        <translation>instabil</translation>
+    </message>
+    <message>
+        <source>Gain margin</source>
+        <translation>Amplitudenreserve</translation>
+    </message>
+    <message>
+        <source>Phase margin</source>
+        <translation>Phasenreserve</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>Überschwingen</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Settling time</source>
+        <translation>Ausregelzeit</translation>
+    </message>
+    <message>
+        <source>Error after a load step</source>
+        <translation>Regelabweichung nach einem Lastsprung</translation>
+    </message>
+    <message>
+        <source>Control effort</source>
+        <translation>Stellaufwand</translation>
+    </message>
+    <message>
+        <source>Noise in the output</source>
+        <translation>Rauschen im Ausgang</translation>
+    </message>
+    <message>
+        <source>Recorded and modelled</source>
+        <translation>Aufgezeichnet und modelliert</translation>
+    </message>
+    <message>
+        <source>time [s]</source>
+        <translation>Zeit [s]</translation>
+    </message>
+    <message>
+        <source>recorded</source>
+        <translation>aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
+    </message>
+    <message>
+        <source>proposed</source>
+        <translation>vorgeschlagen</translation>
+    </message>
+    <message>
+        <source>Step of the set point</source>
+        <translation>Sprung des Sollwerts</translation>
+    </message>
+    <message>
+        <source>Step of the load</source>
+        <translation>Sprung der Last</translation>
+    </message>
+    <message>
+        <source>The last step with these settings</source>
+        <translation>Der letzte Sprung mit diesen Einstellungen</translation>
+    </message>
+    <message>
+        <source>Tuning</source>
+        <translation>Reglereinstellung</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>Taken back: %1</source>
+        <translation>Zurückgenommen: %1</translation>
     </message>
 </context>
 <context>
@@ -5293,8 +8430,12 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Zahlenformat</translation>
     </message>
     <message>
-        <source>As the list</source>
+        <source>As in the list</source>
         <translation>Wie die Liste</translation>
+    </message>
+    <message>
+        <source>Source of %1 with the values of %2</source>
+        <translation>Quelltext von %1 mit den Werten von %2</translation>
     </message>
 </context>
 <context>
@@ -5353,6 +8494,49 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
 </context>
 <context>
+    <name>plc::hmi::ArrayArrangementDialog</name>
+    <message>
+        <source>Arrange over array</source>
+        <translation>Über ein Array anordnen</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Array</source>
+        <translation>Array</translation>
+    </message>
+    <message>
+        <source>First index</source>
+        <translation>Erster Index</translation>
+    </message>
+    <message>
+        <source>Last index</source>
+        <translation>Letzter Index</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Spalten</translation>
+    </message>
+    <message>
+        <source>Horizontal gap</source>
+        <translation>Abstand waagrecht</translation>
+    </message>
+    <message>
+        <source>Vertical gap</source>
+        <translation>Abstand senkrecht</translation>
+    </message>
+    <message>
+        <source>In the other arguments, # becomes the index.</source>
+        <translation>In den anderen Argumenten wird # zum Index.</translation>
+    </message>
+    <message>
+        <source>Choose an array with one index, for example Plant.Valves.</source>
+        <translation>Wählen Sie ein Array mit einem Index, zum Beispiel Plant.Valves.</translation>
+    </message>
+</context>
+<context>
     <name>plc::hmi::ArrayDialog</name>
     <message>
         <source>Duplicate as array</source>
@@ -5367,18 +8551,16 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Spalten</translation>
     </message>
     <message>
-        <source>Gap across</source>
-        <translation>Abstand waagrecht</translation>
-        <source>The unit %1 is not in the text any more</source>
-        <translation>Die Einheit %1 steht nicht mehr im Text</translation>
-    </message>
-    <message>
-        <source>Gap down</source>
+        <source>Vertical gap</source>
         <translation>Abstand senkrecht</translation>
     </message>
     <message>
         <source>Index step</source>
         <translation>Indexschritt</translation>
+    </message>
+    <message>
+        <source>Horizontal gap</source>
+        <translation>Abstand waagrecht</translation>
     </message>
 </context>
 <context>
@@ -5386,12 +8568,6 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Move</source>
         <translation>Verschieben</translation>
-    </message>
-    <message>
-        <source>Resize</source>
-        <translation>Größe ändern</translation>
-        <source>Select the step from which the branch goes out</source>
-        <translation>Den Schritt wählen, von dem der Zweig ausgeht</translation>
     </message>
     <message>
         <source>Move point</source>
@@ -5408,6 +8584,14 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Insert</source>
         <translation>Einfügen</translation>
+    </message>
+    <message>
+        <source>Resize</source>
+        <translation>Größe ändern</translation>
+    </message>
+    <message>
+        <source>Bind</source>
+        <translation>Verknüpfen</translation>
     </message>
 </context>
 <context>
@@ -5442,11 +8626,15 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>Search elements</source>
         <translation>Elemente suchen</translation>
     </message>
+    <message>
+        <source>Faceplates</source>
+        <translation>Faceplates</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::PanelDesigner</name>
     <message>
-        <source>Finding</source>
+        <source>Issue</source>
         <translation>Meldung</translation>
     </message>
     <message>
@@ -5510,11 +8698,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Unten ausrichten</translation>
     </message>
     <message>
-        <source>Equal gaps across</source>
+        <source>Distribute horizontally</source>
         <translation>Gleiche Abstände waagrecht</translation>
     </message>
     <message>
-        <source>Equal gaps down</source>
+        <source>Distribute vertically</source>
         <translation>Gleiche Abstände senkrecht</translation>
     </message>
     <message>
@@ -5524,12 +8712,6 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Same height</source>
         <translation>Gleiche Höhe</translation>
-    </message>
-    <message>
-        <source>Same size</source>
-        <translation>Gleiche Größe</translation>
-        <source>%1 is a variable: it has no body</source>
-        <translation>%1 ist eine Variable: sie hat keinen Rumpf</translation>
     </message>
     <message>
         <source>Bring to front</source>
@@ -5622,6 +8804,22 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Variables</source>
         <translation>Variablen</translation>
+    </message>
+    <message>
+        <source>Same size</source>
+        <translation>Gleiche Größe</translation>
+    </message>
+    <message>
+        <source>Paste in place</source>
+        <translation>An derselben Stelle einfügen</translation>
+    </message>
+    <message>
+        <source>Arrange over array…</source>
+        <translation>Über ein Array anordnen…</translation>
+    </message>
+    <message>
+        <source>Arrange over array</source>
+        <translation>Über ein Array anordnen</translation>
     </message>
 </context>
 <context>
@@ -5733,6 +8931,55 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>%1 is used by %2</source>
         <translation>%1 wird von %2 verwendet</translation>
+    </message>
+    <message>
+        <source>Import XLIFF</source>
+        <translation>XLIFF importieren</translation>
+    </message>
+    <message>
+        <source>Translations (*.xlf *.xliff)</source>
+        <translation>Übersetzungen (*.xlf *.xliff)</translation>
+    </message>
+    <message>
+        <source>Export XLIFF</source>
+        <translation>XLIFF exportieren</translation>
+    </message>
+    <message>
+        <source>Translated from</source>
+        <translation>Übersetzt aus</translation>
+    </message>
+    <message>
+        <source>Translated into</source>
+        <translation>Übersetzt in</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>Version</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n text(s) taken.</source>
+        <translation>
+            <numerusform>%n Text übernommen.</numerusform>
+            <numerusform>%n Texte übernommen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n text(s) as they were.</source>
+        <translation>
+            <numerusform>%n Text unverändert.</numerusform>
+            <numerusform>%n Texte unverändert.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n text(s) without a translation.</source>
+        <translation>
+            <numerusform>%n Text ohne Übersetzung.</numerusform>
+            <numerusform>%n Texte ohne Übersetzung.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>XLIFF %1</source>
+        <translation>XLIFF %1</translation>
     </message>
 </context>
 <context>
@@ -6132,6 +9379,14 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
         <source>Move channel</source>
         <translation>Kanal verschieben</translation>
     </message>
+    <message>
+        <source>Compared recording</source>
+        <translation>Verglichene Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Offset in time</source>
+        <translation>Zeitversatz</translation>
+    </message>
 </context>
 <context>
     <name>plc::trace::TimeBar</name>
@@ -6169,7 +9424,7 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
         <translation>Einen Zyklus zurück (Links)</translation>
     </message>
     <message>
-        <source>One scan forth (Right)</source>
+        <source>One scan forward (Right)</source>
         <translation>Einen Zyklus vor (Rechts)</translation>
     </message>
     <message>
@@ -6348,31 +9603,31 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
         <translation>Aufzeichnungen (*.rec);;Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>Trace set-up</source>
+        <source>Trace configuration</source>
         <translation>Trace-Konfiguration</translation>
     </message>
     <message>
-        <source>Open set-up…</source>
+        <source>Open configuration…</source>
         <translation>Konfiguration öffnen…</translation>
     </message>
     <message>
-        <source>Open trace set-up</source>
+        <source>Open trace configuration</source>
         <translation>Trace-Konfiguration öffnen</translation>
     </message>
     <message>
-        <source>Trace set-ups (*.trace.json)</source>
+        <source>Trace configurations (*.trace.json)</source>
         <translation>Trace-Konfigurationen (*.trace.json)</translation>
     </message>
     <message>
-        <source>Save trace set-up</source>
+        <source>Save trace configuration</source>
         <translation>Trace-Konfiguration speichern</translation>
     </message>
     <message>
-        <source>Save set-up</source>
+        <source>Save configuration</source>
         <translation>Konfiguration speichern</translation>
     </message>
     <message>
-        <source>Save set-up as…</source>
+        <source>Save configuration as…</source>
         <translation>Konfiguration speichern unter…</translation>
     </message>
     <message>
@@ -6490,1199 +9745,13 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
         <source>Saving the recording…</source>
         <translation>Die Aufzeichnung wird gespeichert…</translation>
     </message>
-</context>
-<context>
-    <name>Phrases</name>
     <message>
-        <source>a name</source>
-        <translation>ein Name</translation>
+        <source>%1, %2 later</source>
+        <translation>%1, %2 später</translation>
     </message>
     <message>
-        <source>a label</source>
-        <translation>eine Sprungmarke</translation>
-    </message>
-    <message>
-        <source>an operand</source>
-        <translation>ein Operand</translation>
-    </message>
-    <message>
-        <source>an expression</source>
-        <translation>ein Ausdruck</translation>
-    </message>
-    <message>
-        <source>a value</source>
-        <translation>ein Wert</translation>
-    </message>
-    <message>
-        <source>a type</source>
-        <translation>ein Typ</translation>
-    </message>
-    <message>
-        <source>an index</source>
-        <translation>ein Index</translation>
-    </message>
-    <message>
-        <source>an argument</source>
-        <translation>ein Argument</translation>
-    </message>
-    <message>
-        <source>an address</source>
-        <translation>eine Adresse</translation>
-    </message>
-    <message>
-        <source>an action</source>
-        <translation>eine Aktion</translation>
-    </message>
-    <message>
-        <source>a CASE label</source>
-        <translation>eine CASE-Marke</translation>
-    </message>
-    <message>
-        <source>a block&apos;s name</source>
-        <translation>der Name eines Funktionsbausteins</translation>
-    </message>
-    <message>
-        <source>a processor&apos;s name</source>
-        <translation>der Name eines Prozessors</translation>
-    </message>
-    <message>
-        <source>a task&apos;s name</source>
-        <translation>der Name einer Task</translation>
-    </message>
-    <message>
-        <source>a program instance&apos;s name</source>
-        <translation>der Name einer Programminstanz</translation>
-    </message>
-    <message>
-        <source>an input or output</source>
-        <translation>ein Ein- oder Ausgang</translation>
-    </message>
-    <message>
-        <source>a variable&apos;s name</source>
-        <translation>der Name einer Variablen</translation>
-    </message>
-    <message>
-        <source>a variable&apos;s path</source>
-        <translation>der Pfad einer Variablen</translation>
-    </message>
-    <message>
-        <source>a step&apos;s name</source>
-        <translation>der Name eines Schritts</translation>
-    </message>
-    <message>
-        <source>a type&apos;s name</source>
-        <translation>der Name eines Typs</translation>
-    </message>
-    <message>
-        <source>a member&apos;s name</source>
-        <translation>der Name eines Elements</translation>
-    </message>
-    <message>
-        <source>an access name</source>
-        <translation>ein Zugriffsname</translation>
-    </message>
-    <message>
-        <source>an enumeration value</source>
-        <translation>ein Enumerationswert</translation>
-    </message>
-    <message>
-        <source>the end of the line</source>
-        <translation>Zeilenende</translation>
-    </message>
-    <message>
-        <source>the end of the file</source>
-        <translation>Dateiende</translation>
-    </message>
-    <message>
-        <source>{0} or {1}</source>
-        <translation>{0} oder {1}</translation>
-    </message>
-    <message>
-        <source>FOR and a time</source>
-        <translation>FOR und eine Zeit</translation>
-    </message>
-    <message>
-        <source>:= or instructions</source>
-        <translation>:= oder Anweisungen</translation>
-    </message>
-    <message>
-        <source>a subrange</source>
-        <translation>ein Unterbereich</translation>
-    </message>
-    <message>
-        <source>an enumeration</source>
-        <translation>eine Enumeration</translation>
-    </message>
-    <message>
-        <source>in parentheses</source>
-        <translation>in Klammern</translation>
-    </message>
-    <message>
-        <source>a chart</source>
-        <translation>eine Schrittkette</translation>
-    </message>
-    <message>
-        <source>a body</source>
-        <translation>ein Rumpf</translation>
-    </message>
-    <message>
-        <source>in a CLASS</source>
-        <translation>in einer CLASS</translation>
-    </message>
-    <message>
-        <source>in a FUNCTION</source>
-        <translation>in einer FUNCTION</translation>
-    </message>
-    <message>
-        <source>in a METHOD</source>
-        <translation>in einer METHOD</translation>
-    </message>
-    <message>
-        <source>in a PROGRAM</source>
-        <translation>in einem PROGRAM</translation>
-    </message>
-    <message>
-        <source>in a FUNCTION_BLOCK</source>
-        <translation>in einem FUNCTION_BLOCK</translation>
-    </message>
-    <message>
-        <source>here</source>
-        <translation>hier</translation>
-    </message>
-    <message>
-        <source>in {0}</source>
-        <translation>in {0}</translation>
-    </message>
-    <message>
-        <source>in an expression</source>
-        <translation>in einem Ausdruck</translation>
-    </message>
-    <message>
-        <source>in an initial value</source>
-        <translation>in einem Initialwert</translation>
-    </message>
-    <message>
-        <source>in this section</source>
-        <translation>in diesem Abschnitt</translation>
-    </message>
-    <message>
-        <source>an initial value</source>
-        <translation>ein Initialwert</translation>
-    </message>
-    <message>
-        <source>RETURN with a value</source>
-        <translation>RETURN mit einem Wert</translation>
-    </message>
-    <message>
-        <source>in a declaration that calls FB_Init</source>
-        <translation>in einer Deklaration, die FB_Init aufruft</translation>
-    </message>
-    <message>
-        <source>{0} (VAR_IN_OUT)</source>
-        <translation>{0} (VAR_IN_OUT)</translation>
-    </message>
-    <message>
-        <source>in {0}, which is not abstract itself</source>
-        <translation>in {0}, das selbst nicht abstrakt ist</translation>
-    </message>
-    <message>
-        <source>address</source>
-        <translation>Adresse</translation>
-    </message>
-    <message>
-        <source>duration</source>
-        <translation>Zeitdauer</translation>
-    </message>
-    <message>
-        <source>date</source>
-        <translation>Datum</translation>
-    </message>
-    <message>
-        <source>time of day</source>
-        <translation>Tageszeit</translation>
-    </message>
-    <message>
-        <source>date and time</source>
-        <translation>Datum und Uhrzeit</translation>
-    </message>
-    <message>
-        <source>integer</source>
-        <translation>Ganzzahl</translation>
-    </message>
-    <message>
-        <source>string</source>
-        <translation>Zeichenkette</translation>
-    </message>
-    <message>
-        <source>{0} (a constant)</source>
-        <translation>{0} (eine Konstante)</translation>
-    </message>
-    <message>
-        <source>{0} (an output)</source>
-        <translation>{0} (ein Ausgang)</translation>
-    </message>
-    <message>
-        <source>{0} (a local variable of {1})</source>
-        <translation>{0} (eine lokale Variable von {1})</translation>
-    </message>
-    <message>
-        <source>{0} (an input)</source>
-        <translation>{0} (ein Eingang)</translation>
-    </message>
-    <message>
-        <source>{0} (an input; the next scan overwrites it)</source>
-        <translation>{0} (ein Eingang; der nächste Zyklus überschreibt ihn)</translation>
-    </message>
-    <message>
-        <source>{0} (a property without SET)</source>
-        <translation>{0} (eine Eigenschaft ohne SET)</translation>
-    </message>
-    <message>
-        <source>{0} (no instance, or several)</source>
-        <translation>{0} (keine Instanz oder mehrere)</translation>
-    </message>
-    <message>
-        <source>{0} (a type; declare an instance of it)</source>
-        <translation>{0} (ein Typ; eine Instanz davon deklarieren)</translation>
-    </message>
-    <message>
-        <source>{0} (a variable, which hides the function of this name)</source>
-        <translation>{0} (eine Variable, die die Funktion dieses Namens verdeckt)</translation>
-    </message>
-    <message>
-        <source>an output</source>
-        <translation>ein Ausgang</translation>
-    </message>
-    <message>
-        <source>an input</source>
-        <translation>ein Eingang</translation>
-    </message>
-    <message>
-        <source>an IN_OUT parameter</source>
-        <translation>ein IN_OUT-Parameter</translation>
-    </message>
-    <message>
-        <source>a power of a computed number</source>
-        <translation>eine Potenz einer berechneten Zahl</translation>
-    </message>
-    <message>
-        <source>a call of {0}</source>
-        <translation>ein Aufruf von {0}</translation>
-    </message>
-    <message>
-        <source>a call without arguments</source>
-        <translation>ein Aufruf ohne Argumente</translation>
-    </message>
-    <message>
-        <source>a computed second argument of {0}</source>
-        <translation>ein berechnetes zweites Argument von {0}</translation>
-    </message>
-    <message>
-        <source>{0} outside a loop</source>
-        <translation>{0} außerhalb einer Schleife</translation>
-    </message>
-    <message>
-        <source>this statement</source>
-        <translation>diese Anweisung</translation>
-    </message>
-    <message>
-        <source>FOR with this end or step</source>
-        <translation>FOR mit diesem Ende oder dieser Schrittweite</translation>
-    </message>
-    <message>
-        <source>an assignment of several variables</source>
-        <translation>eine Zuweisung mehrerer Variablen</translation>
-    </message>
-    <message>
-        <source>CASE of a computed value</source>
-        <translation>CASE eines berechneten Werts</translation>
-    </message>
-    <message>
-        <source>a text</source>
-        <translation>ein Text</translation>
-    </message>
-    <message>
-        <source>a number</source>
-        <translation>eine Zahl</translation>
-    </message>
-    <message>
-        <source>an integer</source>
-        <translation>eine ganze Zahl</translation>
-    </message>
-    <message>
-        <source>a number of seconds</source>
-        <translation>eine Zahl von Sekunden</translation>
-    </message>
-    <message>
-        <source>a list</source>
-        <translation>eine Liste</translation>
-    </message>
-    <message>
-        <source>an object</source>
-        <translation>ein Objekt</translation>
-    </message>
-    <message>
-        <source>one of {0}</source>
-        <translation>eines von {0}</translation>
-    </message>
-</context>
-<context>
-    <name>Fixes</name>
-    <message>
-        <source>Replace with {0}</source>
-        <translation>Durch {0} ersetzen</translation>
-    </message>
-    <message>
-        <source>Insert {0}</source>
-        <translation>{0} einfügen</translation>
-    </message>
-    <message>
-        <source>Did you mean {0}?</source>
-        <translation>Meinten Sie {0}?</translation>
-    </message>
-    <message>
-        <source>Convert with {0}</source>
-        <translation>Mit {0} konvertieren</translation>
-    </message>
-    <message>
-        <source>Move {0} to {1}</source>
-        <translation>{0} nach {1} verschieben</translation>
-    </message>
-    <message>
-        <source>Add the property {0}</source>
-        <translation>Eigenschaft {0} hinzufügen</translation>
-    </message>
-    <message>
-        <source>Add the method {0}</source>
-        <translation>Methode {0} hinzufügen</translation>
-    </message>
-    <message>
-        <source>Add the missing branches</source>
-        <translation>Fehlende Zweige hinzufügen</translation>
-    </message>
-    <message>
-        <source>Add ELSE</source>
-        <translation>ELSE hinzufügen</translation>
-    </message>
-    <message>
-        <source>Add () to call it</source>
-        <translation>Mit () aufrufen</translation>
-    </message>
-    <message>
-        <source>Compare with 0</source>
-        <translation>Mit 0 vergleichen</translation>
-    </message>
-    <message>
-        <source>Remove the unused declaration</source>
-        <translation>Nicht verwendete Deklaration entfernen</translation>
-    </message>
-    <message>
-        <source>Replace with IF and ELSIF</source>
-        <translation>Durch IF und ELSIF ersetzen</translation>
-    </message>
-    <message>
-        <source>Change to a WSTRING literal</source>
-        <translation>In ein WSTRING-Literal ändern</translation>
-    </message>
-    <message>
-        <source>Replace with straight quotes</source>
-        <translation>Durch gerade Anführungszeichen ersetzen</translation>
-    </message>
-    <message>
-        <source>Make {0} the initial step</source>
-        <translation>{0} zum Initialschritt machen</translation>
-    </message>
-    <message>
-        <source>Dereference the pointer with ^</source>
-        <translation>Zeiger mit ^ dereferenzieren</translation>
-    </message>
-</context>
-<context>
-    <name>Notes</name>
-    <message>
-        <source>first declared here</source>
-        <translation>zuerst hier deklariert</translation>
-    </message>
-    <message>
-        <source>declared here</source>
-        <translation>hier deklariert</translation>
-    </message>
-    <message>
-        <source>the variable</source>
-        <translation>die Variable</translation>
-    </message>
-    <message>
-        <source>the first program</source>
-        <translation>das erste Programm</translation>
-    </message>
-    <message>
-        <source>overridden here</source>
-        <translation>hier überschrieben</translation>
-    </message>
-    <message>
-        <source>the first one</source>
-        <translation>der erste</translation>
-    </message>
-    <message>
-        <source>by this transition, while it is active</source>
-        <translation>durch diese Transition, während er aktiv ist</translation>
-    </message>
-</context>
-<context>
-    <name>Exchange</name>
-    <message>
-        <source>The file is written in {0}</source>
-        <translation>Die Datei ist in {0} geschrieben</translation>
-    </message>
-    <message>
-        <source>The file was not read: {0}</source>
-        <translation>Die Datei wurde nicht gelesen: {0}</translation>
-    </message>
-    <message>
-        <source>The element {0} was not read</source>
-        <translation>Das Element {0} wurde nicht gelesen</translation>
-    </message>
-    <message>
-        <source>The vendor&apos;s data {0} is kept in exchange.json</source>
-        <translation>Die Herstellerdaten {0} sind in exchange.json aufbewahrt</translation>
-    </message>
-    <message>
-        <source>The body in {0} became structured text; the diagram is kept in exchange.json</source>
-        <translation>Der Rumpf von {0} wurde zu strukturiertem Text; das Diagramm ist in exchange.json aufbewahrt</translation>
-    </message>
-    <message>
-        <source>The body in {0} is stored in a form that only its own editor reads; export it there as PLCopen XML</source>
-        <translation>Der Rumpf von {0} ist in einer Form gespeichert, die nur der eigene Editor liest; exportieren Sie ihn dort als PLCopen XML</translation>
-    </message>
-    <message>
-        <source>A jump leads to the step {0}, which does not exist</source>
-        <translation>Ein Sprung führt zum Schritt {0}, den es nicht gibt</translation>
-    </message>
-    <message>
-        <source>The element {0} of the chart is not connected and was left out</source>
-        <translation>Das Element {0} der Schrittkette ist nicht verbunden und wurde ausgelassen</translation>
-    </message>
-    <message>
-        <source>The transition from {0} has no condition; it is written as FALSE</source>
-        <translation>Die Transition von {0} hat keine Bedingung; sie ist als FALSE geschrieben</translation>
-    </message>
-    <message>
-        <source>The element {0} takes part in a loop without a block that stores a value; its last value is not kept</source>
-        <translation>Das Element {0} gehört zu einer Schleife ohne Baustein, der einen Wert speichert; sein letzter Wert bleibt nicht erhalten</translation>
-    </message>
-    <message>
-        <source>The element {0} is not connected and was left out</source>
-        <translation>Das Element {0} ist nicht verbunden und wurde ausgelassen</translation>
-    </message>
-    <message>
-        <source>An edge in a function needs the value of the last call, which a function does not store</source>
-        <translation>Eine Flanke in einer Funktion braucht den Wert des letzten Aufrufs, den eine Funktion nicht speichert</translation>
-    </message>
-    <message>
-        <source>The result of {0} is used in several places and is computed in each</source>
-        <translation>Das Ergebnis von {0} wird an mehreren Stellen verwendet und an jeder berechnet</translation>
-    </message>
-    <message>
-        <source>The type of the result of {0} is not known; it is computed although EN is FALSE</source>
-        <translation>Der Typ des Ergebnisses von {0} ist nicht bekannt; es wird berechnet, obwohl EN FALSE ist</translation>
-    </message>
-    <message>
-        <source>The library {0} is not part of Stepwise; uses of it are reported by the check</source>
-        <translation>Die Bibliothek {0} gehört nicht zu Stepwise; die Prüfung meldet ihre Verwendungen</translation>
-    </message>
-    <message>
-        <source>Code in C is kept as a comment and is not executed</source>
-        <translation>Code in C bleibt als Kommentar erhalten und wird nicht ausgeführt</translation>
-    </message>
-    <message>
-        <source>There are two units named {0}; the second is in {1}</source>
-        <translation>Es gibt zwei Bausteine namens {0}; der zweite steht in {1}</translation>
-    </message>
-    <message>
-        <source>The configuration of the devices was not read; assign the inputs and outputs again</source>
-        <translation>Die Konfiguration der Geräte wurde nicht gelesen; weisen Sie die Ein- und Ausgänge neu zu</translation>
-    </message>
-    <message>
-        <source>The task {0} is started by the event {1}, which does not exist here; give it an INTERVAL or a SINGLE</source>
-        <translation>Die Task {0} startet mit dem Ereignis {1}, das es hier nicht gibt; geben Sie ihr ein INTERVAL oder ein SINGLE</translation>
-    </message>
-    <message>
-        <source>{0} counts %MW1 in words, here it is counted in bytes; check that the addresses do not overlap</source>
-        <translation>{0} zählt %MW1 in Wörtern, hier zählt es in Bytes; prüfen Sie, dass sich die Adressen nicht überlappen</translation>
-    </message>
-    <message>
-        <source>A comment outside of the elements was left out: {0}</source>
-        <translation>Ein Kommentar außerhalb der Elemente wurde ausgelassen: {0}</translation>
-    </message>
-    <message>
-        <source>The diagram in {0} was not read: an expression repeats itself without end</source>
-        <translation>Das Diagramm in {0} wurde nicht gelesen: Ein Ausdruck wiederholt sich endlos</translation>
-    </message>
-    <message>
-        <source>A condition in {0} needs the call of a block, which a condition cannot make</source>
-        <translation>Eine Bedingung in {0} braucht den Aufruf eines Bausteins, den eine Bedingung nicht ausführen kann</translation>
-    </message>
-    <message>
-        <source>The transition {0} is not a single expression and was not read</source>
-        <translation>Die Transition {0} ist kein einzelner Ausdruck und wurde nicht gelesen</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for panels; they were left out</source>
-        <translation>PLCopen XML hat keinen Platz für Panels; sie wurden ausgelassen</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for traces; they were left out</source>
-        <translation>PLCopen XML hat keinen Platz für Traces; sie wurden ausgelassen</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for tests; they were left out</source>
-        <translation>PLCopen XML hat keinen Platz für Tests; sie wurden ausgelassen</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for tests; the TEST &apos;{0}&apos; was left out</source>
-        <translation>PLCopen XML hat keinen Platz für Tests; der TEST „{0}“ wurde ausgelassen</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for namespaces; a NAMESPACE was left out with its units</source>
-        <translation>PLCopen XML hat keinen Platz für Namensräume; ein NAMESPACE wurde mit seinen Bausteinen ausgelassen</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for USING; it was left out</source>
-        <translation>PLCopen XML hat keinen Platz für USING; es wurde ausgelassen</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for the name of the transition {0}; it was left out</source>
-        <translation>PLCopen XML hat keinen Platz für den Namen der Transition {0}; er wurde ausgelassen</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has one indicator per action; {0} was left out</source>
-        <translation>PLCopen XML hat eine Rückmeldevariable je Aktion; {0} wurde ausgelassen</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no methods; {0} was left out</source>
-        <translation>Version 0201 hat keine Methoden; {0} wurde ausgelassen</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no properties; {0} was left out</source>
-        <translation>Version 0201 hat keine Eigenschaften; {0} wurde ausgelassen</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no interfaces; {0} was left out</source>
-        <translation>Version 0201 hat keine Schnittstellen; {0} wurde ausgelassen</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no unions; {0} was left out</source>
-        <translation>Version 0201 hat keine Unions; {0} wurde ausgelassen</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no inheritance; EXTENDS or IMPLEMENTS of {0} was left out</source>
-        <translation>Version 0201 hat keine Vererbung; EXTENDS oder IMPLEMENTS von {0} wurde ausgelassen</translation>
-    </message>
-    <message>
-        <source>Version 0201 does not have the type {0}; other tools will not know it</source>
-        <translation>Version 0201 kennt den Typ {0} nicht; andere Werkzeuge werden ihn nicht kennen</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no place for the pragma {0} of a step; it was left out</source>
-        <translation>Version 0201 hat keinen Platz für das Pragma {0} eines Schritts; es wurde ausgelassen</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no place for {0} of a task; it was left out</source>
-        <translation>Version 0201 hat keinen Platz für {0} einer Task; es wurde ausgelassen</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no place for the connections of the program {0}; they were left out</source>
-        <translation>Version 0201 hat keinen Platz für die Verbindungen des Programms {0}; sie wurden ausgelassen</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no place for libraries; {0} was left out</source>
-        <translation>Version 0201 hat keinen Platz für Bibliotheken; {0} wurde ausgelassen</translation>
-    </message>
-    <message>
-        <source>The file is no program source and was left out</source>
-        <translation>Die Datei ist kein Programmquelltext und wurde ausgelassen</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::ImportDialog</name>
-    <message>
-        <source>Place</source>
-        <translation>Stelle</translation>
-    </message>
-    <message>
-        <source>Note</source>
-        <translation>Hinweis</translation>
-    </message>
-    <message>
-        <source>Report</source>
-        <translation>Bericht</translation>
-    </message>
-    <message>
-        <source>Units: %1
-Bodies: %2
-Not kept: %3</source>
-        <translation>Bausteine: %1
-Rümpfe: %2
-Nicht erhalten: %3</translation>
-    </message>
-    <message>
-        <source>Import a Project</source>
-        <translation>Projekt importieren</translation>
-    </message>
-    <message>
-        <source>PLCopen XML, TwinCAT or CODESYS files, structured text</source>
-        <translation>PLCopen XML, Dateien von TwinCAT oder CODESYS, strukturierter Text</translation>
-    </message>
-    <message>
-        <source>File…</source>
-        <translation>Datei…</translation>
-    </message>
-    <message>
-        <source>Folder…</source>
-        <translation>Ordner…</translation>
-    </message>
-    <message>
-        <source>Source files</source>
-        <translation>Quelldateien</translation>
-    </message>
-    <message>
-        <source>Preview</source>
-        <translation>Vorschau</translation>
-    </message>
-    <message>
-        <source>Import</source>
-        <translation>Importieren</translation>
-    </message>
-    <message>
-        <source>From:</source>
-        <translation>Von:</translation>
-    </message>
-    <message>
-        <source>New project in:</source>
-        <translation>Neues Projekt in:</translation>
-    </message>
-    <message>
-        <source>Projects of other tools (%1)</source>
-        <translation>Projekte anderer Werkzeuge (%1)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>This folder is not empty; name a new one</source>
-        <translation>Dieser Ordner ist nicht leer; geben Sie einen neuen an</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::ExportDialog</name>
-    <message>
-        <source>Export the Project</source>
-        <translation>Projekt exportieren</translation>
-    </message>
-    <message>
-        <source>PLCopen XML 0200, for CODESYS and TwinCAT</source>
-        <translation>PLCopen XML 0200, für CODESYS und TwinCAT</translation>
-    </message>
-    <message>
-        <source>PLCopen XML 0201, for Beremiz and OpenPLC</source>
-        <translation>PLCopen XML 0201, für Beremiz und OpenPLC</translation>
-    </message>
-    <message>
-        <source>File…</source>
-        <translation>Datei…</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Exportieren</translation>
-    </message>
-    <message>
-        <source>Format:</source>
-        <translation>Format:</translation>
-    </message>
-    <message>
-        <source>To:</source>
-        <translation>Nach:</translation>
-    </message>
-</context>
-<context>
-    <name>plc::editor::GraphView</name>
-    <message>
-        <source>Show all</source>
-        <translation>Alles anzeigen</translation>
-    </message>
-    <message>
-        <source>Export as SVG, PNG or PDF…</source>
-        <translation>Als SVG, PNG oder PDF exportieren…</translation>
-    </message>
-    <message>
-        <source>Export the Drawing</source>
-        <translation>Zeichnung exportieren</translation>
-    </message>
-    <message>
-        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
-        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written</source>
-        <translation>%1 kann nicht geschrieben werden</translation>
-    </message>
-    <message>
-        <source>Print…</source>
-        <translation>Drucken…</translation>
-    </message>
-    <message>
-        <source>Fix the text first: this is the last good drawing</source>
-        <translation>Beheben Sie zuerst die Fehler im Text: Dies ist die letzte gültige Zeichnung</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::RenameDialog</name>
-    <message>
-        <source>Rename</source>
-        <translation>Umbenennen</translation>
-    </message>
-    <message>
-        <source>New name of %1, in the whole project:</source>
-        <translation>Neuer Name von %1, im ganzen Projekt:</translation>
-    </message>
-    <message>
-        <source>Place</source>
-        <translation>Stelle</translation>
-    </message>
-    <message>
-        <source>Text</source>
-        <translation>Text</translation>
-    </message>
-    <message>
-        <source>Places that change</source>
-        <translation>Stellen, die sich ändern</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n place(s) change:</source>
-        <translation>
-            <numerusform>%n Stelle ändert sich:</numerusform>
-            <numerusform>%n Stellen ändern sich:</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>DiskChange</name>
-    <message>
-        <source>Changed outside</source>
-        <translation>Außerhalb geändert</translation>
-    </message>
-    <message>
-        <source>%1 was changed by another program, and here too.</source>
-        <translation>%1 wurde von einem anderen Programm geändert und hier auch.</translation>
-    </message>
-    <message>
-        <source>Compare both side by side, load the file from disk and lose the changes made here, or keep what is here and replace the file with the next save?</source>
-        <translation>Beide nebeneinander vergleichen, die Datei von der Platte laden und die Änderungen hier verlieren, oder behalten, was hier steht, und die Datei beim nächsten Speichern ersetzen?</translation>
-    </message>
-    <message>
-        <source>Compare…</source>
-        <translation>Vergleichen…</translation>
-    </message>
-    <message>
-        <source>Load from Disk</source>
-        <translation>Von der Platte laden</translation>
-    </message>
-    <message>
-        <source>Keep Mine</source>
-        <translation>Meine behalten</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::InstanceBar</name>
-    <message>
-        <source>Instance whose values are shown</source>
-        <translation>Instanz, deren Werte angezeigt werden</translation>
-    </message>
-    <message>
-        <source>Values of the instance of %1:</source>
-        <translation>Werte der Instanz von %1:</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::MergeDialog</name>
-    <message>
-        <source>Compare %1</source>
-        <translation>%1 vergleichen</translation>
-    </message>
-    <message>
-        <source>Previous</source>
-        <translation>Voriger</translation>
-    </message>
-    <message>
-        <source>Next</source>
-        <translation>Nächster</translation>
-    </message>
-    <message>
-        <source>Take Over</source>
-        <translation>Übernehmen</translation>
-    </message>
-    <message>
-        <source>Take Over All</source>
-        <translation>Alle übernehmen</translation>
-    </message>
-    <message>
-        <source>Here (this text is kept)</source>
-        <translation>Hier (dieser Text wird behalten)</translation>
-    </message>
-    <message>
-        <source>On disk</source>
-        <translation>Auf der Platte</translation>
-    </message>
-    <message>
-        <source>Use the Text on the Left</source>
-        <translation>Den linken Text verwenden</translation>
-    </message>
-    <message>
-        <source>No differences</source>
-        <translation>Keine Unterschiede</translation>
-    </message>
-    <message>
-        <source>Difference %1 of %2</source>
-        <translation>Unterschied %1 von %2</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::PanelFiles</name>
-    <message>
-        <source>Texts</source>
-        <translation>Texte</translation>
-    </message>
-    <message>
-        <source>Alarms</source>
-        <translation>Alarme</translation>
-    </message>
-    <message>
-        <source>Panel %1</source>
-        <translation>Panel %1</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::RunsMenu</name>
-    <message>
-        <source>Earlier Runs</source>
-        <translation>Frühere Läufe</translation>
-    </message>
-    <message>
-        <source>%1, ended by a fault, %2</source>
-        <translation>%1, durch einen Fehler beendet, %2</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>The last run is being written…</source>
-        <translation>Der letzte Lauf wird geschrieben…</translation>
-    </message>
-    <message>
-        <source>No run has ended yet</source>
-        <translation>Noch kein Lauf ist zu Ende</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::TestView</name>
-    <message>
-        <source>Run all tests</source>
-        <translation>Alle Tests ausführen</translation>
-    </message>
-    <message>
-        <source>Run the selected tests</source>
-        <translation>Die ausgewählten Tests ausführen</translation>
-    </message>
-    <message>
-        <source>Run the failed tests</source>
-        <translation>Die fehlgeschlagenen Tests ausführen</translation>
-    </message>
-    <message>
-        <source>Test</source>
-        <translation>Test</translation>
-    </message>
-    <message>
-        <source>Result</source>
-        <translation>Ergebnis</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Zeit</translation>
-    </message>
-    <message>
-        <source>Tests</source>
-        <translation>Tests</translation>
-    </message>
-    <message>
-        <source>%1 passed, %2 failed</source>
-        <translation>%1 bestanden, %2 fehlgeschlagen</translation>
-    </message>
-    <message>
-        <source>not run yet</source>
-        <translation>noch nicht gelaufen</translation>
-    </message>
-    <message>
-        <source>passed</source>
-        <translation>bestanden</translation>
-    </message>
-    <message>
-        <source>failed</source>
-        <translation>fehlgeschlagen</translation>
-    </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
-    <message>
-        <source>Show the Recording of the Failure</source>
-        <translation>Aufzeichnung des Fehlschlags anzeigen</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::TextPage</name>
-    <message>
-        <source>Line %1: %2</source>
-        <translation>Zeile %1: %2</translation>
-    </message>
-</context>
-<context>
-    <name>plc::editor::RunArchive</name>
-    <message>
-        <source>The recording of the last run was not kept: %1</source>
-        <translation>Die Aufzeichnung des letzten Laufs wurde nicht aufbewahrt: %1</translation>
-    </message>
-</context>
-<context>
-    <name>plc::editor::LadderView</name>
-    <message>
-        <source>Ladder or function block diagram</source>
-        <translation>Kontaktplan oder Funktionsplan</translation>
-    </message>
-    <message>
-        <source>Insert a rung below (Ctrl+T)</source>
-        <translation>Netzwerk darunter einfügen (Strg+T)</translation>
-    </message>
-    <message>
-        <source>Insert a contact on the left (Ctrl+K)</source>
-        <translation>Kontakt links einfügen (Strg+K)</translation>
-    </message>
-    <message>
-        <source>Insert a contact on the right (Ctrl+D)</source>
-        <translation>Kontakt rechts einfügen (Strg+D)</translation>
-    </message>
-    <message>
-        <source>Insert a parallel contact (Ctrl+R)</source>
-        <translation>Parallelen Kontakt einfügen (Strg+R)</translation>
-    </message>
-    <message>
-        <source>Insert a coil (Ctrl+A)</source>
-        <translation>Spule einfügen (Strg+A)</translation>
-    </message>
-    <message>
-        <source>Insert a function block (Ctrl+B)</source>
-        <translation>Funktionsbaustein einfügen (Strg+B)</translation>
-    </message>
-    <message>
-        <source>Edit (F2)</source>
-        <translation>Bearbeiten (F2)</translation>
-    </message>
-    <message>
-        <source>Delete (Del)</source>
-        <translation>Löschen (Entf)</translation>
-    </message>
-    <message>
-        <source>Breakpoint on the rung (F9)</source>
-        <translation>Haltepunkt am Netzwerk (F9)</translation>
-    </message>
-    <message>
-        <source>Show as a function block diagram</source>
-        <translation>Als Funktionsplan anzeigen</translation>
-    </message>
-    <message>
-        <source>Show as a ladder diagram</source>
-        <translation>Als Kontaktplan anzeigen</translation>
-    </message>
-    <message>
-        <source>%1 is not in the text any more</source>
-        <translation>%1 steht nicht mehr im Text</translation>
-    </message>
-    <message>
-        <source>The text has errors: this is the last good drawing</source>
-        <translation>Der Text hat Fehler: dies ist die letzte gültige Zeichnung</translation>
-    </message>
-    <message>
-        <source>Fix the text first: this is the last good drawing</source>
-        <translation>Zuerst den Text berichtigen: Dies ist die letzte gültige Zeichnung</translation>
-    </message>
-    <message>
-        <source>Select a rung</source>
-        <translation>Wählen Sie ein Netzwerk</translation>
-    </message>
-    <message>
-        <source>Select a coil</source>
-        <translation>Wählen Sie eine Spule</translation>
-    </message>
-    <message>
-        <source>Select a contact, a coil or a pin with a variable</source>
-        <translation>Wählen Sie einen Kontakt, eine Spule oder einen Anschluss mit einer Variablen</translation>
-    </message>
-    <message>
-        <source>The rung has no contact yet</source>
-        <translation>Das Netzwerk hat noch keinen Kontakt</translation>
-    </message>
-    <message>
-        <source>Select the rung that gets the block</source>
-        <translation>Wählen Sie das Netzwerk für den Baustein</translation>
-    </message>
-    <message>
-        <source>block</source>
-        <translation>Baustein</translation>
-    </message>
-    <message>
-        <source>Contact on the left; at a coil, the last contact</source>
-        <translation>Kontakt links; an einer Spule der letzte Kontakt</translation>
-    </message>
-    <message>
-        <source>Contact on the right</source>
-        <translation>Kontakt rechts</translation>
-    </message>
-    <message>
-        <source>Parallel contact</source>
-        <translation>Paralleler Kontakt</translation>
-    </message>
-    <message>
-        <source>Coil</source>
-        <translation>Spule</translation>
-    </message>
-    <message>
-        <source>Function block in the rung</source>
-        <translation>Funktionsbaustein im Netzwerk</translation>
-    </message>
-    <message>
-        <source>Rung above</source>
-        <translation>Netzwerk darüber</translation>
-    </message>
-    <message>
-        <source>Rung below</source>
-        <translation>Netzwerk darunter</translation>
-    </message>
-    <message>
-        <source>Negate a contact, a coil or a pin</source>
-        <translation>Kontakt, Spule oder Anschluss negieren</translation>
-    </message>
-    <message>
-        <source>Coil: normal, set, reset</source>
-        <translation>Spule: normal, setzen, rücksetzen</translation>
-    </message>
-    <message>
-        <source>Comment of the rung</source>
-        <translation>Kommentar des Netzwerks</translation>
-    </message>
-    <message>
-        <source>Edit what is selected (or Enter)</source>
-        <translation>Auswahl bearbeiten (oder Eingabe)</translation>
-    </message>
-    <message>
-        <source>Delete what is selected</source>
-        <translation>Auswahl löschen</translation>
-    </message>
-    <message>
-        <source>Breakpoint on the rung</source>
-        <translation>Haltepunkt am Netzwerk</translation>
-    </message>
-    <message>
-        <source>This list</source>
-        <translation>Diese Liste</translation>
-    </message>
-    <message>
-        <source>Arrows</source>
-        <translation>Pfeiltasten</translation>
-    </message>
-    <message>
-        <source>Select the next part; Up and Down also the next rung</source>
-        <translation>Nächstes Teil wählen; Auf und Ab auch das nächste Netzwerk</translation>
-    </message>
-    <message>
-        <source>Move the rung up; with Down, down</source>
-        <translation>Netzwerk nach oben schieben; mit Ab nach unten</translation>
-    </message>
-    <message>
-        <source>Typed before a name: a negated contact</source>
-        <translation>Vor einem Namen getippt: ein negierter Kontakt</translation>
-    </message>
-    <message>
-        <source>Keys in Ladder and Function Block Diagrams</source>
-        <translation>Tasten in Kontakt- und Funktionsplänen</translation>
-    </message>
-    <message>
-        <source>Insert a Rung Above</source>
-        <translation>Netzwerk darüber einfügen</translation>
-    </message>
-    <message>
-        <source>Insert a Rung Below</source>
-        <translation>Netzwerk darunter einfügen</translation>
-    </message>
-    <message>
-        <source>Insert a Contact</source>
-        <translation>Kontakt einfügen</translation>
-    </message>
-    <message>
-        <source>Insert a Parallel Contact</source>
-        <translation>Parallelen Kontakt einfügen</translation>
-    </message>
-    <message>
-        <source>Insert a Coil</source>
-        <translation>Spule einfügen</translation>
-    </message>
-    <message>
-        <source>Insert a Function Block…</source>
-        <translation>Funktionsbaustein einfügen…</translation>
-    </message>
-    <message>
-        <source>Edit</source>
-        <translation>Bearbeiten</translation>
-    </message>
-    <message>
-        <source>Comment…</source>
-        <translation>Kommentar…</translation>
-    </message>
-    <message>
-        <source>Negate</source>
-        <translation>Negieren</translation>
-    </message>
-    <message>
-        <source>Set or Reset</source>
-        <translation>Setzen oder rücksetzen</translation>
-    </message>
-    <message>
-        <source>Move the Rung Up</source>
-        <translation>Netzwerk nach oben</translation>
-    </message>
-    <message>
-        <source>Move the Rung Down</source>
-        <translation>Netzwerk nach unten</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>Löschen</translation>
-    </message>
-    <message>
-        <source>Force TRUE</source>
-        <translation>TRUE forcen</translation>
-    </message>
-    <message>
-        <source>Force FALSE</source>
-        <translation>FALSE forcen</translation>
-    </message>
-    <message>
-        <source>Release</source>
-        <translation>Forcen aufheben</translation>
-    </message>
-    <message>
-        <source>Toggle Breakpoint</source>
-        <translation>Haltepunkt umschalten</translation>
+        <source>%1, %2 earlier</source>
+        <translation>%1, %2 früher</translation>
     </message>
 </context>
 </TS>

@@ -53,6 +53,16 @@
     </message>
 </context>
 <context>
+    <name>plc::app::RenameDialog</name>
+    <message numerus="yes">
+        <source>%n place(s) change:</source>
+        <translation>
+            <numerusform>%n place changes:</numerusform>
+            <numerusform>%n places change:</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>plc::app::SearchView</name>
     <message numerus="yes">
         <source>%n place(s)</source>
@@ -104,6 +114,16 @@
     </message>
 </context>
 <context>
+    <name>plc::editor::TuningView</name>
+    <message numerus="yes">
+        <source>%n step(s) found, %1 used.</source>
+        <translation>
+            <numerusform>%n step found, %1 used.</numerusform>
+            <numerusform>%n steps found, %1 used.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>plc::hmi::PropertySheet</name>
     <message numerus="yes">
         <source>%n elements</source>
@@ -122,6 +142,27 @@
             <numerusform>%n texts</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n text(s) taken.</source>
+        <translation>
+            <numerusform>%n text taken.</numerusform>
+            <numerusform>%n texts taken.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n text(s) as they were.</source>
+        <translation>
+            <numerusform>%n text as it was.</numerusform>
+            <numerusform>%n texts as they were.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n text(s) without a translation.</source>
+        <translation>
+            <numerusform>%n text without a translation.</numerusform>
+            <numerusform>%n texts without a translation.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>plc::trace::TraceView</name>
@@ -130,16 +171,6 @@
         <translation>
             <numerusform>(%n shot)</numerusform>
             <numerusform>(%n shots)</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::RenameDialog</name>
-    <message numerus="yes">
-        <source>%n place(s) change:</source>
-        <translation>
-            <numerusform>%n place changes:</numerusform>
-            <numerusform>%n places change:</numerusform>
         </translation>
     </message>
 </context>

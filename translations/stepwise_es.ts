@@ -517,6 +517,33 @@
     </message>
 </context>
 <context>
+    <name>DiskChange</name>
+    <message>
+        <source>Changed outside</source>
+        <translation>Cambiado desde fuera</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program, and here too.</source>
+        <translation>Otro programa cambió %1, y aquí también se cambió.</translation>
+    </message>
+    <message>
+        <source>Compare both side by side, load the file from disk and lose the changes made here, or keep what is here and replace the file with the next save?</source>
+        <translation>¿Comparar los dos uno al lado del otro, cargar el archivo del disco y perder los cambios hechos aquí, o conservar lo de aquí y reemplazar el archivo la próxima vez que se guarde?</translation>
+    </message>
+    <message>
+        <source>Compare…</source>
+        <translation>Comparar…</translation>
+    </message>
+    <message>
+        <source>Load from Disk</source>
+        <translation>Cargar del disco</translation>
+    </message>
+    <message>
+        <source>Keep Mine</source>
+        <translation>Conservar lo mío</translation>
+    </message>
+</context>
+<context>
     <name>EditHistory</name>
     <message>
         <source>&amp;Undo</source>
@@ -568,10 +595,6 @@
     <message>
         <source>the task ran longer than its watchdog time of {0}</source>
         <translation>la tarea ha superado su tiempo de watchdog de {0}</translation>
-    </message>
-    <message>
-        <source>more than {0} loop passes and calls in one run of the task; check for an endless loop</source>
-        <translation>más de {0} pasadas de bucle y llamadas en una ejecución de la tarea; busque un bucle infinito</translation>
     </message>
     <message>
         <source>calls are nested too deeply; check for endless recursion</source>
@@ -1338,10 +1361,6 @@
         <translation>No se pueden mover instrucciones que están en una misma línea; sepárelas primero en el texto.</translation>
     </message>
     <message>
-        <source>The first input and the first output of {0} must be BOOL for it to stand in a rung.</source>
-        <translation>La primera entrada y la primera salida de {0} deben ser BOOL para que pueda estar en un segmento.</translation>
-    </message>
-    <message>
         <source>The rung reads what it writes; add this coil in a rung of its own.</source>
         <translation>El segmento lee lo que escribe; añada esta bobina en un segmento propio.</translation>
     </message>
@@ -1578,7 +1597,7 @@
         <translation>{0} no cabe en {1}</translation>
     </message>
     <message>
-        <source>STRING holds Latin-1 only; declare the variable as WSTRING</source>
+        <source>STRING contains Latin-1 only; declare the variable as WSTRING</source>
         <translation>STRING solo contiene Latin-1; declare la variable como WSTRING</translation>
     </message>
     <message>
@@ -1667,11 +1686,11 @@
     </message>
     <message>
         <source>&quot;{0}&quot; does not fit: it needs {1} px, the maximum is {2}</source>
-        <translation>«{0}» no cabe: necesita {1} px, el máximo es {2}</translation>
+        <translation>«{0}» no cabe: necesita {1}&#xa0;px, el máximo es {2}</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}</source>
-        <translation>«{0}» no cabe: necesita una altura de {1} px, el máximo es {2}</translation>
+        <translation>«{0}» no cabe: necesita una altura de {1}&#xa0;px, el máximo es {2}</translation>
     </message>
     <message>
         <source>{0}; did you mean {1}?</source>
@@ -1846,14 +1865,570 @@
         <translation>{0} no es un número de ciclos</translation>
     </message>
     <message>
+        <source>{0} is not a name: use letters, digits and underscores.</source>
+        <translation>{0} no es un nombre: use letras, cifras y guiones bajos.</translation>
+    </message>
+    <message>
         <source>{0} is not a time</source>
-        <translation>{0} no es un tiempo</translation>
-        <source>This is no file that can be imported: PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
         <translation>{0} no es un tiempo</translation>
     </message>
     <message>
-        <source>{0} is not a name: use letters, digits and underscores.</source>
-        <translation>{0} no es un nombre: use letras, cifras y guiones bajos.</translation>
+        <source>This is not an XLIFF file</source>
+        <translation>Esto no es un archivo XLIFF</translation>
+    </message>
+    <message>
+        <source>The XLIFF version {0} is not known; save the file as 1.2 or 2.0</source>
+        <translation>La versión de XLIFF {0} no se conoce; guarde el archivo como 1.2 o 2.0</translation>
+    </message>
+    <message>
+        <source>The file does not say into which language it is translated</source>
+        <translation>El archivo no indica a qué idioma está traducido</translation>
+    </message>
+    <message>
+        <source>The XML is wrong: {0}</source>
+        <translation>El XML es incorrecto: {0}</translation>
+    </message>
+    <message>
+        <source>The text of the key {0} in {1} has changed since the export; check the translation</source>
+        <translation>El texto de la clave {0} en {1} ha cambiado desde la exportación; compruebe la traducción</translation>
+    </message>
+    <message>
+        <source>The translation of the key {0} has other placeholders than its source, so it was not taken</source>
+        <translation>La traducción de la clave {0} tiene otros marcadores que su origen y no se ha aceptado</translation>
+    </message>
+    <message>
+        <source>The picture {0} is outside the project; copy it into the project, or set {1} to true under {2} in project.json</source>
+        <translation>La imagen {0} está fuera del proyecto; cópiela en el proyecto o ponga {1} a true bajo {2} en project.json</translation>
+    </message>
+    <message>
+        <source>The picture {0} is larger than {1} MB</source>
+        <translation>La imagen {0} supera {1}&#xa0;MB</translation>
+    </message>
+    <message>
+        <source>The picture {0} unpacks to more than {1} MB</source>
+        <translation>La imagen {0} supera {1}&#xa0;MB al descomprimirse</translation>
+    </message>
+    <message>
+        <source>The picture {0} is {1} x {2} pixels; more than {3} million are not drawn</source>
+        <translation>La imagen {0} tiene {1} x {2} píxeles; no se dibujan más de {3} millones</translation>
+    </message>
+    <message>
+        <source>{0} is not a picture in a known format such as PNG, JPEG or SVG</source>
+        <translation>{0} no es una imagen en un formato conocido como PNG, JPEG o SVG</translation>
+    </message>
+    <message>
+        <source>The picture {0} draws more than {1} shapes</source>
+        <translation>La imagen {0} dibuja más de {1} formas</translation>
+    </message>
+    <message>
+        <source>The shapes of the picture {0} are nested more than {1} deep or contain themselves</source>
+        <translation>Las formas de la imagen {0} están anidadas a más de {1} niveles o se contienen a sí mismas</translation>
+    </message>
+    <message>
+        <source>The picture {0} loads {1}; embed it in the picture as PNG or JPEG</source>
+        <translation>La imagen {0} carga {1}; incrústelo en la imagen como PNG o JPEG</translation>
+    </message>
+    <message>
+        <source>The picture {0} has dashed lines of more than {1} dashes</source>
+        <translation>La imagen {0} tiene líneas discontinuas de más de {1} trazos</translation>
+    </message>
+    <message>
+        <source>This version does not know the property {0}; it is kept as it is</source>
+        <translation>Esta versión no conoce la propiedad {0}; se conserva tal cual</translation>
+    </message>
+    <message>
+        <source>This version does not know the property {0}; did you mean {1}?</source>
+        <translation>Esta versión no conoce la propiedad {0}; ¿quería decir {1}?</translation>
+    </message>
+    <message>
+        <source>The value must be true or false</source>
+        <translation>El valor debe ser true o false</translation>
+    </message>
+    <message>
+        <source>The value must be a whole number</source>
+        <translation>El valor debe ser un número entero</translation>
+    </message>
+    <message>
+        <source>The value must be a number</source>
+        <translation>El valor debe ser un número</translation>
+    </message>
+    <message>
+        <source>The value must be a list of two numbers: width and height</source>
+        <translation>El valor debe ser una lista de dos números: anchura y altura</translation>
+    </message>
+    <message>
+        <source>The value must be a list of four numbers: x, y, width and height</source>
+        <translation>El valor debe ser una lista de cuatro números: x, y, anchura y altura</translation>
+    </message>
+    <message>
+        <source>The value must be a list of points, each a list of two numbers</source>
+        <translation>El valor debe ser una lista de puntos, cada uno una lista de dos números</translation>
+    </message>
+    <message>
+        <source>The value must be an object with an expression for each name</source>
+        <translation>El valor debe ser un objeto con una expresión por nombre</translation>
+    </message>
+    <message>
+        <source>The value must be a list of objects</source>
+        <translation>El valor debe ser una lista de objetos</translation>
+    </message>
+    <message>
+        <source>The value must be a text in quotes</source>
+        <translation>El valor debe ser un texto entre comillas</translation>
+    </message>
+    <message>
+        <source>{0} is not one of the choices: {1}</source>
+        <translation>{0} no es una de las opciones: {1}</translation>
+    </message>
+    <message>
+        <source>{0} is not a colour; use the name of a role of the theme or a value such as {1}</source>
+        <translation>{0} no es un color; use el nombre de una función del tema o un valor como {1}</translation>
+    </message>
+    <message>
+        <source>{0} is not a colour; did you mean {1}?</source>
+        <translation>{0} no es un color; ¿quería decir {1}?</translation>
+    </message>
+    <message>
+        <source>{0} ({1}) must be greater than {2} ({3})</source>
+        <translation>{0} ({1}) debe ser mayor que {2} ({3})</translation>
+    </message>
+    <message>
+        <source>The panel has no group or tab {0}</source>
+        <translation>El panel no tiene ningún grupo ni pestañas {0}</translation>
+    </message>
+    <message>
+        <source>The group {0} contains itself</source>
+        <translation>El grupo {0} se contiene a sí mismo</translation>
+    </message>
+    <message>
+        <source>{0} has no page {1}; its {2} {2:page is|pages are} numbered from 0</source>
+        <translation>{0} no tiene página {1}; sus {2} {2:página se numera|páginas se numeran} desde 0</translation>
+    </message>
+    <message>
+        <source>The format {0} needs a number, and {1} is none; use {2}</source>
+        <translation>El formato {0} necesita un número y {1} no lo es; use {2}</translation>
+    </message>
+    <message>
+        <source>The project has no language {0}, so operators never see this column; add it to the languages in project.json</source>
+        <translation>El proyecto no tiene el idioma {0}, así que los operadores nunca ven esta columna; añádalo a los idiomas en project.json</translation>
+    </message>
+    <message>
+        <source>Nothing says what this does; give it a text, or place one beside it</source>
+        <translation>Nada indica para qué sirve esto; dele un texto o coloque uno al lado</translation>
+    </message>
+    <message>
+        <source>{0} is between {1} and {2} in the recording, so the range from {3} to {4} cuts it off</source>
+        <translation>{0} está entre {1} y {2} en la grabación, por lo que el rango de {3} a {4} lo recorta</translation>
+    </message>
+    <message>
+        <source>{0} is not between {1} and {2}; {3} is used</source>
+        <translation>{0} no está entre {1} y {2}; se usa {3}</translation>
+    </message>
+    <message>
+        <source>The faceplate does not say which panel it shows</source>
+        <translation>El faceplate no indica qué panel muestra</translation>
+    </message>
+    <message>
+        <source>The panel {0} contains this one, so it cannot be placed in it</source>
+        <translation>El panel {0} contiene a este, por lo que no se puede colocar en él</translation>
+    </message>
+    <message>
+        <source>The panel {0} has no parameter {1}</source>
+        <translation>El panel {0} no tiene ningún parámetro {1}</translation>
+    </message>
+    <message>
+        <source>The program has no type {0}; name a block or a structure, BOOL, REAL or the like, or text</source>
+        <translation>El programa no tiene ningún tipo {0}; indique un bloque o una estructura, BOOL, REAL o similar, o text</translation>
+    </message>
+    <message>
+        <source>The parameter {0} needs an argument of type {1}</source>
+        <translation>El parámetro {0} necesita un argumento de tipo {1}</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; the parameter {2} needs {3}</source>
+        <translation>{0} es {1}; el parámetro {2} necesita {3}</translation>
+    </message>
+    <message>
+        <source>{0} (tried with {1})</source>
+        <translation>{0} (probado con {1})</translation>
+    </message>
+    <message>
+        <source>The program was not built from sources.</source>
+        <translation>El programa no se compiló a partir de código fuente.</translation>
+    </message>
+    <message>
+        <source>The recording does not contain the program of this scan.</source>
+        <translation>La grabación no contiene el programa de este ciclo.</translation>
+    </message>
+    <message>
+        <source>This scan is no longer in the recording.</source>
+        <translation>Este ciclo ya no está en la grabación.</translation>
+    </message>
+    <message>
+        <source>The scan before it is not in the recording, so the values with which this scan began are not known.</source>
+        <translation>El ciclo anterior no está en la grabación, por lo que no se conocen los valores con los que empezó este ciclo.</translation>
+    </message>
+    <message>
+        <source>The users and roles are not valid JSON</source>
+        <translation>Los usuarios y las funciones no son JSON válido</translation>
+    </message>
+    <message>
+        <source>A role has no name</source>
+        <translation>Una función no tiene nombre</translation>
+    </message>
+    <message>
+        <source>Two roles are named {0}</source>
+        <translation>Dos funciones se llaman {0}</translation>
+    </message>
+    <message>
+        <source>There is no role {0}</source>
+        <translation>No existe la función {0}</translation>
+    </message>
+    <message>
+        <source>A user has no name</source>
+        <translation>Un usuario no tiene nombre</translation>
+    </message>
+    <message>
+        <source>Two users are named {0}</source>
+        <translation>Dos usuarios se llaman {0}</translation>
+    </message>
+    <message>
+        <source>There is no user {0}</source>
+        <translation>No existe el usuario {0}</translation>
+    </message>
+    <message>
+        <source>The password cannot be kept: {0}</source>
+        <translation>No se puede conservar la contraseña: {0}</translation>
+    </message>
+    <message>
+        <source>A password needs at least {0} characters</source>
+        <translation>Una contraseña necesita al menos {0} caracteres</translation>
+    </message>
+    <message>
+        <source>The password must not be the name of the user</source>
+        <translation>La contraseña no debe ser el nombre del usuario</translation>
+    </message>
+    <message>
+        <source>The audit trail cannot be written: {0}</source>
+        <translation>No se puede escribir el registro de auditoría: {0}</translation>
+    </message>
+    <message>
+        <source>The audit trail cannot be read: {0}</source>
+        <translation>No se puede leer el registro de auditoría: {0}</translation>
+    </message>
+    <message>
+        <source>The frame {0} has no panel area, so no panel is seen in it</source>
+        <translation>El marco {0} no tiene área de panel, por lo que no se ve ningún panel en él</translation>
+    </message>
+    <message>
+        <source>Only for the roles {0}, but the project has no users; anybody may operate it</source>
+        <translation>Solo para las funciones {0}, pero el proyecto no tiene usuarios; cualquiera puede operarlo</translation>
+    </message>
+    <message>
+        <source>The recipes are not valid JSON</source>
+        <translation>Las recetas no son JSON válido</translation>
+    </message>
+    <message>
+        <source>A recipe has no name</source>
+        <translation>Una receta no tiene nombre</translation>
+    </message>
+    <message>
+        <source>Two recipes are named {0}</source>
+        <translation>Dos recetas se llaman {0}</translation>
+    </message>
+    <message>
+        <source>A row of a recipe names no variable</source>
+        <translation>Una fila de una receta no indica ninguna variable</translation>
+    </message>
+    <message>
+        <source>The recipe has the variable {0} twice</source>
+        <translation>La receta tiene la variable {0} dos veces</translation>
+    </message>
+    <message>
+        <source>A set of a recipe has no name</source>
+        <translation>Un juego de valores de una receta no tiene nombre</translation>
+    </message>
+    <message>
+        <source>Two sets of the recipe are named {0}</source>
+        <translation>Dos juegos de valores de la receta se llaman {0}</translation>
+    </message>
+    <message>
+        <source>The first column must be named variable, and each set has a column of its own</source>
+        <translation>La primera columna debe llamarse variable, y cada juego de valores tiene su propia columna</translation>
+    </message>
+    <message>
+        <source>The recipe {0} has no variable {1}</source>
+        <translation>La receta {0} no tiene ninguna variable {1}</translation>
+    </message>
+    <message>
+        <source>There is no recipe {0}</source>
+        <translation>No existe la receta {0}</translation>
+    </message>
+    <message>
+        <source>The recipe {0} has no set {1}</source>
+        <translation>La receta {0} no tiene ningún juego de valores {1}</translation>
+    </message>
+    <message>
+        <source>The set {0} has no value for {1}</source>
+        <translation>El juego de valores {0} no tiene valor para {1}</translation>
+    </message>
+    <message>
+        <source>{0} is outside the limits of {1}, {2} to {3}</source>
+        <translation>{0} está fuera de los límites de {1}, de {2} a {3}</translation>
+    </message>
+    <message>
+        <source>The list of shelved alarms cannot be read, so none is shelved: {0}</source>
+        <translation>No se puede leer la lista de alarmas aplazadas, por lo que no hay ninguna aplazada: {0}</translation>
+    </message>
+    <message>
+        <source>The list of shelved alarms cannot be written: {0}</source>
+        <translation>No se puede escribir la lista de alarmas aplazadas: {0}</translation>
+    </message>
+</context>
+<context>
+    <name>Exchange</name>
+    <message>
+        <source>The file is written in {0}</source>
+        <translation>El archivo está escrito en {0}</translation>
+    </message>
+    <message>
+        <source>The file was not read: {0}</source>
+        <translation>El archivo no se ha leído: {0}</translation>
+    </message>
+    <message>
+        <source>The element {0} was not read</source>
+        <translation>El elemento {0} no se ha leído</translation>
+    </message>
+    <message>
+        <source>The vendor&apos;s data {0} is kept in exchange.json</source>
+        <translation>Los datos {0} del fabricante se conservan en exchange.json</translation>
+    </message>
+    <message>
+        <source>The body in {0} became structured text; the diagram is kept in exchange.json</source>
+        <translation>El cuerpo en {0} se ha convertido en texto estructurado; el diagrama se conserva en exchange.json</translation>
+    </message>
+    <message>
+        <source>The body in {0} is stored in a form that only its own editor reads; export it there as PLCopen XML</source>
+        <translation>El cuerpo en {0} está guardado en un formato que solo lee su propio editor; expórtelo allí como PLCopen XML</translation>
+    </message>
+    <message>
+        <source>A jump leads to the step {0}, which does not exist</source>
+        <translation>Un salto lleva a la etapa {0}, que no existe</translation>
+    </message>
+    <message>
+        <source>The element {0} of the chart is not connected and was left out</source>
+        <translation>El elemento {0} de la secuencia (SFC) no está conectado y se ha omitido</translation>
+    </message>
+    <message>
+        <source>The transition from {0} has no condition; it is written as FALSE</source>
+        <translation>La transición desde {0} no tiene condición; se escribe como FALSE</translation>
+    </message>
+    <message>
+        <source>The element {0} takes part in a loop without a block that stores a value; its last value is not kept</source>
+        <translation>El elemento {0} forma parte de un bucle sin bloque que almacene un valor; su último valor no se conserva</translation>
+    </message>
+    <message>
+        <source>The element {0} is not connected and was left out</source>
+        <translation>El elemento {0} no está conectado y se ha omitido</translation>
+    </message>
+    <message>
+        <source>An edge in a function needs the value of the last call, which a function does not store</source>
+        <translation>Un flanco en una función necesita el valor de la última llamada, que una función no almacena</translation>
+    </message>
+    <message>
+        <source>The result of {0} is used in several places and is computed in each</source>
+        <translation>El resultado de {0} se usa en varios lugares y se calcula en cada uno</translation>
+    </message>
+    <message>
+        <source>The type of the result of {0} is not known; it is computed although EN is FALSE</source>
+        <translation>El tipo del resultado de {0} no se conoce; se calcula aunque EN sea FALSE</translation>
+    </message>
+    <message>
+        <source>The library {0} is not part of Stepwise; uses of it are reported by the check</source>
+        <translation>La biblioteca {0} no forma parte de Stepwise; la comprobación notifica sus usos</translation>
+    </message>
+    <message>
+        <source>Code in C is kept as a comment and is not executed</source>
+        <translation>El código en C se conserva como comentario y no se ejecuta</translation>
+    </message>
+    <message>
+        <source>There are two units named {0}; the second is in {1}</source>
+        <translation>Hay dos POU llamados {0}; el segundo está en {1}</translation>
+    </message>
+    <message>
+        <source>The configuration of the devices was not read; assign the inputs and outputs again</source>
+        <translation>La configuración de los dispositivos no se ha leído; vuelva a asignar las entradas y salidas</translation>
+    </message>
+    <message>
+        <source>The task {0} is started by the event {1}, which does not exist here; give it an INTERVAL or a SINGLE</source>
+        <translation>La tarea {0} la inicia el evento {1}, que aquí no existe; asígnele un INTERVAL o un SINGLE</translation>
+    </message>
+    <message>
+        <source>{0} counts %MW1 in words, here it is counted in bytes; check that the addresses do not overlap</source>
+        <translation>{0} cuenta %MW1 en palabras, aquí se cuenta en bytes; compruebe que las direcciones no se solapen</translation>
+    </message>
+    <message>
+        <source>A comment outside of the elements was left out: {0}</source>
+        <translation>Se ha omitido un comentario fuera de los elementos: {0}</translation>
+    </message>
+    <message>
+        <source>The diagram in {0} was not read: an expression repeats itself without end</source>
+        <translation>El diagrama en {0} no se ha leído: una expresión se repite sin fin</translation>
+    </message>
+    <message>
+        <source>A condition in {0} needs the call of a block, which a condition cannot make</source>
+        <translation>Una condición en {0} necesita llamar a un bloque, lo que una condición no puede hacer</translation>
+    </message>
+    <message>
+        <source>The transition {0} is not a single expression and was not read</source>
+        <translation>La transición {0} no es una única expresión y no se ha leído</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for panels; they were left out</source>
+        <translation>PLCopen XML no tiene lugar para paneles; se han omitido</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for traces; they were left out</source>
+        <translation>PLCopen XML no tiene lugar para trazas; se han omitido</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for tests; they were left out</source>
+        <translation>PLCopen XML no tiene lugar para pruebas; se han omitido</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for tests; the TEST &apos;{0}&apos; was left out</source>
+        <translation>PLCopen XML no tiene lugar para pruebas; el TEST «{0}» se ha omitido</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for namespaces; a NAMESPACE was left out with its units</source>
+        <translation>PLCopen XML no tiene lugar para espacios de nombres; se ha omitido un NAMESPACE con sus POU</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for USING; it was left out</source>
+        <translation>PLCopen XML no tiene lugar para USING; se ha omitido</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for the name of the transition {0}; it was left out</source>
+        <translation>PLCopen XML no tiene lugar para el nombre de la transición {0}; se ha omitido</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has one indicator per action; {0} was left out</source>
+        <translation>PLCopen XML tiene un indicador por acción; {0} se ha omitido</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no methods; {0} was left out</source>
+        <translation>La versión 0201 no tiene métodos; {0} se ha omitido</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no properties; {0} was left out</source>
+        <translation>La versión 0201 no tiene propiedades; {0} se ha omitido</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no interfaces; {0} was left out</source>
+        <translation>La versión 0201 no tiene interfaces; {0} se ha omitido</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no unions; {0} was left out</source>
+        <translation>La versión 0201 no tiene uniones; {0} se ha omitido</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no inheritance; EXTENDS or IMPLEMENTS of {0} was left out</source>
+        <translation>La versión 0201 no tiene herencia; se ha omitido EXTENDS o IMPLEMENTS de {0}</translation>
+    </message>
+    <message>
+        <source>Version 0201 does not have the type {0}; other tools will not know it</source>
+        <translation>La versión 0201 no tiene el tipo {0}; otras herramientas no lo conocerán</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for the pragma {0} of a step; it was left out</source>
+        <translation>La versión 0201 no tiene lugar para el pragma {0} de una etapa; se ha omitido</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for {0} of a task; it was left out</source>
+        <translation>La versión 0201 no tiene lugar para {0} de una tarea; se ha omitido</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for the connections of the program {0}; they were left out</source>
+        <translation>La versión 0201 no tiene lugar para las conexiones del programa {0}; se han omitido</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for libraries; {0} was left out</source>
+        <translation>La versión 0201 no tiene lugar para bibliotecas; {0} se ha omitido</translation>
+    </message>
+    <message>
+        <source>The file is no program source and was left out</source>
+        <translation>El archivo no es código fuente y se ha omitido</translation>
+    </message>
+</context>
+<context>
+    <name>Fixes</name>
+    <message>
+        <source>Replace with {0}</source>
+        <translation>Reemplazar por {0}</translation>
+    </message>
+    <message>
+        <source>Insert {0}</source>
+        <translation>Insertar {0}</translation>
+    </message>
+    <message>
+        <source>Did you mean {0}?</source>
+        <translation>¿Quería decir {0}?</translation>
+    </message>
+    <message>
+        <source>Convert with {0}</source>
+        <translation>Convertir con {0}</translation>
+    </message>
+    <message>
+        <source>Move {0} to {1}</source>
+        <translation>Mover {0} a {1}</translation>
+    </message>
+    <message>
+        <source>Add the property {0}</source>
+        <translation>Añadir la propiedad {0}</translation>
+    </message>
+    <message>
+        <source>Add the method {0}</source>
+        <translation>Añadir el método {0}</translation>
+    </message>
+    <message>
+        <source>Add the missing branches</source>
+        <translation>Añadir las ramas que faltan</translation>
+    </message>
+    <message>
+        <source>Add ELSE</source>
+        <translation>Añadir ELSE</translation>
+    </message>
+    <message>
+        <source>Add () to call it</source>
+        <translation>Añadir () para llamarlo</translation>
+    </message>
+    <message>
+        <source>Compare with 0</source>
+        <translation>Comparar con 0</translation>
+    </message>
+    <message>
+        <source>Remove the unused declaration</source>
+        <translation>Quitar la declaración sin usar</translation>
+    </message>
+    <message>
+        <source>Replace with IF and ELSIF</source>
+        <translation>Reemplazar por IF y ELSIF</translation>
+    </message>
+    <message>
+        <source>Change to a WSTRING literal</source>
+        <translation>Cambiar a un literal WSTRING</translation>
+    </message>
+    <message>
+        <source>Replace with straight quotes</source>
+        <translation>Reemplazar por comillas rectas</translation>
+    </message>
+    <message>
+        <source>Make {0} the initial step</source>
+        <translation>Convertir {0} en la etapa inicial</translation>
+    </message>
+    <message>
+        <source>Dereference the pointer with ^</source>
+        <translation>Desreferenciar el puntero con ^</translation>
     </message>
 </context>
 <context>
@@ -1879,8 +2454,8 @@
         <translation>Una expresión ST</translation>
     </message>
     <message>
-        <source>Shown to the operator. A typed text gets its key by itself; @key names one.</source>
-        <translation>Se muestra al operador. Un texto escrito recibe su clave automáticamente; @clave indica una existente.</translation>
+        <source>Shown to the operator. A typed text gets its key automatically; @key uses an existing one.</source>
+        <translation>Se muestra al operador. Un texto escrito recibe su clave automáticamente; @clave usa una existente.</translation>
     </message>
     <message>
         <source>X</source>
@@ -2087,7 +2662,7 @@
         <translation>Página de pestaña</translation>
     </message>
     <message>
-        <source>Place and size</source>
+        <source>Position and size</source>
         <translation>Posición y tamaño</translation>
     </message>
     <message>
@@ -2367,11 +2942,11 @@
         <translation>Orientación</translation>
     </message>
     <message>
-        <source>Shows the value</source>
+        <source>Show the value</source>
         <translation>Mostrar el valor</translation>
     </message>
     <message>
-        <source>Turning knob</source>
+        <source>Rotary knob</source>
         <translation>Botón giratorio</translation>
     </message>
     <message>
@@ -2407,7 +2982,7 @@
         <translation>Máscara (# cifra, A letra, * cualquiera)</translation>
     </message>
     <message>
-        <source>Hides the value</source>
+        <source>Hide the value</source>
         <translation>Ocultar el valor</translation>
     </message>
     <message>
@@ -2547,7 +3122,7 @@
         <translation>Primer índice</translation>
     </message>
     <message>
-        <source>Shows the numbers</source>
+        <source>Show the numbers</source>
         <translation>Mostrar los números</translation>
     </message>
     <message>
@@ -2715,7 +3290,7 @@
         <translation>Geometría</translation>
     </message>
     <message>
-        <source>Look</source>
+        <source>Appearance</source>
         <translation>Aspecto</translation>
     </message>
     <message>
@@ -2726,12 +3301,953 @@
         <source>Motion</source>
         <translation>Movimiento</translation>
     </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parámetros</translation>
+    </message>
+    <message>
+        <source>Type (a block, a structure, BOOL, REAL, text)</source>
+        <translation>Tipo (un bloque, una estructura, BOOL, REAL, text)</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>Predeterminado</translation>
+    </message>
+    <message>
+        <source>Faceplate</source>
+        <translation>Faceplate</translation>
+    </message>
+    <message>
+        <source>Arguments</source>
+        <translation>Argumentos</translation>
+    </message>
+    <message>
+        <source>Adapts to the screen by</source>
+        <translation>Se adapta a la pantalla mediante</translation>
+    </message>
+    <message>
+        <source>On a tall screen</source>
+        <translation>En una pantalla vertical</translation>
+    </message>
+    <message>
+        <source>Shown in the frame</source>
+        <translation>Se muestra en el marco</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Ayuda</translation>
+    </message>
+    <message>
+        <source>Panel to show</source>
+        <translation>Panel que se muestra</translation>
+    </message>
+    <message>
+        <source>First-out group</source>
+        <translation>Grupo de primera alarma</translation>
+    </message>
+    <message>
+        <source>Horizontal anchor</source>
+        <translation>Anclaje horizontal</translation>
+    </message>
+    <message>
+        <source>Vertical anchor</source>
+        <translation>Anclaje vertical</translation>
+    </message>
+    <message>
+        <source>Only for the roles</source>
+        <translation>Solo para las funciones</translation>
+    </message>
+    <message>
+        <source>For all others</source>
+        <translation>Para todos los demás</translation>
+    </message>
+    <message>
+        <source>Writes are confirmed</source>
+        <translation>Las escrituras se confirman</translation>
+    </message>
+    <message>
+        <source>Navigation bar</source>
+        <translation>Barra de navegación</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Paneles</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>Usuario</translation>
+    </message>
+    <message>
+        <source>Recipe</source>
+        <translation>Receta</translation>
+    </message>
+    <message>
+        <source>Alarm statistics</source>
+        <translation>Estadística de alarmas</translation>
+    </message>
+    <message>
+        <source>Hours to look back</source>
+        <translation>Horas consideradas</translation>
+    </message>
+    <message>
+        <source>Panel area</source>
+        <translation>Área de panel</translation>
+    </message>
+</context>
+<context>
+    <name>HmiChoices</name>
+    <message>
+        <source>Dot</source>
+        <translation>Punto</translation>
+    </message>
+    <message>
+        <source>Start sign</source>
+        <translation>Signo de marcha</translation>
+    </message>
+    <message>
+        <source>Stop sign</source>
+        <translation>Signo de paro</translation>
+    </message>
+    <message>
+        <source>Pause sign</source>
+        <translation>Signo de pausa</translation>
+    </message>
+    <message>
+        <source>Plus</source>
+        <translation>Signo más</translation>
+    </message>
+    <message>
+        <source>Minus</source>
+        <translation>Signo menos</translation>
+    </message>
+    <message>
+        <source>House</source>
+        <translation>Casa</translation>
+    </message>
+    <message>
+        <source>Circular arrow</source>
+        <translation>Flecha circular</translation>
+    </message>
+    <message>
+        <source>Time of day</source>
+        <translation>Hora</translation>
+    </message>
+    <message>
+        <source>By time</source>
+        <translation>Por hora</translation>
+    </message>
+    <message>
+        <source>Solid</source>
+        <translation>Continua</translation>
+    </message>
+    <message>
+        <source>Dashed</source>
+        <translation>Discontinua</translation>
+    </message>
+    <message>
+        <source>Dotted</source>
+        <translation>De puntos</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ninguno</translation>
+    </message>
+    <message>
+        <source>At the start</source>
+        <translation>Al principio</translation>
+    </message>
+    <message>
+        <source>Centred</source>
+        <translation>Centrado</translation>
+    </message>
+    <message>
+        <source>At the end</source>
+        <translation>Al final</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Claro</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Oscuro</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>Contraste alto</translation>
+    </message>
+    <message>
+        <source>Arrow</source>
+        <translation>Flecha</translation>
+    </message>
+    <message>
+        <source>Arc line</source>
+        <translation>Línea de arco</translation>
+    </message>
+    <message>
+        <source>Pie</source>
+        <translation>Sector</translation>
+    </message>
+    <message>
+        <source>Chord</source>
+        <translation>Segmento circular</translation>
+    </message>
+    <message>
+        <source>Show all of it</source>
+        <translation>Mostrar entera</translation>
+    </message>
+    <message>
+        <source>Fill the frame</source>
+        <translation>Rellenar el marco</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>Estirar</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Derecha</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Izquierda</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Arriba</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Abajo</translation>
+    </message>
+    <message>
+        <source>Momentary</source>
+        <translation>Momentáneo</translation>
+    </message>
+    <message>
+        <source>Toggle</source>
+        <translation>Conmutar</translation>
+    </message>
+    <message>
+        <source>Set to TRUE</source>
+        <translation>Poner a TRUE</translation>
+    </message>
+    <message>
+        <source>Set to FALSE</source>
+        <translation>Poner a FALSE</translation>
+    </message>
+    <message>
+        <source>Write a value</source>
+        <translation>Escribir un valor</translation>
+    </message>
+    <message>
+        <source>Go to a panel</source>
+        <translation>Ir a un panel</translation>
+    </message>
+    <message>
+        <source>Change the language</source>
+        <translation>Cambiar el idioma</translation>
+    </message>
+    <message>
+        <source>Acknowledge alarms</source>
+        <translation>Acusar las alarmas</translation>
+    </message>
+    <message>
+        <source>Horizontal</source>
+        <translation>Horizontal</translation>
+    </message>
+    <message>
+        <source>Vertical</source>
+        <translation>Vertical</translation>
+    </message>
+    <message>
+        <source>Date and time of day</source>
+        <translation>Fecha y hora</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Fecha</translation>
+    </message>
+    <message>
+        <source>Calendar week</source>
+        <translation>Semana del calendario</translation>
+    </message>
+    <message>
+        <source>Round</source>
+        <translation>Redondo</translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation>Cuadrado</translation>
+    </message>
+    <message>
+        <source>Rounded</source>
+        <translation>Redondeado</translation>
+    </message>
+    <message>
+        <source>Dished ends</source>
+        <translation>Fondos abombados</translation>
+    </message>
+    <message>
+        <source>Flat ends</source>
+        <translation>Fondos planos</translation>
+    </message>
+    <message>
+        <source>Hopper</source>
+        <translation>Tolva</translation>
+    </message>
+    <message>
+        <source>Open at the top</source>
+        <translation>Abierto por arriba</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Seleccionar</translation>
+    </message>
+    <message>
+        <source>Present alarms</source>
+        <translation>Alarmas presentes</translation>
+    </message>
+    <message>
+        <source>Alarm history</source>
+        <translation>Historial de alarmas</translation>
+    </message>
+    <message>
+        <source>By priority</source>
+        <translation>Por prioridad</translation>
+    </message>
+    <message>
+        <source>Buttons</source>
+        <translation>Botones</translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <translation>Menú</translation>
+    </message>
+    <message>
+        <source>In their own language</source>
+        <translation>En su propio idioma</translation>
+    </message>
+    <message>
+        <source>Language tags</source>
+        <translation>Etiquetas de idioma</translation>
+    </message>
+    <message>
+        <source>Motor</source>
+        <translation>Motor</translation>
+    </message>
+    <message>
+        <source>Pump</source>
+        <translation>Bomba</translation>
+    </message>
+    <message>
+        <source>Valve</source>
+        <translation>Válvula</translation>
+    </message>
+    <message>
+        <source>Tank</source>
+        <translation>Depósito</translation>
+    </message>
+    <message>
+        <source>Silo</source>
+        <translation>Silo</translation>
+    </message>
+    <message>
+        <source>Conveyor</source>
+        <translation>Cinta transportadora</translation>
+    </message>
+    <message>
+        <source>Agitator</source>
+        <translation>Agitador</translation>
+    </message>
+    <message>
+        <source>Heater</source>
+        <translation>Calefactor</translation>
+    </message>
+    <message>
+        <source>Fan</source>
+        <translation>Ventilador</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>Sensor</translation>
+    </message>
+    <message>
+        <source>Lamp</source>
+        <translation>Piloto</translation>
+    </message>
+    <message>
+        <source>Siren</source>
+        <translation>Sirena</translation>
+    </message>
+    <message>
+        <source>Lorry</source>
+        <translation>Camión</translation>
+    </message>
+    <message>
+        <source>Vehicle</source>
+        <translation>Vehículo</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Fondo</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Superficie</translation>
+    </message>
+    <message>
+        <source>Raised surface</source>
+        <translation>Superficie en relieve</translation>
+    </message>
+    <message>
+        <source>Sunken surface</source>
+        <translation>Superficie hundida</translation>
+    </message>
+    <message>
+        <source>Line colour</source>
+        <translation>Color de línea</translation>
+    </message>
+    <message>
+        <source>Faint line</source>
+        <translation>Línea tenue</translation>
+    </message>
+    <message>
+        <source>Text colour</source>
+        <translation>Color del texto</translation>
+    </message>
+    <message>
+        <source>Muted text</source>
+        <translation>Texto atenuado</translation>
+    </message>
+    <message>
+        <source>Button colour</source>
+        <translation>Color de botón</translation>
+    </message>
+    <message>
+        <source>Accent</source>
+        <translation>Acento</translation>
+    </message>
+    <message>
+        <source>Switched off</source>
+        <translation>Apagado</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>En marcha</translation>
+    </message>
+    <message>
+        <source>Liquid</source>
+        <translation>Líquido</translation>
+    </message>
+    <message>
+        <source>Pipe colour</source>
+        <translation>Color de tubería</translation>
+    </message>
+    <message>
+        <source>Measured value</source>
+        <translation>Valor medido</translation>
+    </message>
+    <message>
+        <source>Lit segment</source>
+        <translation>Segmento encendido</translation>
+    </message>
+    <message>
+        <source>Display glass</source>
+        <translation>Cristal del indicador</translation>
+    </message>
+    <message>
+        <source>Alarm colour</source>
+        <translation>Color de alarma</translation>
+    </message>
+    <message>
+        <source>High priority</source>
+        <translation>Prioridad alta</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Advertencia</translation>
+    </message>
+    <message>
+        <source>Low priority</source>
+        <translation>Prioridad baja</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation>Rojo</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation>Naranja</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation>Amarillo</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Verde</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Azul</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>Blanco</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>Negro</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Gris</translation>
+    </message>
+    <message>
+        <source>Good state</source>
+        <translation>Estado correcto</translation>
+    </message>
+    <message>
+        <source>Curve 1</source>
+        <translation>Curva 1</translation>
+    </message>
+    <message>
+        <source>Curve 2</source>
+        <translation>Curva 2</translation>
+    </message>
+    <message>
+        <source>Curve 3</source>
+        <translation>Curva 3</translation>
+    </message>
+    <message>
+        <source>Curve 4</source>
+        <translation>Curva 4</translation>
+    </message>
+    <message>
+        <source>Curve 5</source>
+        <translation>Curva 5</translation>
+    </message>
+    <message>
+        <source>Curve 6</source>
+        <translation>Curva 6</translation>
+    </message>
+    <message>
+        <source>Curve 7</source>
+        <translation>Curva 7</translation>
+    </message>
+    <message>
+        <source>Curve 8</source>
+        <translation>Curva 8</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>un número</translation>
+    </message>
+    <message>
+        <source>a BOOL</source>
+        <translation>un BOOL</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>un texto</translation>
+    </message>
+    <message>
+        <source>an array</source>
+        <translation>un array</translation>
+    </message>
+    <message>
+        <source>any type</source>
+        <translation>cualquier tipo</translation>
+    </message>
+    <message>
+        <source>Left and right</source>
+        <translation>Izquierda y derecha</translation>
+    </message>
+    <message>
+        <source>Top and bottom</source>
+        <translation>Arriba y abajo</translation>
+    </message>
+    <message>
+        <source>Scaling to its size</source>
+        <translation>Escalado a su tamaño</translation>
+    </message>
+    <message>
+        <source>Moving what is anchored</source>
+        <translation>Desplazamiento de lo anclado</translation>
+    </message>
+    <message>
+        <source>Keep the proportions</source>
+        <translation>Mantener las proporciones</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Arriba</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Abajo</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Bloqueado</translation>
+    </message>
+    <message>
+        <source>Hidden</source>
+        <translation>Oculto</translation>
+    </message>
+    <message>
+        <source>Open a panel in a window</source>
+        <translation>Abrir un panel en una ventana</translation>
+    </message>
+    <message>
+        <source>Close the window</source>
+        <translation>Cerrar la ventana</translation>
+    </message>
+    <message>
+        <source>Go back</source>
+        <translation>Volver atrás</translation>
+    </message>
+    <message>
+        <source>Go to the start panel</source>
+        <translation>Ir al panel inicial</translation>
+    </message>
+    <message>
+        <source>Log out</source>
+        <translation>Cerrar sesión</translation>
+    </message>
+    <message>
+        <source>Shelved alarms</source>
+        <translation>Alarmas aplazadas</translation>
+    </message>
+</context>
+<context>
+    <name>Inside</name>
+    <message>
+        <source>set by {0}  {1} ({2}, task {3})</source>
+        <translation>asignado por {0}  {1} ({2}, tarea {3})</translation>
+    </message>
+    <message>
+        <source>set by {0}  {1} ({2})</source>
+        <translation>asignado por {0}  {1} ({2})</translation>
+    </message>
+    <message>
+        <source>set by what the compiler adds ({0})</source>
+        <translation>asignado por lo que añade el compilador ({0})</translation>
+    </message>
+    <message>
+        <source>written from outside</source>
+        <translation>escrito desde fuera</translation>
+    </message>
+    <message>
+        <source>written from {0}</source>
+        <translation>escrito desde {0}</translation>
+    </message>
+    <message>
+        <source>forced</source>
+        <translation>forzado</translation>
+    </message>
+    <message>
+        <source>forced from {0}</source>
+        <translation>forzado desde {0}</translation>
+    </message>
+    <message>
+        <source>put back by a reset</source>
+        <translation>restablecido por un reset</translation>
+    </message>
+    <message>
+        <source>carried over by an online change</source>
+        <translation>conservado en un cambio online</translation>
+    </message>
+    <message>
+        <source>restored from the retained values</source>
+        <translation>restaurado a partir de los valores remanentes</translation>
+    </message>
+    <message>
+        <source>its initial value</source>
+        <translation>su valor inicial</translation>
+    </message>
+    <message>
+        <source>put into the safe state when the controller stopped</source>
+        <translation>puesto en estado seguro al parar el controlador</translation>
+    </message>
+    <message>
+        <source>as recorded in the scan that was resumed from</source>
+        <translation>como se grabó en el ciclo desde el que se reanudó</translation>
+    </message>
+    <message>
+        <source>set by a statement of a test</source>
+        <translation>asignado por una instrucción de una prueba</translation>
+    </message>
+    <message>
+        <source>not known who set it</source>
+        <translation>no se sabe quién lo asignó</translation>
+    </message>
+    <message>
+        <source>the command line</source>
+        <translation>la línea de comandos</translation>
+    </message>
+    <message>
+        <source>the studio</source>
+        <translation>el estudio</translation>
+    </message>
+    <message>
+        <source>panel {0}, {1}</source>
+        <translation>el panel {0}, {1}</translation>
+    </message>
+    <message>
+        <source>{0} (scan {1})</source>
+        <translation>{0} (ciclo {1})</translation>
+    </message>
+    <message>
+        <source>{0}  {1} from {2} to {3}, {4}</source>
+        <translation>{0}  {1} de {2} a {3}, {4}</translation>
+    </message>
+    <message>
+        <source>{0}  {1} to {2}, {3}</source>
+        <translation>{0}  {1} a {2}, {3}</translation>
+    </message>
+    <message>
+        <source>called by {0}  {1}</source>
+        <translation>llamado por {0}  {1}</translation>
+    </message>
+    <message>
+        <source>{0} is {1} at {2}, since {3}.</source>
+        <translation>{0} es {1} en {2}, desde {3}.</translation>
+    </message>
+    <message>
+        <source>{0} is {1} at {2}, as it was when the recording began.</source>
+        <translation>{0} es {1} en {2}, como al comenzar la grabación.</translation>
+    </message>
+    <message>
+        <source>{0} is {1} at {2}.</source>
+        <translation>{0} es {1} en {2}.</translation>
+    </message>
+    <message>
+        <source>It was {0}.</source>
+        <translation>Valor: {0}.</translation>
+    </message>
+    <message>
+        <source>It has its initial value.</source>
+        <translation>La variable tiene su valor inicial.</translation>
+    </message>
+    <message>
+        <source>It became {0} because</source>
+        <translation>Pasó a {0} porque</translation>
+    </message>
+    <message>
+        <source>This needed</source>
+        <translation>Hizo falta</translation>
+    </message>
+    <message>
+        <source>It needs</source>
+        <translation>Hace falta</translation>
+    </message>
+    <message>
+        <source>It stays so because</source>
+        <translation>Sigue así porque</translation>
+    </message>
+    <message>
+        <source>Step by step</source>
+        <translation>Etapa por etapa</translation>
+    </message>
+    <message>
+        <source>because</source>
+        <translation>porque</translation>
+    </message>
+    <message>
+        <source>time passed.</source>
+        <translation>pasó el tiempo.</translation>
+    </message>
+    <message>
+        <source>it was the first scan.</source>
+        <translation>era el primer ciclo.</translation>
+    </message>
+    <message>
+        <source>other variables were forced.</source>
+        <translation>había otras variables forzadas.</translation>
+    </message>
+    <message>
+        <source>{0} became {1}.</source>
+        <translation>{0} pasó a {1}.</translation>
+    </message>
+    <message>
+        <source>{0} became {1}, {2}.</source>
+        <translation>{0} pasó a {1}, {2}.</translation>
+    </message>
+    <message>
+        <source>{0} changed.</source>
+        <translation>{0} cambió.</translation>
+    </message>
+    <message>
+        <source>{0} changed, {1}.</source>
+        <translation>{0} cambió, {1}.</translation>
+    </message>
+    <message>
+        <source>{0} was {1}.</source>
+        <translation>{0} era {1}.</translation>
+    </message>
+    <message>
+        <source>{0} was {1} since {2}, {3}.</source>
+        <translation>{0} era {1} desde {2}, {3}.</translation>
+    </message>
+    <message>
+        <source>{0}   → {1}</source>
+        <translation>{0}   → {1}</translation>
+    </message>
+    <message>
+        <source>it ran because {0} was {1}</source>
+        <translation>se ejecutó porque {0} era {1}</translation>
+    </message>
+    <message>
+        <source>nothing wrote it later because {0} was {1}</source>
+        <translation>nada lo escribió después porque {0} era {1}</translation>
+    </message>
+    <message>
+        <source>a statement that would write it did not run because {0} was {1}</source>
+        <translation>una instrucción que lo escribiría no se ejecutó porque {0} era {1}</translation>
+    </message>
+    <message>
+        <source>{0} ({1})</source>
+        <translation>{0} ({1})</translation>
+    </message>
+    <message>
+        <source>{0}</source>
+        <translation>{0}</translation>
+    </message>
+    <message>
+        <source>{0}: {1}</source>
+        <translation>{0}: {1}</translation>
+    </message>
+    <message>
+        <source>{0} was {1} when the scan began</source>
+        <translation>{0} era {1} al comenzar el ciclo</translation>
+    </message>
+    <message>
+        <source>{0}   {1}</source>
+        <translation>{0}   {1}</translation>
+    </message>
+    <message>
+        <source>its time of {0} is over</source>
+        <translation>su tiempo de {0} ha transcurrido</translation>
+    </message>
+    <message>
+        <source>it does not run</source>
+        <translation>no está en marcha</translation>
+    </message>
+    <message>
+        <source>it has run {0} of {1}, {2} to go</source>
+        <translation>han transcurrido {0} de {1}, faltan {2}</translation>
+    </message>
+    <message>
+        <source>it has counted {0} of {1}</source>
+        <translation>ha contado {0} de {1}</translation>
+    </message>
+    <message>
+        <source>No change of up to three variables makes it {0} in this scan.</source>
+        <translation>Ningún cambio de hasta tres variables la hace {0} en este ciclo.</translation>
+    </message>
+    <message>
+        <source>It would be {0} if {1}.</source>
+        <translation>Sería {0} si {1}.</translation>
+    </message>
+    <message>
+        <source>It would also be {0} if {1}.</source>
+        <translation>También sería {0} si {1}.</translation>
+    </message>
+    <message>
+        <source>{0} were {1} (it is {2})</source>
+        <translation>{0} fuera {1} (es {2})</translation>
+    </message>
+    <message>
+        <source>{0} and {1}</source>
+        <translation>{0} y {1}</translation>
+    </message>
+    <message>
+        <source>What keeps it {0}</source>
+        <translation>Lo que la mantiene en {0}</translation>
+    </message>
+    <message>
+        <source>Note: {0}.</source>
+        <translation>Nota: {0}.</translation>
+    </message>
+    <message>
+        <source>recorded by an earlier version, which kept no journal</source>
+        <translation>grabado por una versión anterior, que no llevaba diario</translation>
+    </message>
+    <message>
+        <source>it was written to while it was halted at a breakpoint</source>
+        <translation>se escribió en él mientras estaba detenido en un punto de interrupción</translation>
+    </message>
+    <message>
+        <source>the scan had another result when it was run again</source>
+        <translation>el ciclo dio otro resultado al repetirlo</translation>
+    </message>
+    <message>
+        <source>it has no value in this scan: {0}</source>
+        <translation>sin valor en este ciclo: {0}</translation>
+    </message>
+    <message>
+        <source>&quot;Why not?&quot; needs a condition (BOOL), for example &quot;Main.level &gt; 80&quot;</source>
+        <translation>«¿Por qué no?» necesita una condición (BOOL), por ejemplo «Main.level &gt; 80»</translation>
+    </message>
+    <message>
+        <source>the program was not built from sources</source>
+        <translation>el programa no se compiló a partir de código fuente</translation>
+    </message>
+    <message>
+        <source>this scan is not in the recording</source>
+        <translation>este ciclo no está en la grabación</translation>
+    </message>
+    <message>
+        <source>it does not change in this recording</source>
+        <translation>no cambia en esta grabación</translation>
+    </message>
+    <message>
+        <source>nothing wrote it in this scan</source>
+        <translation>nada lo escribió en este ciclo</translation>
+    </message>
+    <message>
+        <source>no statement of the project ran in this scan</source>
+        <translation>ninguna instrucción del proyecto se ejecutó en este ciclo</translation>
+    </message>
 </context>
 <context>
     <name>LongTask</name>
     <message>
         <source>Cancel</source>
         <translation>Cancelar</translation>
+    </message>
+</context>
+<context>
+    <name>Loops</name>
+    <message>
+        <source>The program has no controller block; name the signals with --input and --output</source>
+        <translation>El programa no tiene ningún bloque controlador; indique las señales con --input y --output</translation>
+    </message>
+    <message>
+        <source>There is no single loop {0}; the program has {1}</source>
+        <translation>No hay un único lazo {0}; el programa tiene {1}</translation>
+    </message>
+    <message>
+        <source>The recording contains no program that knows it</source>
+        <translation>La grabación no contiene ningún programa que la conozca</translation>
+    </message>
+    <message>
+        <source>It is not a number and cannot be a signal of a loop</source>
+        <translation>No es un número y no puede ser una señal de un lazo</translation>
+    </message>
+    <message>
+        <source>This range is no longer recorded, or the program was changed in it; choose another one</source>
+        <translation>Este tramo ya no está grabado, o el programa se cambió en él; elija otro</translation>
+    </message>
+    <message>
+        <source>{0} gets an expression in the call; give the measured value a variable of its own to try settings</source>
+        <translation>{0} recibe una expresión en la llamada; dé al valor medido una variable propia para probar ajustes</translation>
     </message>
 </context>
 <context>
@@ -2798,6 +4314,372 @@
     <message>
         <source>Resumed from this scan</source>
         <translation>Reanudado desde este ciclo</translation>
+    </message>
+</context>
+<context>
+    <name>Notes</name>
+    <message>
+        <source>first declared here</source>
+        <translation>declarado aquí por primera vez</translation>
+    </message>
+    <message>
+        <source>declared here</source>
+        <translation>declarado aquí</translation>
+    </message>
+    <message>
+        <source>the variable</source>
+        <translation>la variable</translation>
+    </message>
+    <message>
+        <source>the first program</source>
+        <translation>el primer programa</translation>
+    </message>
+    <message>
+        <source>overridden here</source>
+        <translation>sobrescrito aquí</translation>
+    </message>
+    <message>
+        <source>the first one</source>
+        <translation>el primero</translation>
+    </message>
+    <message>
+        <source>by this transition, while it is active</source>
+        <translation>por esta transición, mientras está activa</translation>
+    </message>
+</context>
+<context>
+    <name>Phrases</name>
+    <message>
+        <source>a name</source>
+        <translation>un nombre</translation>
+    </message>
+    <message>
+        <source>a label</source>
+        <translation>una etiqueta</translation>
+    </message>
+    <message>
+        <source>an operand</source>
+        <translation>un operando</translation>
+    </message>
+    <message>
+        <source>an expression</source>
+        <translation>una expresión</translation>
+    </message>
+    <message>
+        <source>a value</source>
+        <translation>un valor</translation>
+    </message>
+    <message>
+        <source>a type</source>
+        <translation>un tipo</translation>
+    </message>
+    <message>
+        <source>an index</source>
+        <translation>un índice</translation>
+    </message>
+    <message>
+        <source>an argument</source>
+        <translation>un argumento</translation>
+    </message>
+    <message>
+        <source>an address</source>
+        <translation>una dirección</translation>
+    </message>
+    <message>
+        <source>an action</source>
+        <translation>una acción</translation>
+    </message>
+    <message>
+        <source>a CASE label</source>
+        <translation>una etiqueta CASE</translation>
+    </message>
+    <message>
+        <source>a block&apos;s name</source>
+        <translation>el nombre de un bloque</translation>
+    </message>
+    <message>
+        <source>a processor&apos;s name</source>
+        <translation>el nombre de un procesador</translation>
+    </message>
+    <message>
+        <source>a task&apos;s name</source>
+        <translation>el nombre de una tarea</translation>
+    </message>
+    <message>
+        <source>a program instance&apos;s name</source>
+        <translation>el nombre de una instancia de programa</translation>
+    </message>
+    <message>
+        <source>an input or output</source>
+        <translation>una entrada o salida</translation>
+    </message>
+    <message>
+        <source>a variable&apos;s name</source>
+        <translation>el nombre de una variable</translation>
+    </message>
+    <message>
+        <source>a variable&apos;s path</source>
+        <translation>la ruta de una variable</translation>
+    </message>
+    <message>
+        <source>a step&apos;s name</source>
+        <translation>el nombre de una etapa</translation>
+    </message>
+    <message>
+        <source>a type&apos;s name</source>
+        <translation>el nombre de un tipo</translation>
+    </message>
+    <message>
+        <source>a member&apos;s name</source>
+        <translation>el nombre de un miembro</translation>
+    </message>
+    <message>
+        <source>an access name</source>
+        <translation>un nombre de acceso</translation>
+    </message>
+    <message>
+        <source>an enumeration value</source>
+        <translation>un valor de enumeración</translation>
+    </message>
+    <message>
+        <source>the end of the line</source>
+        <translation>el final de la línea</translation>
+    </message>
+    <message>
+        <source>the end of the file</source>
+        <translation>el final del archivo</translation>
+    </message>
+    <message>
+        <source>{0} or {1}</source>
+        <translation>{0} o {1}</translation>
+    </message>
+    <message>
+        <source>FOR and a time</source>
+        <translation>FOR y un tiempo</translation>
+    </message>
+    <message>
+        <source>:= or instructions</source>
+        <translation>:= o instrucciones</translation>
+    </message>
+    <message>
+        <source>a subrange</source>
+        <translation>un subrango</translation>
+    </message>
+    <message>
+        <source>an enumeration</source>
+        <translation>una enumeración</translation>
+    </message>
+    <message>
+        <source>in parentheses</source>
+        <translation>entre paréntesis</translation>
+    </message>
+    <message>
+        <source>a chart</source>
+        <translation>una secuencia (SFC)</translation>
+    </message>
+    <message>
+        <source>a body</source>
+        <translation>un cuerpo</translation>
+    </message>
+    <message>
+        <source>in a CLASS</source>
+        <translation>en una CLASS</translation>
+    </message>
+    <message>
+        <source>in a FUNCTION</source>
+        <translation>en una FUNCTION</translation>
+    </message>
+    <message>
+        <source>in a METHOD</source>
+        <translation>en un METHOD</translation>
+    </message>
+    <message>
+        <source>in a PROGRAM</source>
+        <translation>en un PROGRAM</translation>
+    </message>
+    <message>
+        <source>in a FUNCTION_BLOCK</source>
+        <translation>en un FUNCTION_BLOCK</translation>
+    </message>
+    <message>
+        <source>here</source>
+        <translation>aquí</translation>
+    </message>
+    <message>
+        <source>in {0}</source>
+        <translation>en {0}</translation>
+    </message>
+    <message>
+        <source>in an expression</source>
+        <translation>en una expresión</translation>
+    </message>
+    <message>
+        <source>in an initial value</source>
+        <translation>en un valor inicial</translation>
+    </message>
+    <message>
+        <source>in this section</source>
+        <translation>en esta sección</translation>
+    </message>
+    <message>
+        <source>an initial value</source>
+        <translation>un valor inicial</translation>
+    </message>
+    <message>
+        <source>RETURN with a value</source>
+        <translation>RETURN con un valor</translation>
+    </message>
+    <message>
+        <source>in a declaration that calls FB_Init</source>
+        <translation>en una declaración que llama a FB_Init</translation>
+    </message>
+    <message>
+        <source>{0} (VAR_IN_OUT)</source>
+        <translation>{0} (VAR_IN_OUT)</translation>
+    </message>
+    <message>
+        <source>in {0}, which is not abstract itself</source>
+        <translation>en {0}, que no es abstracto</translation>
+    </message>
+    <message>
+        <source>address</source>
+        <translation>dirección</translation>
+    </message>
+    <message>
+        <source>duration</source>
+        <translation>duración</translation>
+    </message>
+    <message>
+        <source>date</source>
+        <translation>fecha</translation>
+    </message>
+    <message>
+        <source>time of day</source>
+        <translation>hora del día</translation>
+    </message>
+    <message>
+        <source>date and time</source>
+        <translation>fecha y hora</translation>
+    </message>
+    <message>
+        <source>integer</source>
+        <translation>entero</translation>
+    </message>
+    <message>
+        <source>string</source>
+        <translation>cadena</translation>
+    </message>
+    <message>
+        <source>{0} (a constant)</source>
+        <translation>{0} (una constante)</translation>
+    </message>
+    <message>
+        <source>{0} (an output)</source>
+        <translation>{0} (una salida)</translation>
+    </message>
+    <message>
+        <source>{0} (a local variable of {1})</source>
+        <translation>{0} (una variable local de {1})</translation>
+    </message>
+    <message>
+        <source>{0} (an input)</source>
+        <translation>{0} (una entrada)</translation>
+    </message>
+    <message>
+        <source>{0} (an input; the next scan overwrites it)</source>
+        <translation>{0} (una entrada; el próximo ciclo la sobrescribe)</translation>
+    </message>
+    <message>
+        <source>{0} (a property without SET)</source>
+        <translation>{0} (una propiedad sin SET)</translation>
+    </message>
+    <message>
+        <source>{0} (no instance, or several)</source>
+        <translation>{0} (ninguna instancia, o varias)</translation>
+    </message>
+    <message>
+        <source>{0} (a type; declare an instance of it)</source>
+        <translation>{0} (un tipo; declare una instancia)</translation>
+    </message>
+    <message>
+        <source>{0} (a variable, which hides the function of this name)</source>
+        <translation>{0} (una variable que oculta la función del mismo nombre)</translation>
+    </message>
+    <message>
+        <source>an output</source>
+        <translation>una salida</translation>
+    </message>
+    <message>
+        <source>an input</source>
+        <translation>una entrada</translation>
+    </message>
+    <message>
+        <source>an IN_OUT parameter</source>
+        <translation>un parámetro IN_OUT</translation>
+    </message>
+    <message>
+        <source>a power of a computed number</source>
+        <translation>una potencia de un número calculado</translation>
+    </message>
+    <message>
+        <source>a call of {0}</source>
+        <translation>una llamada a {0}</translation>
+    </message>
+    <message>
+        <source>a call without arguments</source>
+        <translation>una llamada sin argumentos</translation>
+    </message>
+    <message>
+        <source>a computed second argument of {0}</source>
+        <translation>un segundo argumento calculado de {0}</translation>
+    </message>
+    <message>
+        <source>{0} outside a loop</source>
+        <translation>{0} fuera de un bucle</translation>
+    </message>
+    <message>
+        <source>this statement</source>
+        <translation>esta instrucción</translation>
+    </message>
+    <message>
+        <source>FOR with this end or step</source>
+        <translation>FOR con este final o paso</translation>
+    </message>
+    <message>
+        <source>an assignment of several variables</source>
+        <translation>una asignación de varias variables</translation>
+    </message>
+    <message>
+        <source>CASE of a computed value</source>
+        <translation>CASE de un valor calculado</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>un texto</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>un número</translation>
+    </message>
+    <message>
+        <source>an integer</source>
+        <translation>un entero</translation>
+    </message>
+    <message>
+        <source>a number of seconds</source>
+        <translation>un número de segundos</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>una lista</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>un objeto</translation>
+    </message>
+    <message>
+        <source>one of {0}</source>
+        <translation>uno de {0}</translation>
     </message>
 </context>
 <context>
@@ -2879,6 +4761,273 @@
     </message>
 </context>
 <context>
+    <name>Tuning</name>
+    <message>
+        <source>The table has no column of times; name one time_s (seconds) or time_ms</source>
+        <translation>La tabla no tiene columna de tiempos; llame a una time_s (segundos) o time_ms</translation>
+    </message>
+    <message>
+        <source>The table has no column {0}; it has {1}</source>
+        <translation>La tabla no tiene columna {0}; tiene {1}</translation>
+    </message>
+    <message>
+        <source>The table has no column {0}; did you mean {1}?</source>
+        <translation>La tabla no tiene columna {0}; ¿quería decir {1}?</translation>
+    </message>
+    <message>
+        <source>Line {0} has no number in column {1}</source>
+        <translation>La línea {0} no tiene ningún número en la columna {1}</translation>
+    </message>
+    <message>
+        <source>The time in line {0} is before that of the line above</source>
+        <translation>El tiempo de la línea {0} es anterior al de la línea de arriba</translation>
+    </message>
+    <message>
+        <source>{0} {0:sample is|samples are} too few for a model; record for longer</source>
+        <translation>{0} {0:muestra es poca|muestras son pocas} para un modelo; grabe durante más tiempo</translation>
+    </message>
+    <message>
+        <source>usable</source>
+        <translation>utilizable</translation>
+    </message>
+    <message>
+        <source>the input is at a limit for {0} % of the time</source>
+        <translation>la entrada está en un límite el {0}&#xa0;% del tiempo</translation>
+    </message>
+    <message>
+        <source>the output moves by only {0} times its noise</source>
+        <translation>la salida solo se mueve {0} veces su ruido</translation>
+    </message>
+    <message>
+        <source>too short: {0} samples until the next change</source>
+        <translation>demasiado corto: {0} muestras hasta el cambio siguiente</translation>
+    </message>
+    <message>
+        <source>disturbed: no model explains more than {0} % of it</source>
+        <translation>perturbado: ningún modelo explica más del {0}&#xa0;%</translation>
+    </message>
+    <message>
+        <source>usable; it was still moving before</source>
+        <translation>utilizable; antes aún se estaba moviendo</translation>
+    </message>
+    <message>
+        <source>There is no step or disturbance in the recording; change the set point or the output by hand once and record that</source>
+        <translation>No hay ningún escalón ni perturbación en la grabación; cambie una vez la consigna o la salida a mano y grábelo</translation>
+    </message>
+    <message>
+        <source>None of the {0} changes found is usable: {1}</source>
+        <translation>Ninguno de los {0} cambios encontrados es utilizable: {1}</translation>
+    </message>
+    <message>
+        <source>No model explains what the output does; something else moves it</source>
+        <translation>Ningún modelo explica lo que hace la salida; otra cosa la mueve</translation>
+    </message>
+    <message>
+        <source>The rule {0} has no answer for this process</source>
+        <translation>La regla {0} no tiene respuesta para este proceso</translation>
+    </message>
+    <message>
+        <source>Unstable: the loop would swing up. Do not use this.</source>
+        <translation>Inestable: el lazo oscilaría cada vez más. No lo use.</translation>
+    </message>
+    <message>
+        <source>Fragile: a small change of the process makes it swing.</source>
+        <translation>Frágil: un pequeño cambio del proceso la hace oscilar.</translation>
+    </message>
+    <message>
+        <source>Brisk: quick, and it swings a little; the process should not change much.</source>
+        <translation>Ágil: rápido, con una ligera oscilación; el proceso no debería cambiar mucho.</translation>
+    </message>
+    <message>
+        <source>Good: quick enough, and it tolerates the usual changes of a process.</source>
+        <translation>Bueno: suficientemente rápido y tolera los cambios habituales de un proceso.</translation>
+    </message>
+    <message>
+        <source>Calm: slow, and it tolerates a process that changes a lot.</source>
+        <translation>Tranquilo: lento y tolera un proceso que cambia mucho.</translation>
+    </message>
+    <message>
+        <source>A step of the set point does not overshoot.</source>
+        <translation>Un escalón de la consigna no produce sobreoscilación.</translation>
+    </message>
+    <message>
+        <source>A step of the set point overshoots by {0} %.</source>
+        <translation>Un escalón de la consigna produce una sobreoscilación del {0}&#xa0;%.</translation>
+    </message>
+    <message>
+        <source>Ziegler-Nichols is here to compare with: it swings and tolerates little. Take SIMC or the optimum instead.</source>
+        <translation>Ziegler-Nichols está aquí para comparar: oscila y tolera poco. Tome en su lugar SIMC o el óptimo.</translation>
+    </message>
+    <message>
+        <source>The rule looks at one lag only; check the margins.</source>
+        <translation>La regla solo considera un retardo; compruebe los márgenes.</translation>
+    </message>
+    <message>
+        <source>gain and dead time</source>
+        <translation>ganancia y tiempo muerto</translation>
+    </message>
+    <message>
+        <source>first order</source>
+        <translation>primer orden</translation>
+    </message>
+    <message>
+        <source>first order with dead time</source>
+        <translation>primer orden con tiempo muerto</translation>
+    </message>
+    <message>
+        <source>second order</source>
+        <translation>segundo orden</translation>
+    </message>
+    <message>
+        <source>second order with dead time</source>
+        <translation>segundo orden con tiempo muerto</translation>
+    </message>
+    <message>
+        <source>two equal lags</source>
+        <translation>dos retardos iguales</translation>
+    </message>
+    <message>
+        <source>two equal lags with dead time</source>
+        <translation>dos retardos iguales con tiempo muerto</translation>
+    </message>
+    <message>
+        <source>oscillating</source>
+        <translation>oscilante</translation>
+    </message>
+    <message>
+        <source>oscillating with dead time</source>
+        <translation>oscilante con tiempo muerto</translation>
+    </message>
+    <message>
+        <source>oscillating with a lag</source>
+        <translation>oscilante con un retardo</translation>
+    </message>
+    <message>
+        <source>second order with a zero</source>
+        <translation>segundo orden con un cero</translation>
+    </message>
+    <message>
+        <source>second order with a zero and dead time</source>
+        <translation>segundo orden con un cero y tiempo muerto</translation>
+    </message>
+    <message>
+        <source>three equal lags</source>
+        <translation>tres retardos iguales</translation>
+    </message>
+    <message>
+        <source>three equal lags with a zero</source>
+        <translation>tres retardos iguales con un cero</translation>
+    </message>
+    <message>
+        <source>four equal lags</source>
+        <translation>cuatro retardos iguales</translation>
+    </message>
+    <message>
+        <source>five equal lags</source>
+        <translation>cinco retardos iguales</translation>
+    </message>
+    <message>
+        <source>six equal lags</source>
+        <translation>seis retardos iguales</translation>
+    </message>
+    <message>
+        <source>seven equal lags</source>
+        <translation>siete retardos iguales</translation>
+    </message>
+    <message>
+        <source>eight equal lags</source>
+        <translation>ocho retardos iguales</translation>
+    </message>
+    <message>
+        <source>three equal lags with dead time</source>
+        <translation>tres retardos iguales con tiempo muerto</translation>
+    </message>
+    <message>
+        <source>three lags</source>
+        <translation>tres retardos</translation>
+    </message>
+    <message>
+        <source>three lags with dead time</source>
+        <translation>tres retardos con tiempo muerto</translation>
+    </message>
+    <message>
+        <source>four lags</source>
+        <translation>cuatro retardos</translation>
+    </message>
+    <message>
+        <source>integrating</source>
+        <translation>integrador</translation>
+    </message>
+    <message>
+        <source>integrating with dead time</source>
+        <translation>integrador con tiempo muerto</translation>
+    </message>
+    <message>
+        <source>integrating with a lag</source>
+        <translation>integrador con un retardo</translation>
+    </message>
+    <message>
+        <source>integrating with a lag and dead time</source>
+        <translation>integrador con un retardo y tiempo muerto</translation>
+    </message>
+    <message>
+        <source>integrating with two equal lags</source>
+        <translation>integrador con dos retardos iguales</translation>
+    </message>
+    <message>
+        <source>SIMC</source>
+        <translation>SIMC</translation>
+    </message>
+    <message>
+        <source>AMIGO</source>
+        <translation>AMIGO</translation>
+    </message>
+    <message>
+        <source>Optimum</source>
+        <translation>Óptimo</translation>
+    </message>
+    <message>
+        <source>Chien-Hrones-Reswick</source>
+        <translation>Chien-Hrones-Reswick</translation>
+    </message>
+    <message>
+        <source>Ziegler-Nichols</source>
+        <translation>Ziegler-Nichols</translation>
+    </message>
+    <message>
+        <source>the recording has a gap in it</source>
+        <translation>la grabación tiene un hueco ahí</translation>
+    </message>
+    <message>
+        <source>It oscillates with a period of {0} s and an amplitude of {1}, for {2} cycles in a row.</source>
+        <translation>Oscila con un período de {0} s y una amplitud de {1}, durante {2} períodos seguidos.</translation>
+    </message>
+    <message>
+        <source>It does not oscillate.</source>
+        <translation>No oscila.</translation>
+    </message>
+    <message>
+        <source>The settings are the likely cause: with the model the loop swings at this period.</source>
+        <translation>Los ajustes son la causa probable: con el modelo, el lazo oscila con este período.</translation>
+    </message>
+    <message>
+        <source>A valve that sticks is the likely cause: the output moves evenly, the process answers in jumps.</source>
+        <translation>Una válvula que se atasca es la causa probable: la salida se mueve de forma uniforme y el proceso responde a saltos.</translation>
+    </message>
+    <message>
+        <source>The likely cause is outside: neither the settings nor a valve that sticks explain it.</source>
+        <translation>La causa probable es externa: ni los ajustes ni una válvula que se atasca lo explican.</translation>
+    </message>
+    <message>
+        <source>The output is at a limit for {0} % of the time.</source>
+        <translation>La salida está en un límite el {0}&#xa0;% del tiempo.</translation>
+    </message>
+    <message>
+        <source>{0} % of what the measured value does is noise.</source>
+        <translation>El {0}&#xa0;% de lo que hace el valor medido es ruido.</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::ConversionDialog</name>
     <message>
         <source>%1 as ST</source>
@@ -2889,11 +5038,11 @@
         <translation>%1 como lista de instrucciones</translation>
     </message>
     <message>
-        <source>Instruction list, as it stands</source>
+        <source>Instruction list (current text)</source>
         <translation>Lista de instrucciones (texto actual)</translation>
     </message>
     <message>
-        <source>ST, as it stands</source>
+        <source>ST (current text)</source>
         <translation>ST (texto actual)</translation>
     </message>
     <message>
@@ -2946,14 +5095,6 @@
             <numerusform>%n archivos han cambiado: %1. ¿Guardarlos?</numerusform>
         </translation>
     </message>
-    <message>
-        <source>Changed outside</source>
-        <translation>Cambiado desde fuera</translation>
-    </message>
-    <message>
-        <source>%1 was changed by another program, and here too. Load the file from disk and lose the changes made here?</source>
-        <translation>Otro programa cambió %1, y aquí también se cambió. ¿Cargar el archivo del disco y perder los cambios hechos aquí?</translation>
-    </message>
     <message numerus="yes">
         <source>Changed in %n file(s); those edited since stay as they are</source>
         <translation>
@@ -2998,6 +5139,130 @@
     </message>
 </context>
 <context>
+    <name>plc::app::ExportDialog</name>
+    <message>
+        <source>Export the Project</source>
+        <translation>Exportar el proyecto</translation>
+    </message>
+    <message>
+        <source>PLCopen XML 0200, for CODESYS and TwinCAT</source>
+        <translation>PLCopen XML 0200, para CODESYS y TwinCAT</translation>
+    </message>
+    <message>
+        <source>PLCopen XML 0201, for Beremiz and OpenPLC</source>
+        <translation>PLCopen XML 0201, para Beremiz y OpenPLC</translation>
+    </message>
+    <message>
+        <source>File…</source>
+        <translation>Archivo…</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportar</translation>
+    </message>
+    <message>
+        <source>Format:</source>
+        <translation>Formato:</translation>
+    </message>
+    <message>
+        <source>To:</source>
+        <translation>A:</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::GuideView</name>
+    <message>
+        <source>About this project</source>
+        <translation>Acerca de este proyecto</translation>
+    </message>
+    <message>
+        <source>A README.md in the project&apos;s folder is shown here.</source>
+        <translation>Aquí se muestra un README.md de la carpeta del proyecto.</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::ImportDialog</name>
+    <message>
+        <source>Place</source>
+        <translation>Lugar</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Nota</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Informe</translation>
+    </message>
+    <message>
+        <source>Units: %1
+Bodies: %2
+Not kept: %3</source>
+        <translation>POU: %1
+Cuerpos: %2
+No conservados: %3</translation>
+    </message>
+    <message>
+        <source>Import a Project</source>
+        <translation>Importar un proyecto</translation>
+    </message>
+    <message>
+        <source>PLCopen XML, TwinCAT or CODESYS files, structured text</source>
+        <translation>PLCopen XML, archivos de TwinCAT o CODESYS, texto estructurado</translation>
+    </message>
+    <message>
+        <source>File…</source>
+        <translation>Archivo…</translation>
+    </message>
+    <message>
+        <source>Folder…</source>
+        <translation>Carpeta…</translation>
+    </message>
+    <message>
+        <source>Source files</source>
+        <translation>Archivos fuente</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vista previa</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importar</translation>
+    </message>
+    <message>
+        <source>From:</source>
+        <translation>Desde:</translation>
+    </message>
+    <message>
+        <source>New project in:</source>
+        <translation>Proyecto nuevo en:</translation>
+    </message>
+    <message>
+        <source>Projects of other tools (%1)</source>
+        <translation>Proyectos de otras herramientas (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>This folder is not empty; name a new one</source>
+        <translation>Esta carpeta no está vacía; indique una nueva</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::InstanceBar</name>
+    <message>
+        <source>Instance whose values are shown</source>
+        <translation>Instancia cuyos valores se muestran</translation>
+    </message>
+    <message>
+        <source>Values of the instance of %1:</source>
+        <translation>Valores de la instancia de %1:</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::LiveViews</name>
     <message>
         <source>Panel shown</source>
@@ -3021,11 +5286,23 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <source>Saving the recording…</source>
         <translation>Guardando la grabación…</translation>
     </message>
+    <message>
+        <source>Export the alarm history…</source>
+        <translation>Exportar el historial de alarmas…</translation>
+    </message>
+    <message>
+        <source>Export the Alarm History</source>
+        <translation>Exportar el historial de alarmas</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tablas (*.csv)</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MainWindow</name>
     <message>
-        <source>A panel&apos;s name is a file name: no / and no \</source>
+        <source>A panel&apos;s name cannot contain / or \</source>
         <translation>El nombre de un panel es un nombre de archivo: sin / ni \</translation>
     </message>
     <message>
@@ -3053,7 +5330,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Forzados</translation>
     </message>
     <message>
-        <source>Call Path</source>
+        <source>Call Stack</source>
         <translation>Pila de llamadas</translation>
     </message>
     <message>
@@ -3142,15 +5419,15 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>%1 µs · %2 % load</source>
-        <translation>%1 µs · carga del %2 %</translation>
+        <translation>%1&#xa0;µs · carga del %2&#xa0;%</translation>
     </message>
     <message>
         <source>%1 MB recorded</source>
-        <translation>%1 MB grabados</translation>
+        <translation>%1&#xa0;MB grabados</translation>
     </message>
     <message>
         <source>%1 scans of %2 MB at most</source>
-        <translation>%1 ciclos, %2 MB como máximo</translation>
+        <translation>%1 ciclos, %2&#xa0;MB como máximo</translation>
     </message>
     <message>
         <source>Go to the line</source>
@@ -3196,10 +5473,6 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <source>Rename</source>
         <translation>Renombrar</translation>
     </message>
-    <message>
-        <source>New name of %1, in the whole project:</source>
-        <translation>Nombre nuevo de %1, en todo el proyecto:</translation>
-    </message>
     <message numerus="yes">
         <source>%1 is now %2 in %n place(s)</source>
         <translation>
@@ -3220,7 +5493,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Bibliotecas</translation>
     </message>
     <message>
-        <source>The tests run…</source>
+        <source>Running tests…</source>
         <translation>Ejecutando las pruebas…</translation>
     </message>
     <message>
@@ -3280,10 +5553,6 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Bienvenida</translation>
     </message>
     <message>
-        <source>This is a PID controller working on a simulated process: the program above, its trace below, its operator panel at the right. Nothing can break: the plant is only numbers. Press Next to look around for a minute, or F5 to run it at once.</source>
-        <translation>Este es un regulador PID sobre un proceso simulado: arriba el programa, abajo su traza, a la derecha su panel de operador. No se puede romper nada: la planta son solo números. Pulse Siguiente para un recorrido de un minuto, o F5 para arrancar ahora mismo.</translation>
-    </message>
-    <message>
         <source>The project</source>
         <translation>El proyecto</translation>
     </message>
@@ -3296,15 +5565,15 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>El programa</translation>
     </message>
     <message>
-        <source>Structured Text with colours by meaning. Errors are underlined while you type; Alt+Enter mends what it can; Ctrl+Space completes.</source>
-        <translation>Texto estructurado con colores según el significado. Los errores se subrayan al escribir; Alt+Intro corrige lo que puede; Ctrl+Espacio completa.</translation>
+        <source>Structured Text with colours by meaning. Errors are underlined while you type; Alt+Enter offers quick fixes; Ctrl+Space completes.</source>
+        <translation>Texto estructurado con colores según el significado. Los errores se subrayan al escribir; Alt+Intro ofrece correcciones rápidas; Ctrl+Espacio completa.</translation>
     </message>
     <message>
         <source>Run</source>
         <translation>Ejecutar</translation>
     </message>
     <message>
-        <source>F5 compiles to native code and runs it. Values then stand beside each line.</source>
+        <source>F5 compiles to native code and runs it. Values then appear next to each line.</source>
         <translation>F5 compila a código nativo y lo ejecuta. Los valores aparecen entonces junto a cada línea.</translation>
     </message>
     <message>
@@ -3332,11 +5601,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>El tiempo también corre hacia atrás</translation>
     </message>
     <message>
-        <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume From Here” goes on from there.</source>
-        <translation>Arrastre el control de tiempo o pulse Ctrl+Alt+Izquierda: el código, los gráficos y el panel muestran el pasado. «Reanudar desde aquí» sigue desde ese punto.</translation>
-    </message>
-    <message>
-        <source>That is it</source>
+        <source>That’s it</source>
         <translation>Eso es todo</translation>
     </message>
     <message>
@@ -3456,8 +5721,8 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Ir a la definición</translation>
     </message>
     <message>
-        <source>Find All Uses</source>
-        <translation>Buscar todos los usos</translation>
+        <source>Find References</source>
+        <translation>Buscar referencias</translation>
     </message>
     <message>
         <source>Rename…</source>
@@ -3468,15 +5733,15 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Completar</translation>
     </message>
     <message>
-        <source>Apply a Fix (Alt+Enter)</source>
-        <translation>Aplicar una corrección (Alt+Intro)</translation>
+        <source>Quick Fix (Alt+Enter)</source>
+        <translation>Corrección rápida (Alt+Intro)</translation>
     </message>
     <message>
         <source>Format</source>
         <translation>Dar formato</translation>
     </message>
     <message>
-        <source>Comment In or Out (Ctrl+/)</source>
+        <source>Toggle Comment (Ctrl+/)</source>
         <translation>Comentar o descomentar (Ctrl+/)</translation>
     </message>
     <message>
@@ -3484,11 +5749,11 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Duplicar la línea</translation>
     </message>
     <message>
-        <source>Select the Block Around</source>
+        <source>Select Enclosing Block</source>
         <translation>Seleccionar el bloque que lo rodea</translation>
     </message>
     <message>
-        <source>Go to the Matching Word</source>
+        <source>Go to Matching Keyword</source>
         <translation>Ir a la palabra clave correspondiente</translation>
     </message>
     <message>
@@ -3524,7 +5789,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Un solo ciclo</translation>
     </message>
     <message>
-        <source>Step In</source>
+        <source>Step Into</source>
         <translation>Paso a paso por instrucciones</translation>
     </message>
     <message>
@@ -3600,7 +5865,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Volver al directo</translation>
     </message>
     <message>
-        <source>Resume From Here</source>
+        <source>Resume from Here</source>
         <translation>Reanudar desde aquí</translation>
     </message>
     <message>
@@ -3614,10 +5879,6 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>Declarations as a Table</source>
         <translation>Declaraciones como tabla</translation>
-    </message>
-    <message>
-        <source>Chart Beside the Text</source>
-        <translation>SFC junto al texto</translation>
     </message>
     <message>
         <source>Online Values in the Text</source>
@@ -3640,7 +5901,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Tema oscuro</translation>
     </message>
     <message>
-        <source>Theme of the System</source>
+        <source>System Theme</source>
         <translation>Tema del sistema</translation>
     </message>
     <message>
@@ -3670,10 +5931,6 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>%1 – back to live</source>
         <translation>%1 – volver al directo</translation>
-    </message>
-    <message>
-        <source>Panel %1</source>
-        <translation>Panel %1</translation>
     </message>
     <message>
         <source>Unsaved changes</source>
@@ -3735,11 +5992,11 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>traza</translation>
     </message>
     <message>
-        <source>A file name holds no / and no \</source>
+        <source>A file name cannot contain / or \</source>
         <translation>Un nombre de archivo no contiene / ni \</translation>
     </message>
     <message>
-        <source>There is a trace %1 already</source>
+        <source>A trace %1 already exists</source>
         <translation>Ya existe una traza %1</translation>
     </message>
     <message>
@@ -3747,19 +6004,19 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Nombre nuevo de %1:</translation>
     </message>
     <message>
-        <source>There is a file %1 already</source>
+        <source>A file %1 already exists</source>
         <translation>Ya existe un archivo %1</translation>
     </message>
     <message>
-        <source>The file can not be renamed; check the permissions of the folder</source>
+        <source>The file cannot be renamed; check the permissions of the folder</source>
         <translation>No se puede renombrar el archivo; compruebe los permisos de la carpeta</translation>
     </message>
     <message>
-        <source>These panels lead to it; their buttons will be problems: %1</source>
+        <source>These panels link to it; their buttons will be reported as errors: %1</source>
         <translation>Estos paneles llevan a él; sus botones se notificarán como problemas: %1</translation>
     </message>
     <message>
-        <source>The file can not be removed; check the permissions of the folder</source>
+        <source>The file cannot be removed; check the permissions of the folder</source>
         <translation>No se puede eliminar el archivo; compruebe los permisos de la carpeta</translation>
     </message>
     <message>
@@ -3795,7 +6052,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>El proyecto aún se está comprobando; vuelva a intentarlo en un momento</translation>
     </message>
     <message>
-        <source>It holds %1.</source>
+        <source>It contains %1.</source>
         <translation>Contiene %1.</translation>
     </message>
     <message>
@@ -3803,7 +6060,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>El idioma cambia cuando terminen las pruebas</translation>
     </message>
     <message>
-        <source>Fault of the controller</source>
+        <source>Controller fault</source>
         <translation>Error del controlador</translation>
     </message>
     <message>
@@ -3839,10 +6096,6 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>El proyecto se ha exportado</translation>
     </message>
     <message>
-        <source>%1 is written in %2 and is saved as it was found</source>
-        <translation>%1 está escrito en %2 y se guarda tal como estaba</translation>
-    </message>
-    <message>
         <source>Select the Next Occurrence Too</source>
         <translation>Seleccionar también la siguiente aparición</translation>
     </message>
@@ -3867,12 +6120,111 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Conservando la grabación de la última ejecución…</translation>
     </message>
     <message>
-        <source>%1 is not UTF-8 and was read as Windows-1252; saving it writes UTF-8</source>
-        <translation>%1 no es UTF-8 y se ha leído como Windows-1252; al guardarlo se escribe UTF-8</translation>
-    </message>
-    <message>
         <source>Diagram Beside the Text</source>
         <translation>Diagrama junto al texto</translation>
+    </message>
+    <message>
+        <source>Bookmark</source>
+        <translation>Marcador</translation>
+    </message>
+    <message>
+        <source>Next Bookmark</source>
+        <translation>Marcador siguiente</translation>
+    </message>
+    <message>
+        <source>Previous Bookmark</source>
+        <translation>Marcador anterior</translation>
+    </message>
+    <message>
+        <source>Open Another File Beside…</source>
+        <translation>Abrir otro archivo al lado…</translation>
+    </message>
+    <message>
+        <source>About This Project</source>
+        <translation>Acerca de este proyecto</translation>
+    </message>
+    <message>
+        <source>The project has no other file</source>
+        <translation>El proyecto no tiene otro archivo</translation>
+    </message>
+    <message>
+        <source>Open Another File Beside</source>
+        <translation>Abrir otro archivo al lado</translation>
+    </message>
+    <message>
+        <source>%1 Nothing can break: the plant is only numbers. Press Next to look around for a minute, or F5 to run it at once.</source>
+        <translation>%1 No se puede romper nada: la planta son solo números. Pulse Siguiente para un recorrido de un minuto, o F5 para arrancar ahora mismo.</translation>
+    </message>
+    <message>
+        <source>This is the project %1.</source>
+        <translation>Este es el proyecto %1.</translation>
+    </message>
+    <message>
+        <source>What to press</source>
+        <translation>Qué pulsar</translation>
+    </message>
+    <message>
+        <source>The page beside the program is the project&apos;s README: what it shows, what to press, what to watch.</source>
+        <translation>La página junto al programa es el README del proyecto: qué muestra, qué pulsar y qué observar.</translation>
+    </message>
+    <message>
+        <source>What the operator sees. This project has no panel yet; new ones are drawn with the mouse.</source>
+        <translation>Lo que ve el operador. Este proyecto aún no tiene ningún panel; los nuevos se dibujan con el ratón.</translation>
+    </message>
+    <message>
+        <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume from Here” continues from there.</source>
+        <translation>Arrastre el control de tiempo o pulse Ctrl+Alt+Izquierda: el código, los gráficos y el panel muestran el pasado. «Reanudar desde aquí» sigue desde ese punto.</translation>
+    </message>
+    <message>
+        <source>Tuning</source>
+        <translation>Sintonización</translation>
+    </message>
+    <message>
+        <source>%1 is not a source of this project</source>
+        <translation>%1 no es un archivo fuente de este proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::MergeDialog</name>
+    <message>
+        <source>Compare %1</source>
+        <translation>Comparar %1</translation>
+    </message>
+    <message>
+        <source>Previous</source>
+        <translation>Anterior</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Siguiente</translation>
+    </message>
+    <message>
+        <source>Take Over</source>
+        <translation>Aceptar</translation>
+    </message>
+    <message>
+        <source>Take Over All</source>
+        <translation>Aceptar todo</translation>
+    </message>
+    <message>
+        <source>Here (this text is kept)</source>
+        <translation>Aquí (este texto se conserva)</translation>
+    </message>
+    <message>
+        <source>On disk</source>
+        <translation>En el disco</translation>
+    </message>
+    <message>
+        <source>Use the Text on the Left</source>
+        <translation>Usar el texto de la izquierda</translation>
+    </message>
+    <message>
+        <source>No differences</source>
+        <translation>Sin diferencias</translation>
+    </message>
+    <message>
+        <source>Difference %1 of %2</source>
+        <translation>Diferencia %1 de %2</translation>
     </message>
 </context>
 <context>
@@ -3883,7 +6235,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>One program in a task of 10 ms</source>
-        <translation>Un programa en una tarea de 10 ms</translation>
+        <translation>Un programa en una tarea de 10&#xa0;ms</translation>
     </message>
     <message>
         <source>Motor</source>
@@ -3942,15 +6294,15 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Crear</translation>
     </message>
     <message>
-        <source>The project needs a name</source>
+        <source>Enter a project name</source>
         <translation>Escriba un nombre de proyecto</translation>
     </message>
     <message>
-        <source>%1 exists already and is not empty</source>
+        <source>%1 already exists and is not empty</source>
         <translation>%1 ya existe y no está vacía</translation>
     </message>
     <message>
-        <source>Will be made in %1</source>
+        <source>Will be created in %1</source>
         <translation>Se creará en %1</translation>
     </message>
 </context>
@@ -4021,19 +6373,19 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Crear</translation>
     </message>
     <message>
-        <source>Give it a name</source>
+        <source>Enter a name</source>
         <translation>Escriba un nombre</translation>
     </message>
     <message>
-        <source>A name has letters, digits and _, begins with a letter and is no keyword</source>
+        <source>A name has letters, digits and _, starts with a letter and is not a keyword</source>
         <translation>Un nombre tiene letras, cifras y _, empieza por una letra y no es una palabra clave</translation>
     </message>
     <message>
-        <source>There is a %1 in the project already</source>
+        <source>%1 already exists in the project</source>
         <translation>%1 ya existe en el proyecto</translation>
     </message>
     <message>
-        <source>There is a file %1 already: choose it, or another name</source>
+        <source>A file %1 already exists: choose it, or another name</source>
         <translation>El archivo %1 ya existe: elíjalo o elija otro nombre</translation>
     </message>
     <message>
@@ -4043,6 +6395,21 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>Program as a function block diagram</source>
         <translation>Programa como diagrama de bloques (FBD)</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::PanelFiles</name>
+    <message>
+        <source>Texts</source>
+        <translation>Textos</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmas</translation>
+    </message>
+    <message>
+        <source>Panel %1</source>
+        <translation>Panel %1</translation>
     </message>
 </context>
 <context>
@@ -4192,6 +6559,59 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
 </context>
 <context>
+    <name>plc::app::RenameDialog</name>
+    <message>
+        <source>Rename</source>
+        <translation>Renombrar</translation>
+    </message>
+    <message>
+        <source>New name of %1, in the whole project:</source>
+        <translation>Nombre nuevo de %1, en todo el proyecto:</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Lugar</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Texto</translation>
+    </message>
+    <message>
+        <source>Places that change</source>
+        <translation>Lugares que cambian</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) change:</source>
+        <translation>
+            <numerusform>%n lugar cambia:</numerusform>
+            <numerusform>%n lugares cambian:</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::RunsMenu</name>
+    <message>
+        <source>Earlier Runs</source>
+        <translation>Ejecuciones anteriores</translation>
+    </message>
+    <message>
+        <source>%1, ended by a fault, %2</source>
+        <translation>%1, terminada por un error, %2</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>The last run is being written…</source>
+        <translation>Escribiendo la última ejecución…</translation>
+    </message>
+    <message>
+        <source>No run has ended yet</source>
+        <translation>Aún no ha terminado ninguna ejecución</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::SearchView</name>
     <message>
         <source>Find in all files</source>
@@ -4202,7 +6622,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Texto que buscar en todos los archivos</translation>
     </message>
     <message>
-        <source>Replace by</source>
+        <source>Replace with</source>
         <translation>Reemplazar por</translation>
     </message>
     <message>
@@ -4242,7 +6662,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Resultados de la búsqueda</translation>
     </message>
     <message>
-        <source>Not a pattern: %1</source>
+        <source>Invalid regular expression: %1</source>
         <translation>Expresión regular no válida: %1</translation>
     </message>
     <message>
@@ -4330,7 +6750,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Atajos</translation>
     </message>
     <message>
-        <source>As the system</source>
+        <source>System default</source>
         <translation>Como el sistema</translation>
     </message>
     <message>
@@ -4370,7 +6790,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Dar formato al guardar</translation>
     </message>
     <message>
-        <source>Saving changes the running controller (online change)</source>
+        <source>Apply an online change when saving</source>
         <translation>Aplicar un cambio online al guardar</translation>
     </message>
     <message>
@@ -4402,7 +6822,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Filtro de los comandos</translation>
     </message>
     <message>
-        <source>All Defaults</source>
+        <source>Restore Defaults</source>
         <translation>Valores predeterminados</translation>
     </message>
     <message>
@@ -4427,6 +6847,10 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>Make Writable</source>
         <translation>Permitir escritura</translation>
+    </message>
+    <message>
+        <source>Close this side</source>
+        <translation>Cerrar este lado</translation>
     </message>
 </context>
 <context>
@@ -4470,6 +6894,68 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>Open a Fresh Copy</source>
         <translation>Abrir una copia nueva</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::TestView</name>
+    <message>
+        <source>Run all tests</source>
+        <translation>Ejecutar todas las pruebas</translation>
+    </message>
+    <message>
+        <source>Run the selected tests</source>
+        <translation>Ejecutar las pruebas seleccionadas</translation>
+    </message>
+    <message>
+        <source>Run the failed tests</source>
+        <translation>Ejecutar las pruebas fallidas</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Prueba</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Resultado</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>Tests</source>
+        <translation>Pruebas</translation>
+    </message>
+    <message>
+        <source>%1 passed, %2 failed</source>
+        <translation>%1 superadas, %2 fallidas</translation>
+    </message>
+    <message>
+        <source>not run yet</source>
+        <translation>aún sin ejecutar</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>superada</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>fallida</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1&#xa0;ms</translation>
+    </message>
+    <message>
+        <source>Show the Recording of the Failure</source>
+        <translation>Mostrar la grabación del fallo</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::TextPage</name>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>Línea %1: %2</translation>
     </message>
 </context>
 <context>
@@ -4545,7 +7031,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Línea</translation>
     </message>
     <message>
-        <source>Call path</source>
+        <source>Call stack</source>
         <translation>Pila de llamadas</translation>
     </message>
     <message>
@@ -4568,11 +7054,11 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Diagrama funcional secuencial (SFC)</translation>
     </message>
     <message>
-        <source>Insert a step behind (Ins)</source>
+        <source>Insert a step after it (Ins)</source>
         <translation>Insertar una etapa después (Ins)</translation>
     </message>
     <message>
-        <source>Insert a branch beside</source>
+        <source>Insert an alternative branch</source>
         <translation>Insertar una rama alternativa</translation>
     </message>
     <message>
@@ -4592,27 +7078,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Eliminar (Supr)</translation>
     </message>
     <message>
-        <source>Show all</source>
-        <translation>Mostrar todo</translation>
-    </message>
-    <message>
-        <source>Export the chart</source>
-        <translation>Exportar la secuencia</translation>
-    </message>
-    <message>
-        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
-        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <source>%1 can not be written</source>
-        <translation>No se puede escribir %1</translation>
-    </message>
-    <message>
-        <source>Print…</source>
-        <translation>Imprimir…</translation>
-    </message>
-    <message>
-        <source>The unit %1 is not in the text any more</source>
+        <source>The unit %1 is no longer in the text</source>
         <translation>El POU %1 ya no está en el texto</translation>
     </message>
     <message>
@@ -4620,19 +7086,11 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>El texto tiene errores: este es el último dibujo correcto</translation>
     </message>
     <message>
-        <source>%1 is not a chart</source>
-        <translation>%1 no es una secuencia (SFC)</translation>
-    </message>
-    <message>
-        <source>Mend the text first: this is the last good drawing</source>
-        <translation>Corrija primero el texto: este es el último dibujo correcto</translation>
-    </message>
-    <message>
         <source>Select the step from which the branch goes out</source>
         <translation>Seleccione la etapa de la que sale la rama</translation>
     </message>
     <message>
-        <source>Select the transition behind which the steps run at the same time</source>
+        <source>Select the transition after which the steps run at the same time</source>
         <translation>Seleccione la transición tras la que las etapas funcionan a la vez</translation>
     </message>
     <message>
@@ -4640,11 +7098,11 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Seleccione la etapa que recibe la acción</translation>
     </message>
     <message>
-        <source>Insert a Step Behind</source>
+        <source>Insert a Step After It</source>
         <translation>Insertar una etapa después</translation>
     </message>
     <message>
-        <source>Insert a Branch Beside</source>
+        <source>Insert an Alternative Branch</source>
         <translation>Insertar una rama alternativa</translation>
     </message>
     <message>
@@ -4656,11 +7114,11 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Añadir una acción</translation>
     </message>
     <message>
-        <source>Make It the Initial Step</source>
+        <source>Set as Initial Step</source>
         <translation>Establecer como etapa inicial</translation>
     </message>
     <message>
-        <source>Force the Step On</source>
+        <source>Force the Step Active</source>
         <translation>Forzar la etapa activa</translation>
     </message>
     <message>
@@ -4696,7 +7154,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Rama a la derecha</translation>
     </message>
     <message>
-        <source>%1 behind this transition</source>
+        <source>%1 after this transition</source>
         <translation>%1 después de esta transición</translation>
     </message>
     <message>
@@ -4728,24 +7186,20 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>acción</translation>
     </message>
     <message>
-        <source>To the chart around (Backspace)</source>
+        <source>To the enclosing chart (Backspace)</source>
         <translation>A la secuencia superior (Retroceso)</translation>
     </message>
     <message>
-        <source>Breakpoint: stops when the step becomes active, when the transition is taken (F9)</source>
+        <source>Breakpoint: stops when the step becomes active or the transition is taken (F9)</source>
         <translation>Punto de interrupción: se detiene cuando la etapa se activa o la transición se franquea (F9)</translation>
     </message>
     <message>
-        <source>Force the step on</source>
+        <source>Force the step active</source>
         <translation>Forzar la etapa activa</translation>
     </message>
     <message>
         <source>Release the step</source>
         <translation>Anular el forzado de la etapa</translation>
-    </message>
-    <message>
-        <source>Export as SVG, PNG or PDF…</source>
-        <translation>Exportar como SVG, PNG o PDF…</translation>
     </message>
     <message>
         <source>%1 is a variable: it has no body</source>
@@ -4778,6 +7232,50 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>Delete the Whole Branch</source>
         <translation>Eliminar toda la rama</translation>
+    </message>
+    <message>
+        <source>Select what is to be copied</source>
+        <translation>Seleccione lo que se va a copiar</translation>
+    </message>
+    <message>
+        <source>Select what is to be cut</source>
+        <translation>Seleccione lo que se va a cortar</translation>
+    </message>
+    <message>
+        <source>The clipboard contains no step, action or transition</source>
+        <translation>El portapapeles no contiene ninguna etapa, acción ni transición</translation>
+    </message>
+    <message>
+        <source>Select the step or transition to paste after</source>
+        <translation>Seleccione la etapa o transición tras la que se pega</translation>
+    </message>
+    <message>
+        <source>Select the transition that gets the condition</source>
+        <translation>Seleccione la transición que recibe la condición</translation>
+    </message>
+    <message>
+        <source>Start a Chart</source>
+        <translation>Empezar una secuencia (SFC)</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Cortar</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copiar</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Pegar</translation>
+    </message>
+    <message>
+        <source>%1 has no chart yet. A chart starts with an initial step; more steps are inserted after it with Ins, and F2 edits names and conditions.</source>
+        <translation>%1 aún no tiene secuencia (SFC). Una secuencia empieza con una etapa inicial; con Ins se insertan más etapas detrás y F2 edita nombres y condiciones.</translation>
+    </message>
+    <message>
+        <source>%1 is not a chart: its body has statements. A chart can be started in a program or function block whose body is empty.</source>
+        <translation>%1 no es una secuencia (SFC): su cuerpo tiene instrucciones. Una secuencia se puede empezar en un programa o bloque de función cuyo cuerpo esté vacío.</translation>
     </message>
 </context>
 <context>
@@ -4898,7 +7396,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Texto que buscar</translation>
     </message>
     <message>
-        <source>Replace by</source>
+        <source>Replace with</source>
         <translation>Reemplazar por</translation>
     </message>
     <message>
@@ -4945,7 +7443,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         </translation>
     </message>
     <message>
-        <source>not a pattern</source>
+        <source>invalid regular expression</source>
         <translation>expresión regular no válida</translation>
     </message>
     <message numerus="yes">
@@ -4984,10 +7482,379 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
 </context>
 <context>
+    <name>plc::editor::GraphView</name>
+    <message>
+        <source>Show all</source>
+        <translation>Mostrar todo</translation>
+    </message>
+    <message>
+        <source>Export as SVG, PNG or PDF…</source>
+        <translation>Exportar como SVG, PNG o PDF…</translation>
+    </message>
+    <message>
+        <source>Export the Drawing</source>
+        <translation>Exportar el dibujo</translation>
+    </message>
+    <message>
+        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
+        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written</source>
+        <translation>No se puede escribir %1</translation>
+    </message>
+    <message>
+        <source>Print…</source>
+        <translation>Imprimir…</translation>
+    </message>
+    <message>
+        <source>Fix the text first: this is the last good drawing</source>
+        <translation>Corrija primero el texto: este es el último dibujo correcto</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::LadderView</name>
+    <message>
+        <source>Ladder or function block diagram</source>
+        <translation>Esquema de contactos o diagrama de bloques</translation>
+    </message>
+    <message>
+        <source>Insert a rung below (Ctrl+T)</source>
+        <translation>Insertar un segmento debajo (Ctrl+T)</translation>
+    </message>
+    <message>
+        <source>Insert a contact on the left (Ctrl+K)</source>
+        <translation>Insertar un contacto a la izquierda (Ctrl+K)</translation>
+    </message>
+    <message>
+        <source>Insert a contact on the right (Ctrl+D)</source>
+        <translation>Insertar un contacto a la derecha (Ctrl+D)</translation>
+    </message>
+    <message>
+        <source>Insert a parallel contact (Ctrl+R)</source>
+        <translation>Insertar un contacto en paralelo (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>Insert a coil (Ctrl+A)</source>
+        <translation>Insertar una bobina (Ctrl+A)</translation>
+    </message>
+    <message>
+        <source>Insert a function block (Ctrl+B)</source>
+        <translation>Insertar un bloque de función (Ctrl+B)</translation>
+    </message>
+    <message>
+        <source>Edit (F2)</source>
+        <translation>Editar (F2)</translation>
+    </message>
+    <message>
+        <source>Delete (Del)</source>
+        <translation>Eliminar (Supr)</translation>
+    </message>
+    <message>
+        <source>Breakpoint on the rung (F9)</source>
+        <translation>Punto de interrupción en el segmento (F9)</translation>
+    </message>
+    <message>
+        <source>Show as a function block diagram</source>
+        <translation>Mostrar como diagrama de bloques</translation>
+    </message>
+    <message>
+        <source>Show as a ladder diagram</source>
+        <translation>Mostrar como esquema de contactos</translation>
+    </message>
+    <message>
+        <source>%1 is no longer in the text</source>
+        <translation>%1 ya no está en el texto</translation>
+    </message>
+    <message>
+        <source>The text has errors: this is the last good drawing</source>
+        <translation>El texto tiene errores: este es el último dibujo correcto</translation>
+    </message>
+    <message>
+        <source>Fix the text first: this is the last good drawing</source>
+        <translation>Corrija primero el texto: este es el último dibujo correcto</translation>
+    </message>
+    <message>
+        <source>Select a rung</source>
+        <translation>Seleccione un segmento</translation>
+    </message>
+    <message>
+        <source>Select a coil</source>
+        <translation>Seleccione una bobina</translation>
+    </message>
+    <message>
+        <source>Select a contact, a coil or a pin with a variable</source>
+        <translation>Seleccione un contacto, una bobina o una conexión con una variable</translation>
+    </message>
+    <message>
+        <source>The rung has no contact yet</source>
+        <translation>El segmento aún no tiene ningún contacto</translation>
+    </message>
+    <message>
+        <source>Select the rung that gets the block</source>
+        <translation>Seleccione el segmento que recibe el bloque</translation>
+    </message>
+    <message>
+        <source>block</source>
+        <translation>bloque</translation>
+    </message>
+    <message>
+        <source>Contact on the left; at a coil, the last contact</source>
+        <translation>Contacto a la izquierda; en una bobina, el último contacto</translation>
+    </message>
+    <message>
+        <source>Contact on the right</source>
+        <translation>Contacto a la derecha</translation>
+    </message>
+    <message>
+        <source>Parallel contact</source>
+        <translation>Contacto en paralelo</translation>
+    </message>
+    <message>
+        <source>Coil</source>
+        <translation>Bobina</translation>
+    </message>
+    <message>
+        <source>Function block in the rung</source>
+        <translation>Bloque de función en el segmento</translation>
+    </message>
+    <message>
+        <source>Rung above</source>
+        <translation>Segmento encima</translation>
+    </message>
+    <message>
+        <source>Rung below</source>
+        <translation>Segmento debajo</translation>
+    </message>
+    <message>
+        <source>Negate a contact, a coil or a pin</source>
+        <translation>Negar un contacto, una bobina o una conexión</translation>
+    </message>
+    <message>
+        <source>Coil: normal, set, reset</source>
+        <translation>Bobina: normal, set, reset</translation>
+    </message>
+    <message>
+        <source>Comment of the rung</source>
+        <translation>Comentario del segmento</translation>
+    </message>
+    <message>
+        <source>Edit what is selected (or Enter)</source>
+        <translation>Editar lo seleccionado (o Intro)</translation>
+    </message>
+    <message>
+        <source>Delete what is selected</source>
+        <translation>Eliminar lo seleccionado</translation>
+    </message>
+    <message>
+        <source>Breakpoint on the rung</source>
+        <translation>Punto de interrupción en el segmento</translation>
+    </message>
+    <message>
+        <source>This list</source>
+        <translation>Esta lista</translation>
+    </message>
+    <message>
+        <source>Arrows</source>
+        <translation>Flechas</translation>
+    </message>
+    <message>
+        <source>Select the next part; Up and Down also the next rung</source>
+        <translation>Seleccionar la parte siguiente; Arriba y Abajo también el segmento siguiente</translation>
+    </message>
+    <message>
+        <source>Move the rung up; with Down, down</source>
+        <translation>Mover el segmento hacia arriba; con Abajo, hacia abajo</translation>
+    </message>
+    <message>
+        <source>Typed before a name: a negated contact</source>
+        <translation>Escrito delante de un nombre: un contacto negado</translation>
+    </message>
+    <message>
+        <source>Keys in Ladder and Function Block Diagrams</source>
+        <translation>Teclas en esquemas de contactos y diagramas de bloques</translation>
+    </message>
+    <message>
+        <source>Insert a Rung Above</source>
+        <translation>Insertar un segmento encima</translation>
+    </message>
+    <message>
+        <source>Insert a Rung Below</source>
+        <translation>Insertar un segmento debajo</translation>
+    </message>
+    <message>
+        <source>Insert a Contact</source>
+        <translation>Insertar un contacto</translation>
+    </message>
+    <message>
+        <source>Insert a Parallel Contact</source>
+        <translation>Insertar un contacto en paralelo</translation>
+    </message>
+    <message>
+        <source>Insert a Coil</source>
+        <translation>Insertar una bobina</translation>
+    </message>
+    <message>
+        <source>Insert a Function Block…</source>
+        <translation>Insertar un bloque de función…</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Edición</translation>
+    </message>
+    <message>
+        <source>Comment…</source>
+        <translation>Comentario…</translation>
+    </message>
+    <message>
+        <source>Negate</source>
+        <translation>Negar</translation>
+    </message>
+    <message>
+        <source>Set or Reset</source>
+        <translation>Set o reset</translation>
+    </message>
+    <message>
+        <source>Move the Rung Up</source>
+        <translation>Subir el segmento</translation>
+    </message>
+    <message>
+        <source>Move the Rung Down</source>
+        <translation>Bajar el segmento</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Eliminar</translation>
+    </message>
+    <message>
+        <source>Force TRUE</source>
+        <translation>Forzar TRUE</translation>
+    </message>
+    <message>
+        <source>Force FALSE</source>
+        <translation>Forzar FALSE</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>Anular el forzado</translation>
+    </message>
+    <message>
+        <source>Toggle Breakpoint</source>
+        <translation>Alternar punto de interrupción</translation>
+    </message>
+    <message>
+        <source>Contacts as Bars (IEC 61131-3, ANSI)</source>
+        <translation>Contactos como barras (IEC 61131-3, ANSI)</translation>
+    </message>
+    <message>
+        <source>Contacts as in Circuit Diagrams (IEC 60617)</source>
+        <translation>Contactos como en esquemas eléctricos (IEC 60617)</translation>
+    </message>
+    <message>
+        <source>Names</source>
+        <translation>Nombres</translation>
+    </message>
+    <message>
+        <source>Addresses</source>
+        <translation>Direcciones</translation>
+    </message>
+    <message>
+        <source>Names and Addresses</source>
+        <translation>Nombres y direcciones</translation>
+    </message>
+    <message>
+        <source>Comments of the Variables</source>
+        <translation>Comentarios de las variables</translation>
+    </message>
+    <message>
+        <source>Comments of the Rungs</source>
+        <translation>Comentarios de los segmentos</translation>
+    </message>
+    <message>
+        <source>High Contrast</source>
+        <translation>Contraste alto</translation>
+    </message>
+    <message>
+        <source>What is shown</source>
+        <translation>Qué se muestra</translation>
+    </message>
+    <message>
+        <source>type</source>
+        <translation>tipo</translation>
+    </message>
+    <message>
+        <source>Rename the variable everywhere</source>
+        <translation>Renombrar la variable en todas partes</translation>
+    </message>
+    <message>
+        <source>Go to the declaration</source>
+        <translation>Ir a la declaración</translation>
+    </message>
+    <message>
+        <source>References to the variable</source>
+        <translation>Referencias de la variable</translation>
+    </message>
+    <message>
+        <source>Quick fix</source>
+        <translation>Corrección rápida</translation>
+    </message>
+    <message>
+        <source>Bookmark on the rung</source>
+        <translation>Marcador en el segmento</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Renombrar…</translation>
+    </message>
+    <message>
+        <source>Find References</source>
+        <translation>Buscar referencias</translation>
+    </message>
+    <message>
+        <source>Go to Definition</source>
+        <translation>Ir a la definición</translation>
+    </message>
+    <message>
+        <source>Quick Fix</source>
+        <translation>Corrección rápida</translation>
+    </message>
+    <message>
+        <source>Write TRUE</source>
+        <translation>Escribir TRUE</translation>
+    </message>
+    <message>
+        <source>Write FALSE</source>
+        <translation>Escribir FALSE</translation>
+    </message>
+    <message>
+        <source>Toggle Bookmark</source>
+        <translation>Alternar marcador</translation>
+    </message>
+    <message>
+        <source>Contact Here</source>
+        <translation>Contacto aquí</translation>
+    </message>
+    <message>
+        <source>Negated Contact Here</source>
+        <translation>Contacto negado aquí</translation>
+    </message>
+    <message>
+        <source>Function Block Here</source>
+        <translation>Bloque de función aquí</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::RunArchive</name>
+    <message>
+        <source>The recording of the last run was not kept: %1</source>
+        <translation>La grabación de la última ejecución no se ha conservado: %1</translation>
+    </message>
+</context>
+<context>
     <name>plc::editor::RunControl</name>
     <message>
         <source>Built in %1 ms</source>
-        <translation>Compilado en %1 ms</translation>
+        <translation>Compilado en %1&#xa0;ms</translation>
     </message>
     <message numerus="yes">
         <source>%n error(s): the program was not built</source>
@@ -5052,8 +7919,8 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Ir a la definición</translation>
     </message>
     <message>
-        <source>Find All Uses</source>
-        <translation>Buscar todos los usos</translation>
+        <source>Find References</source>
+        <translation>Buscar referencias</translation>
     </message>
     <message>
         <source>Rename…</source>
@@ -5154,6 +8021,276 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>Reset the statistics</source>
         <translation>Restablecer las estadísticas</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::TuningView</name>
+    <message>
+        <source>Control loop</source>
+        <translation>Lazo de control</translation>
+    </message>
+    <message>
+        <source>Find Steps</source>
+        <translation>Buscar escalones</translation>
+    </message>
+    <message>
+        <source>Looks for steps of the set point and of the output in the recording and makes a model of the process.</source>
+        <translation>Busca escalones de la consigna y de la salida en la grabación y crea un modelo del proceso.</translation>
+    </message>
+    <message>
+        <source>Write Parameters</source>
+        <translation>Escribir parámetros</translation>
+    </message>
+    <message>
+        <source>Writes all parameters in one scan.</source>
+        <translation>Escribe todos los parámetros en un ciclo.</translation>
+    </message>
+    <message>
+        <source>Take Back</source>
+        <translation>Revertir</translation>
+    </message>
+    <message>
+        <source>Writes the parameters that were in force before.</source>
+        <translation>Escribe los parámetros que estaban en vigor antes.</translation>
+    </message>
+    <message>
+        <source>Loop:</source>
+        <translation>Lazo:</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Usar</translation>
+    </message>
+    <message>
+        <source>At</source>
+        <translation>En</translation>
+    </message>
+    <message>
+        <source>Moved</source>
+        <translation>Movido</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Desde</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Hasta</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Valoración</translation>
+    </message>
+    <message>
+        <source>Steps found</source>
+        <translation>Escalones encontrados</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modelo</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>Regla</translation>
+    </message>
+    <message>
+        <source>Kind of controller</source>
+        <translation>Tipo de regulador</translation>
+    </message>
+    <message>
+        <source>Calm to brisk</source>
+        <translation>Tranquilo a ágil</translation>
+    </message>
+    <message>
+        <source>Disturbance to set point</source>
+        <translation>Perturbación a consigna</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Ahora</translation>
+    </message>
+    <message>
+        <source>Proposed</source>
+        <translation>Propuesto</translation>
+    </message>
+    <message>
+        <source>Before and after</source>
+        <translation>Antes y después</translation>
+    </message>
+    <message>
+        <source>Model:</source>
+        <translation>Modelo:</translation>
+    </message>
+    <message>
+        <source>Rule:</source>
+        <translation>Regla:</translation>
+    </message>
+    <message>
+        <source>Controller:</source>
+        <translation>Regulador:</translation>
+    </message>
+    <message>
+        <source>Calm</source>
+        <translation>Tranquilo</translation>
+    </message>
+    <message>
+        <source>Brisk</source>
+        <translation>Ágil</translation>
+    </message>
+    <message>
+        <source>Disturbance</source>
+        <translation>Perturbación</translation>
+    </message>
+    <message>
+        <source>Set point</source>
+        <translation>Consigna</translation>
+    </message>
+    <message>
+        <source>Start the controller; its recording is what is looked at.</source>
+        <translation>Arranque el controlador; lo que se examina es su grabación.</translation>
+    </message>
+    <message>
+        <source>The program has no controller block.</source>
+        <translation>El programa no tiene ningún bloque regulador.</translation>
+    </message>
+    <message>
+        <source>Searching…</source>
+        <translation>Buscando…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s) found, %1 used.</source>
+        <translation>
+            <numerusform>%n escalón encontrado, %1 usado.</numerusform>
+            <numerusform>%n escalones encontrados, %1 usados.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, explains %2 %</source>
+        <translation>%1, explica el %2&#xa0;%</translation>
+    </message>
+    <message>
+        <source>set point</source>
+        <translation>consigna</translation>
+    </message>
+    <message>
+        <source>output</source>
+        <translation>salida</translation>
+    </message>
+    <message>
+        <source>Choose at least one step.</source>
+        <translation>Elija al menos un escalón.</translation>
+    </message>
+    <message>
+        <source>The rule has no answer for this process.</source>
+        <translation>La regla no tiene respuesta para este proceso.</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>cualquiera</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Ganancia</translation>
+    </message>
+    <message>
+        <source>Integral time</source>
+        <translation>Tiempo integral</translation>
+    </message>
+    <message>
+        <source>Derivative time</source>
+        <translation>Tiempo derivativo</translation>
+    </message>
+    <message>
+        <source>Sensitivity Ms</source>
+        <translation>Sensibilidad Ms</translation>
+    </message>
+    <message>
+        <source>unstable</source>
+        <translation>inestable</translation>
+    </message>
+    <message>
+        <source>Gain margin</source>
+        <translation>Margen de ganancia</translation>
+    </message>
+    <message>
+        <source>Phase margin</source>
+        <translation>Margen de fase</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>Sobreoscilación</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1&#xa0;%</translation>
+    </message>
+    <message>
+        <source>Settling time</source>
+        <translation>Tiempo de establecimiento</translation>
+    </message>
+    <message>
+        <source>Error after a load step</source>
+        <translation>Error tras un escalón de carga</translation>
+    </message>
+    <message>
+        <source>Control effort</source>
+        <translation>Esfuerzo de control</translation>
+    </message>
+    <message>
+        <source>Noise in the output</source>
+        <translation>Ruido en la salida</translation>
+    </message>
+    <message>
+        <source>Recorded and modelled</source>
+        <translation>Grabado y modelado</translation>
+    </message>
+    <message>
+        <source>time [s]</source>
+        <translation>tiempo [s]</translation>
+    </message>
+    <message>
+        <source>recorded</source>
+        <translation>grabado</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>modelo</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>ahora</translation>
+    </message>
+    <message>
+        <source>proposed</source>
+        <translation>propuesto</translation>
+    </message>
+    <message>
+        <source>Step of the set point</source>
+        <translation>Escalón de la consigna</translation>
+    </message>
+    <message>
+        <source>Step of the load</source>
+        <translation>Escalón de la carga</translation>
+    </message>
+    <message>
+        <source>The last step with these settings</source>
+        <translation>El último escalón con estos ajustes</translation>
+    </message>
+    <message>
+        <source>Tuning</source>
+        <translation>Sintonización</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Escrito: %1</translation>
+    </message>
+    <message>
+        <source>Taken back: %1</source>
+        <translation>Revertido: %1</translation>
     </message>
 </context>
 <context>
@@ -5293,8 +8430,12 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Formato de los números</translation>
     </message>
     <message>
-        <source>As the list</source>
+        <source>As in the list</source>
         <translation>Como la lista</translation>
+    </message>
+    <message>
+        <source>Source of %1 with the values of %2</source>
+        <translation>Código fuente de %1 con los valores de %2</translation>
     </message>
 </context>
 <context>
@@ -5353,6 +8494,49 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
 </context>
 <context>
+    <name>plc::hmi::ArrayArrangementDialog</name>
+    <message>
+        <source>Arrange over array</source>
+        <translation>Disponer según un array</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Parámetro</translation>
+    </message>
+    <message>
+        <source>Array</source>
+        <translation>Array</translation>
+    </message>
+    <message>
+        <source>First index</source>
+        <translation>Primer índice</translation>
+    </message>
+    <message>
+        <source>Last index</source>
+        <translation>Último índice</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Columnas</translation>
+    </message>
+    <message>
+        <source>Horizontal gap</source>
+        <translation>Separación horizontal</translation>
+    </message>
+    <message>
+        <source>Vertical gap</source>
+        <translation>Separación vertical</translation>
+    </message>
+    <message>
+        <source>In the other arguments, # becomes the index.</source>
+        <translation>En los demás argumentos, # se convierte en el índice.</translation>
+    </message>
+    <message>
+        <source>Choose an array with one index, for example Plant.Valves.</source>
+        <translation>Elija un array con un solo índice, por ejemplo Plant.Valves.</translation>
+    </message>
+</context>
+<context>
     <name>plc::hmi::ArrayDialog</name>
     <message>
         <source>Duplicate as array</source>
@@ -5367,18 +8551,16 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Columnas</translation>
     </message>
     <message>
-        <source>Gap across</source>
-        <translation>Separación horizontal</translation>
-        <source>The unit %1 is not in the text any more</source>
-        <translation>Separación horizontal</translation>
-    </message>
-    <message>
-        <source>Gap down</source>
+        <source>Vertical gap</source>
         <translation>Separación vertical</translation>
     </message>
     <message>
         <source>Index step</source>
         <translation>Paso del índice</translation>
+    </message>
+    <message>
+        <source>Horizontal gap</source>
+        <translation>Separación horizontal</translation>
     </message>
 </context>
 <context>
@@ -5386,12 +8568,6 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>Move</source>
         <translation>Mover</translation>
-    </message>
-    <message>
-        <source>Resize</source>
-        <translation>Cambiar el tamaño</translation>
-        <source>Select the step from which the branch goes out</source>
-        <translation>Cambiar el tamaño</translation>
     </message>
     <message>
         <source>Move point</source>
@@ -5408,6 +8584,14 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>Insert</source>
         <translation>Insertar</translation>
+    </message>
+    <message>
+        <source>Resize</source>
+        <translation>Cambiar el tamaño</translation>
+    </message>
+    <message>
+        <source>Bind</source>
+        <translation>Enlazar</translation>
     </message>
 </context>
 <context>
@@ -5442,11 +8626,15 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <source>Search elements</source>
         <translation>Buscar elementos</translation>
     </message>
+    <message>
+        <source>Faceplates</source>
+        <translation>Faceplates</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::PanelDesigner</name>
     <message>
-        <source>Finding</source>
+        <source>Issue</source>
         <translation>Mensaje</translation>
     </message>
     <message>
@@ -5510,11 +8698,11 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Alinear abajo</translation>
     </message>
     <message>
-        <source>Equal gaps across</source>
+        <source>Distribute horizontally</source>
         <translation>Distribuir horizontalmente</translation>
     </message>
     <message>
-        <source>Equal gaps down</source>
+        <source>Distribute vertically</source>
         <translation>Distribuir verticalmente</translation>
     </message>
     <message>
@@ -5524,12 +8712,6 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>Same height</source>
         <translation>Misma altura</translation>
-    </message>
-    <message>
-        <source>Same size</source>
-        <translation>Mismo tamaño</translation>
-        <source>%1 is a variable: it has no body</source>
-        <translation>Mismo tamaño</translation>
     </message>
     <message>
         <source>Bring to front</source>
@@ -5581,7 +8763,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Zoom 100 %</source>
-        <translation>Zoom 100 %</translation>
+        <translation>Zoom 100&#xa0;%</translation>
     </message>
     <message>
         <source>Zoom to fit</source>
@@ -5622,6 +8804,22 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>Variables</source>
         <translation>Variables</translation>
+    </message>
+    <message>
+        <source>Same size</source>
+        <translation>Mismo tamaño</translation>
+    </message>
+    <message>
+        <source>Paste in place</source>
+        <translation>Pegar en el mismo lugar</translation>
+    </message>
+    <message>
+        <source>Arrange over array…</source>
+        <translation>Disponer según un array…</translation>
+    </message>
+    <message>
+        <source>Arrange over array</source>
+        <translation>Disponer según un array</translation>
     </message>
 </context>
 <context>
@@ -5733,6 +8931,55 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>%1 is used by %2</source>
         <translation>%1 se usa en %2</translation>
+    </message>
+    <message>
+        <source>Import XLIFF</source>
+        <translation>Importar XLIFF</translation>
+    </message>
+    <message>
+        <source>Translations (*.xlf *.xliff)</source>
+        <translation>Traducciones (*.xlf *.xliff)</translation>
+    </message>
+    <message>
+        <source>Export XLIFF</source>
+        <translation>Exportar XLIFF</translation>
+    </message>
+    <message>
+        <source>Translated from</source>
+        <translation>Traducido de</translation>
+    </message>
+    <message>
+        <source>Translated into</source>
+        <translation>Traducido a</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>Versión</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n text(s) taken.</source>
+        <translation>
+            <numerusform>%n texto aceptado.</numerusform>
+            <numerusform>%n textos aceptados.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n text(s) as they were.</source>
+        <translation>
+            <numerusform>%n texto sin cambios.</numerusform>
+            <numerusform>%n textos sin cambios.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n text(s) without a translation.</source>
+        <translation>
+            <numerusform>%n texto sin traducción.</numerusform>
+            <numerusform>%n textos sin traducción.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>XLIFF %1</source>
+        <translation>XLIFF %1</translation>
     </message>
 </context>
 <context>
@@ -6132,6 +9379,14 @@ Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
         <source>Move channel</source>
         <translation>Mover el canal</translation>
     </message>
+    <message>
+        <source>Compared recording</source>
+        <translation>Grabación comparada</translation>
+    </message>
+    <message>
+        <source>Offset in time</source>
+        <translation>Desplazamiento en el tiempo</translation>
+    </message>
 </context>
 <context>
     <name>plc::trace::TimeBar</name>
@@ -6169,7 +9424,7 @@ Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
         <translation>Un ciclo atrás (Izquierda)</translation>
     </message>
     <message>
-        <source>One scan forth (Right)</source>
+        <source>One scan forward (Right)</source>
         <translation>Un ciclo adelante (Derecha)</translation>
     </message>
     <message>
@@ -6348,31 +9603,31 @@ Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
         <translation>Grabaciones (*.rec);;Todos los archivos (*)</translation>
     </message>
     <message>
-        <source>Trace set-up</source>
+        <source>Trace configuration</source>
         <translation>Configuración de traza</translation>
     </message>
     <message>
-        <source>Open set-up…</source>
+        <source>Open configuration…</source>
         <translation>Abrir configuración…</translation>
     </message>
     <message>
-        <source>Open trace set-up</source>
+        <source>Open trace configuration</source>
         <translation>Abrir configuración de traza</translation>
     </message>
     <message>
-        <source>Trace set-ups (*.trace.json)</source>
+        <source>Trace configurations (*.trace.json)</source>
         <translation>Configuraciones de traza (*.trace.json)</translation>
     </message>
     <message>
-        <source>Save trace set-up</source>
+        <source>Save trace configuration</source>
         <translation>Guardar configuración de traza</translation>
     </message>
     <message>
-        <source>Save set-up</source>
+        <source>Save configuration</source>
         <translation>Guardar configuración</translation>
     </message>
     <message>
-        <source>Save set-up as…</source>
+        <source>Save configuration as…</source>
         <translation>Guardar configuración como…</translation>
     </message>
     <message>
@@ -6460,7 +9715,7 @@ Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
     </message>
     <message>
         <source>%L1 scans kept  ·  history %2 of %3 MB  ·  channels %4 of %5 MB</source>
-        <translation>%L1 ciclos conservados  ·  historial %2 de %3 MB  ·  canales %4 de %5 MB</translation>
+        <translation>%L1 ciclos conservados  ·  historial %2 de %3&#xa0;MB  ·  canales %4 de %5&#xa0;MB</translation>
     </message>
     <message>
         <source>Properties</source>
@@ -6490,1199 +9745,13 @@ Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
         <source>Saving the recording…</source>
         <translation>Guardando la grabación…</translation>
     </message>
-</context>
-<context>
-    <name>Phrases</name>
     <message>
-        <source>a name</source>
-        <translation>un nombre</translation>
+        <source>%1, %2 later</source>
+        <translation>%1, %2 después</translation>
     </message>
     <message>
-        <source>a label</source>
-        <translation>una etiqueta</translation>
-    </message>
-    <message>
-        <source>an operand</source>
-        <translation>un operando</translation>
-    </message>
-    <message>
-        <source>an expression</source>
-        <translation>una expresión</translation>
-    </message>
-    <message>
-        <source>a value</source>
-        <translation>un valor</translation>
-    </message>
-    <message>
-        <source>a type</source>
-        <translation>un tipo</translation>
-    </message>
-    <message>
-        <source>an index</source>
-        <translation>un índice</translation>
-    </message>
-    <message>
-        <source>an argument</source>
-        <translation>un argumento</translation>
-    </message>
-    <message>
-        <source>an address</source>
-        <translation>una dirección</translation>
-    </message>
-    <message>
-        <source>an action</source>
-        <translation>una acción</translation>
-    </message>
-    <message>
-        <source>a CASE label</source>
-        <translation>una etiqueta CASE</translation>
-    </message>
-    <message>
-        <source>a block&apos;s name</source>
-        <translation>el nombre de un bloque</translation>
-    </message>
-    <message>
-        <source>a processor&apos;s name</source>
-        <translation>el nombre de un procesador</translation>
-    </message>
-    <message>
-        <source>a task&apos;s name</source>
-        <translation>el nombre de una tarea</translation>
-    </message>
-    <message>
-        <source>a program instance&apos;s name</source>
-        <translation>el nombre de una instancia de programa</translation>
-    </message>
-    <message>
-        <source>an input or output</source>
-        <translation>una entrada o salida</translation>
-    </message>
-    <message>
-        <source>a variable&apos;s name</source>
-        <translation>el nombre de una variable</translation>
-    </message>
-    <message>
-        <source>a variable&apos;s path</source>
-        <translation>la ruta de una variable</translation>
-    </message>
-    <message>
-        <source>a step&apos;s name</source>
-        <translation>el nombre de una etapa</translation>
-    </message>
-    <message>
-        <source>a type&apos;s name</source>
-        <translation>el nombre de un tipo</translation>
-    </message>
-    <message>
-        <source>a member&apos;s name</source>
-        <translation>el nombre de un miembro</translation>
-    </message>
-    <message>
-        <source>an access name</source>
-        <translation>un nombre de acceso</translation>
-    </message>
-    <message>
-        <source>an enumeration value</source>
-        <translation>un valor de enumeración</translation>
-    </message>
-    <message>
-        <source>the end of the line</source>
-        <translation>el final de la línea</translation>
-    </message>
-    <message>
-        <source>the end of the file</source>
-        <translation>el final del archivo</translation>
-    </message>
-    <message>
-        <source>{0} or {1}</source>
-        <translation>{0} o {1}</translation>
-    </message>
-    <message>
-        <source>FOR and a time</source>
-        <translation>FOR y un tiempo</translation>
-    </message>
-    <message>
-        <source>:= or instructions</source>
-        <translation>:= o instrucciones</translation>
-    </message>
-    <message>
-        <source>a subrange</source>
-        <translation>un subrango</translation>
-    </message>
-    <message>
-        <source>an enumeration</source>
-        <translation>una enumeración</translation>
-    </message>
-    <message>
-        <source>in parentheses</source>
-        <translation>entre paréntesis</translation>
-    </message>
-    <message>
-        <source>a chart</source>
-        <translation>una secuencia (SFC)</translation>
-    </message>
-    <message>
-        <source>a body</source>
-        <translation>un cuerpo</translation>
-    </message>
-    <message>
-        <source>in a CLASS</source>
-        <translation>en una CLASS</translation>
-    </message>
-    <message>
-        <source>in a FUNCTION</source>
-        <translation>en una FUNCTION</translation>
-    </message>
-    <message>
-        <source>in a METHOD</source>
-        <translation>en un METHOD</translation>
-    </message>
-    <message>
-        <source>in a PROGRAM</source>
-        <translation>en un PROGRAM</translation>
-    </message>
-    <message>
-        <source>in a FUNCTION_BLOCK</source>
-        <translation>en un FUNCTION_BLOCK</translation>
-    </message>
-    <message>
-        <source>here</source>
-        <translation>aquí</translation>
-    </message>
-    <message>
-        <source>in {0}</source>
-        <translation>en {0}</translation>
-    </message>
-    <message>
-        <source>in an expression</source>
-        <translation>en una expresión</translation>
-    </message>
-    <message>
-        <source>in an initial value</source>
-        <translation>en un valor inicial</translation>
-    </message>
-    <message>
-        <source>in this section</source>
-        <translation>en esta sección</translation>
-    </message>
-    <message>
-        <source>an initial value</source>
-        <translation>un valor inicial</translation>
-    </message>
-    <message>
-        <source>RETURN with a value</source>
-        <translation>RETURN con un valor</translation>
-    </message>
-    <message>
-        <source>in a declaration that calls FB_Init</source>
-        <translation>en una declaración que llama a FB_Init</translation>
-    </message>
-    <message>
-        <source>{0} (VAR_IN_OUT)</source>
-        <translation>{0} (VAR_IN_OUT)</translation>
-    </message>
-    <message>
-        <source>in {0}, which is not abstract itself</source>
-        <translation>en {0}, que no es abstracto</translation>
-    </message>
-    <message>
-        <source>address</source>
-        <translation>dirección</translation>
-    </message>
-    <message>
-        <source>duration</source>
-        <translation>duración</translation>
-    </message>
-    <message>
-        <source>date</source>
-        <translation>fecha</translation>
-    </message>
-    <message>
-        <source>time of day</source>
-        <translation>hora del día</translation>
-    </message>
-    <message>
-        <source>date and time</source>
-        <translation>fecha y hora</translation>
-    </message>
-    <message>
-        <source>integer</source>
-        <translation>entero</translation>
-    </message>
-    <message>
-        <source>string</source>
-        <translation>cadena</translation>
-    </message>
-    <message>
-        <source>{0} (a constant)</source>
-        <translation>{0} (una constante)</translation>
-    </message>
-    <message>
-        <source>{0} (an output)</source>
-        <translation>{0} (una salida)</translation>
-    </message>
-    <message>
-        <source>{0} (a local variable of {1})</source>
-        <translation>{0} (una variable local de {1})</translation>
-    </message>
-    <message>
-        <source>{0} (an input)</source>
-        <translation>{0} (una entrada)</translation>
-    </message>
-    <message>
-        <source>{0} (an input; the next scan overwrites it)</source>
-        <translation>{0} (una entrada; el próximo ciclo la sobrescribe)</translation>
-    </message>
-    <message>
-        <source>{0} (a property without SET)</source>
-        <translation>{0} (una propiedad sin SET)</translation>
-    </message>
-    <message>
-        <source>{0} (no instance, or several)</source>
-        <translation>{0} (ninguna instancia, o varias)</translation>
-    </message>
-    <message>
-        <source>{0} (a type; declare an instance of it)</source>
-        <translation>{0} (un tipo; declare una instancia)</translation>
-    </message>
-    <message>
-        <source>{0} (a variable, which hides the function of this name)</source>
-        <translation>{0} (una variable que oculta la función del mismo nombre)</translation>
-    </message>
-    <message>
-        <source>an output</source>
-        <translation>una salida</translation>
-    </message>
-    <message>
-        <source>an input</source>
-        <translation>una entrada</translation>
-    </message>
-    <message>
-        <source>an IN_OUT parameter</source>
-        <translation>un parámetro IN_OUT</translation>
-    </message>
-    <message>
-        <source>a power of a computed number</source>
-        <translation>una potencia de un número calculado</translation>
-    </message>
-    <message>
-        <source>a call of {0}</source>
-        <translation>una llamada a {0}</translation>
-    </message>
-    <message>
-        <source>a call without arguments</source>
-        <translation>una llamada sin argumentos</translation>
-    </message>
-    <message>
-        <source>a computed second argument of {0}</source>
-        <translation>un segundo argumento calculado de {0}</translation>
-    </message>
-    <message>
-        <source>{0} outside a loop</source>
-        <translation>{0} fuera de un bucle</translation>
-    </message>
-    <message>
-        <source>this statement</source>
-        <translation>esta instrucción</translation>
-    </message>
-    <message>
-        <source>FOR with this end or step</source>
-        <translation>FOR con este final o paso</translation>
-    </message>
-    <message>
-        <source>an assignment of several variables</source>
-        <translation>una asignación de varias variables</translation>
-    </message>
-    <message>
-        <source>CASE of a computed value</source>
-        <translation>CASE de un valor calculado</translation>
-    </message>
-    <message>
-        <source>a text</source>
-        <translation>un texto</translation>
-    </message>
-    <message>
-        <source>a number</source>
-        <translation>un número</translation>
-    </message>
-    <message>
-        <source>an integer</source>
-        <translation>un entero</translation>
-    </message>
-    <message>
-        <source>a number of seconds</source>
-        <translation>un número de segundos</translation>
-    </message>
-    <message>
-        <source>a list</source>
-        <translation>una lista</translation>
-    </message>
-    <message>
-        <source>an object</source>
-        <translation>un objeto</translation>
-    </message>
-    <message>
-        <source>one of {0}</source>
-        <translation>uno de {0}</translation>
-    </message>
-</context>
-<context>
-    <name>Fixes</name>
-    <message>
-        <source>Replace with {0}</source>
-        <translation>Reemplazar por {0}</translation>
-    </message>
-    <message>
-        <source>Insert {0}</source>
-        <translation>Insertar {0}</translation>
-    </message>
-    <message>
-        <source>Did you mean {0}?</source>
-        <translation>¿Quería decir {0}?</translation>
-    </message>
-    <message>
-        <source>Convert with {0}</source>
-        <translation>Convertir con {0}</translation>
-    </message>
-    <message>
-        <source>Move {0} to {1}</source>
-        <translation>Mover {0} a {1}</translation>
-    </message>
-    <message>
-        <source>Add the property {0}</source>
-        <translation>Añadir la propiedad {0}</translation>
-    </message>
-    <message>
-        <source>Add the method {0}</source>
-        <translation>Añadir el método {0}</translation>
-    </message>
-    <message>
-        <source>Add the missing branches</source>
-        <translation>Añadir las ramas que faltan</translation>
-    </message>
-    <message>
-        <source>Add ELSE</source>
-        <translation>Añadir ELSE</translation>
-    </message>
-    <message>
-        <source>Add () to call it</source>
-        <translation>Añadir () para llamarlo</translation>
-    </message>
-    <message>
-        <source>Compare with 0</source>
-        <translation>Comparar con 0</translation>
-    </message>
-    <message>
-        <source>Remove the unused declaration</source>
-        <translation>Quitar la declaración sin usar</translation>
-    </message>
-    <message>
-        <source>Replace with IF and ELSIF</source>
-        <translation>Reemplazar por IF y ELSIF</translation>
-    </message>
-    <message>
-        <source>Change to a WSTRING literal</source>
-        <translation>Cambiar a un literal WSTRING</translation>
-    </message>
-    <message>
-        <source>Replace with straight quotes</source>
-        <translation>Reemplazar por comillas rectas</translation>
-    </message>
-    <message>
-        <source>Make {0} the initial step</source>
-        <translation>Convertir {0} en la etapa inicial</translation>
-    </message>
-    <message>
-        <source>Dereference the pointer with ^</source>
-        <translation>Desreferenciar el puntero con ^</translation>
-    </message>
-</context>
-<context>
-    <name>Notes</name>
-    <message>
-        <source>first declared here</source>
-        <translation>declarado aquí por primera vez</translation>
-    </message>
-    <message>
-        <source>declared here</source>
-        <translation>declarado aquí</translation>
-    </message>
-    <message>
-        <source>the variable</source>
-        <translation>la variable</translation>
-    </message>
-    <message>
-        <source>the first program</source>
-        <translation>el primer programa</translation>
-    </message>
-    <message>
-        <source>overridden here</source>
-        <translation>sobrescrito aquí</translation>
-    </message>
-    <message>
-        <source>the first one</source>
-        <translation>el primero</translation>
-    </message>
-    <message>
-        <source>by this transition, while it is active</source>
-        <translation>por esta transición, mientras está activa</translation>
-    </message>
-</context>
-<context>
-    <name>Exchange</name>
-    <message>
-        <source>The file is written in {0}</source>
-        <translation>El archivo está escrito en {0}</translation>
-    </message>
-    <message>
-        <source>The file was not read: {0}</source>
-        <translation>El archivo no se ha leído: {0}</translation>
-    </message>
-    <message>
-        <source>The element {0} was not read</source>
-        <translation>El elemento {0} no se ha leído</translation>
-    </message>
-    <message>
-        <source>The vendor&apos;s data {0} is kept in exchange.json</source>
-        <translation>Los datos {0} del fabricante se conservan en exchange.json</translation>
-    </message>
-    <message>
-        <source>The body in {0} became structured text; the diagram is kept in exchange.json</source>
-        <translation>El cuerpo en {0} se ha convertido en texto estructurado; el diagrama se conserva en exchange.json</translation>
-    </message>
-    <message>
-        <source>The body in {0} is stored in a form that only its own editor reads; export it there as PLCopen XML</source>
-        <translation>El cuerpo en {0} está guardado en un formato que solo lee su propio editor; expórtelo allí como PLCopen XML</translation>
-    </message>
-    <message>
-        <source>A jump leads to the step {0}, which does not exist</source>
-        <translation>Un salto lleva a la etapa {0}, que no existe</translation>
-    </message>
-    <message>
-        <source>The element {0} of the chart is not connected and was left out</source>
-        <translation>El elemento {0} de la secuencia (SFC) no está conectado y se ha omitido</translation>
-    </message>
-    <message>
-        <source>The transition from {0} has no condition; it is written as FALSE</source>
-        <translation>La transición desde {0} no tiene condición; se escribe como FALSE</translation>
-    </message>
-    <message>
-        <source>The element {0} takes part in a loop without a block that stores a value; its last value is not kept</source>
-        <translation>El elemento {0} forma parte de un bucle sin bloque que almacene un valor; su último valor no se conserva</translation>
-    </message>
-    <message>
-        <source>The element {0} is not connected and was left out</source>
-        <translation>El elemento {0} no está conectado y se ha omitido</translation>
-    </message>
-    <message>
-        <source>An edge in a function needs the value of the last call, which a function does not store</source>
-        <translation>Un flanco en una función necesita el valor de la última llamada, que una función no almacena</translation>
-    </message>
-    <message>
-        <source>The result of {0} is used in several places and is computed in each</source>
-        <translation>El resultado de {0} se usa en varios lugares y se calcula en cada uno</translation>
-    </message>
-    <message>
-        <source>The type of the result of {0} is not known; it is computed although EN is FALSE</source>
-        <translation>El tipo del resultado de {0} no se conoce; se calcula aunque EN sea FALSE</translation>
-    </message>
-    <message>
-        <source>The library {0} is not part of Stepwise; uses of it are reported by the check</source>
-        <translation>La biblioteca {0} no forma parte de Stepwise; la comprobación notifica sus usos</translation>
-    </message>
-    <message>
-        <source>Code in C is kept as a comment and is not executed</source>
-        <translation>El código en C se conserva como comentario y no se ejecuta</translation>
-    </message>
-    <message>
-        <source>There are two units named {0}; the second is in {1}</source>
-        <translation>Hay dos POU llamados {0}; el segundo está en {1}</translation>
-    </message>
-    <message>
-        <source>The configuration of the devices was not read; assign the inputs and outputs again</source>
-        <translation>La configuración de los dispositivos no se ha leído; vuelva a asignar las entradas y salidas</translation>
-    </message>
-    <message>
-        <source>The task {0} is started by the event {1}, which does not exist here; give it an INTERVAL or a SINGLE</source>
-        <translation>La tarea {0} la inicia el evento {1}, que aquí no existe; asígnele un INTERVAL o un SINGLE</translation>
-    </message>
-    <message>
-        <source>{0} counts %MW1 in words, here it is counted in bytes; check that the addresses do not overlap</source>
-        <translation>{0} cuenta %MW1 en palabras, aquí se cuenta en bytes; compruebe que las direcciones no se solapen</translation>
-    </message>
-    <message>
-        <source>A comment outside of the elements was left out: {0}</source>
-        <translation>Se ha omitido un comentario fuera de los elementos: {0}</translation>
-    </message>
-    <message>
-        <source>The diagram in {0} was not read: an expression repeats itself without end</source>
-        <translation>El diagrama en {0} no se ha leído: una expresión se repite sin fin</translation>
-    </message>
-    <message>
-        <source>A condition in {0} needs the call of a block, which a condition cannot make</source>
-        <translation>Una condición en {0} necesita llamar a un bloque, lo que una condición no puede hacer</translation>
-    </message>
-    <message>
-        <source>The transition {0} is not a single expression and was not read</source>
-        <translation>La transición {0} no es una única expresión y no se ha leído</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for panels; they were left out</source>
-        <translation>PLCopen XML no tiene lugar para paneles; se han omitido</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for traces; they were left out</source>
-        <translation>PLCopen XML no tiene lugar para trazas; se han omitido</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for tests; they were left out</source>
-        <translation>PLCopen XML no tiene lugar para pruebas; se han omitido</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for tests; the TEST &apos;{0}&apos; was left out</source>
-        <translation>PLCopen XML no tiene lugar para pruebas; el TEST «{0}» se ha omitido</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for namespaces; a NAMESPACE was left out with its units</source>
-        <translation>PLCopen XML no tiene lugar para espacios de nombres; se ha omitido un NAMESPACE con sus POU</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for USING; it was left out</source>
-        <translation>PLCopen XML no tiene lugar para USING; se ha omitido</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for the name of the transition {0}; it was left out</source>
-        <translation>PLCopen XML no tiene lugar para el nombre de la transición {0}; se ha omitido</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has one indicator per action; {0} was left out</source>
-        <translation>PLCopen XML tiene un indicador por acción; {0} se ha omitido</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no methods; {0} was left out</source>
-        <translation>La versión 0201 no tiene métodos; {0} se ha omitido</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no properties; {0} was left out</source>
-        <translation>La versión 0201 no tiene propiedades; {0} se ha omitido</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no interfaces; {0} was left out</source>
-        <translation>La versión 0201 no tiene interfaces; {0} se ha omitido</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no unions; {0} was left out</source>
-        <translation>La versión 0201 no tiene uniones; {0} se ha omitido</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no inheritance; EXTENDS or IMPLEMENTS of {0} was left out</source>
-        <translation>La versión 0201 no tiene herencia; se ha omitido EXTENDS o IMPLEMENTS de {0}</translation>
-    </message>
-    <message>
-        <source>Version 0201 does not have the type {0}; other tools will not know it</source>
-        <translation>La versión 0201 no tiene el tipo {0}; otras herramientas no lo conocerán</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no place for the pragma {0} of a step; it was left out</source>
-        <translation>La versión 0201 no tiene lugar para el pragma {0} de una etapa; se ha omitido</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no place for {0} of a task; it was left out</source>
-        <translation>La versión 0201 no tiene lugar para {0} de una tarea; se ha omitido</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no place for the connections of the program {0}; they were left out</source>
-        <translation>La versión 0201 no tiene lugar para las conexiones del programa {0}; se han omitido</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no place for libraries; {0} was left out</source>
-        <translation>La versión 0201 no tiene lugar para bibliotecas; {0} se ha omitido</translation>
-    </message>
-    <message>
-        <source>The file is no program source and was left out</source>
-        <translation>El archivo no es código fuente y se ha omitido</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::ImportDialog</name>
-    <message>
-        <source>Place</source>
-        <translation>Lugar</translation>
-    </message>
-    <message>
-        <source>Note</source>
-        <translation>Nota</translation>
-    </message>
-    <message>
-        <source>Report</source>
-        <translation>Informe</translation>
-    </message>
-    <message>
-        <source>Units: %1
-Bodies: %2
-Not kept: %3</source>
-        <translation>POU: %1
-Cuerpos: %2
-No conservados: %3</translation>
-    </message>
-    <message>
-        <source>Import a Project</source>
-        <translation>Importar un proyecto</translation>
-    </message>
-    <message>
-        <source>PLCopen XML, TwinCAT or CODESYS files, structured text</source>
-        <translation>PLCopen XML, archivos de TwinCAT o CODESYS, texto estructurado</translation>
-    </message>
-    <message>
-        <source>File…</source>
-        <translation>Archivo…</translation>
-    </message>
-    <message>
-        <source>Folder…</source>
-        <translation>Carpeta…</translation>
-    </message>
-    <message>
-        <source>Source files</source>
-        <translation>Archivos fuente</translation>
-    </message>
-    <message>
-        <source>Preview</source>
-        <translation>Vista previa</translation>
-    </message>
-    <message>
-        <source>Import</source>
-        <translation>Importar</translation>
-    </message>
-    <message>
-        <source>From:</source>
-        <translation>Desde:</translation>
-    </message>
-    <message>
-        <source>New project in:</source>
-        <translation>Proyecto nuevo en:</translation>
-    </message>
-    <message>
-        <source>Projects of other tools (%1)</source>
-        <translation>Proyectos de otras herramientas (%1)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Todos los archivos (*)</translation>
-    </message>
-    <message>
-        <source>This folder is not empty; name a new one</source>
-        <translation>Esta carpeta no está vacía; indique una nueva</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::ExportDialog</name>
-    <message>
-        <source>Export the Project</source>
-        <translation>Exportar el proyecto</translation>
-    </message>
-    <message>
-        <source>PLCopen XML 0200, for CODESYS and TwinCAT</source>
-        <translation>PLCopen XML 0200, para CODESYS y TwinCAT</translation>
-    </message>
-    <message>
-        <source>PLCopen XML 0201, for Beremiz and OpenPLC</source>
-        <translation>PLCopen XML 0201, para Beremiz y OpenPLC</translation>
-    </message>
-    <message>
-        <source>File…</source>
-        <translation>Archivo…</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Exportar</translation>
-    </message>
-    <message>
-        <source>Format:</source>
-        <translation>Formato:</translation>
-    </message>
-    <message>
-        <source>To:</source>
-        <translation>A:</translation>
-    </message>
-</context>
-<context>
-    <name>plc::editor::GraphView</name>
-    <message>
-        <source>Show all</source>
-        <translation>Mostrar todo</translation>
-    </message>
-    <message>
-        <source>Export as SVG, PNG or PDF…</source>
-        <translation>Exportar como SVG, PNG o PDF…</translation>
-    </message>
-    <message>
-        <source>Export the Drawing</source>
-        <translation>Exportar el dibujo</translation>
-    </message>
-    <message>
-        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
-        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written</source>
-        <translation>No se puede escribir %1</translation>
-    </message>
-    <message>
-        <source>Print…</source>
-        <translation>Imprimir…</translation>
-    </message>
-    <message>
-        <source>Fix the text first: this is the last good drawing</source>
-        <translation>Corrija primero el texto: este es el último dibujo correcto</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::RenameDialog</name>
-    <message>
-        <source>Rename</source>
-        <translation>Renombrar</translation>
-    </message>
-    <message>
-        <source>New name of %1, in the whole project:</source>
-        <translation>Nombre nuevo de %1, en todo el proyecto:</translation>
-    </message>
-    <message>
-        <source>Place</source>
-        <translation>Lugar</translation>
-    </message>
-    <message>
-        <source>Text</source>
-        <translation>Texto</translation>
-    </message>
-    <message>
-        <source>Places that change</source>
-        <translation>Lugares que cambian</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n place(s) change:</source>
-        <translation>
-            <numerusform>%n lugar cambia:</numerusform>
-            <numerusform>%n lugares cambian:</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>DiskChange</name>
-    <message>
-        <source>Changed outside</source>
-        <translation>Cambiado desde fuera</translation>
-    </message>
-    <message>
-        <source>%1 was changed by another program, and here too.</source>
-        <translation>Otro programa cambió %1, y aquí también se cambió.</translation>
-    </message>
-    <message>
-        <source>Compare both side by side, load the file from disk and lose the changes made here, or keep what is here and replace the file with the next save?</source>
-        <translation>¿Comparar los dos uno al lado del otro, cargar el archivo del disco y perder los cambios hechos aquí, o conservar lo de aquí y reemplazar el archivo la próxima vez que se guarde?</translation>
-    </message>
-    <message>
-        <source>Compare…</source>
-        <translation>Comparar…</translation>
-    </message>
-    <message>
-        <source>Load from Disk</source>
-        <translation>Cargar del disco</translation>
-    </message>
-    <message>
-        <source>Keep Mine</source>
-        <translation>Conservar lo mío</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::InstanceBar</name>
-    <message>
-        <source>Instance whose values are shown</source>
-        <translation>Instancia cuyos valores se muestran</translation>
-    </message>
-    <message>
-        <source>Values of the instance of %1:</source>
-        <translation>Valores de la instancia de %1:</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::MergeDialog</name>
-    <message>
-        <source>Compare %1</source>
-        <translation>Comparar %1</translation>
-    </message>
-    <message>
-        <source>Previous</source>
-        <translation>Anterior</translation>
-    </message>
-    <message>
-        <source>Next</source>
-        <translation>Siguiente</translation>
-    </message>
-    <message>
-        <source>Take Over</source>
-        <translation>Aceptar</translation>
-    </message>
-    <message>
-        <source>Take Over All</source>
-        <translation>Aceptar todo</translation>
-    </message>
-    <message>
-        <source>Here (this text is kept)</source>
-        <translation>Aquí (este texto se conserva)</translation>
-    </message>
-    <message>
-        <source>On disk</source>
-        <translation>En el disco</translation>
-    </message>
-    <message>
-        <source>Use the Text on the Left</source>
-        <translation>Usar el texto de la izquierda</translation>
-    </message>
-    <message>
-        <source>No differences</source>
-        <translation>Sin diferencias</translation>
-    </message>
-    <message>
-        <source>Difference %1 of %2</source>
-        <translation>Diferencia %1 de %2</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::PanelFiles</name>
-    <message>
-        <source>Texts</source>
-        <translation>Textos</translation>
-    </message>
-    <message>
-        <source>Alarms</source>
-        <translation>Alarmas</translation>
-    </message>
-    <message>
-        <source>Panel %1</source>
-        <translation>Panel %1</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::RunsMenu</name>
-    <message>
-        <source>Earlier Runs</source>
-        <translation>Ejecuciones anteriores</translation>
-    </message>
-    <message>
-        <source>%1, ended by a fault, %2</source>
-        <translation>%1, terminada por un error, %2</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>The last run is being written…</source>
-        <translation>Escribiendo la última ejecución…</translation>
-    </message>
-    <message>
-        <source>No run has ended yet</source>
-        <translation>Aún no ha terminado ninguna ejecución</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::TestView</name>
-    <message>
-        <source>Run all tests</source>
-        <translation>Ejecutar todas las pruebas</translation>
-    </message>
-    <message>
-        <source>Run the selected tests</source>
-        <translation>Ejecutar las pruebas seleccionadas</translation>
-    </message>
-    <message>
-        <source>Run the failed tests</source>
-        <translation>Ejecutar las pruebas fallidas</translation>
-    </message>
-    <message>
-        <source>Test</source>
-        <translation>Prueba</translation>
-    </message>
-    <message>
-        <source>Result</source>
-        <translation>Resultado</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Tiempo</translation>
-    </message>
-    <message>
-        <source>Tests</source>
-        <translation>Pruebas</translation>
-    </message>
-    <message>
-        <source>%1 passed, %2 failed</source>
-        <translation>%1 superadas, %2 fallidas</translation>
-    </message>
-    <message>
-        <source>not run yet</source>
-        <translation>aún sin ejecutar</translation>
-    </message>
-    <message>
-        <source>passed</source>
-        <translation>superada</translation>
-    </message>
-    <message>
-        <source>failed</source>
-        <translation>fallida</translation>
-    </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
-    <message>
-        <source>Show the Recording of the Failure</source>
-        <translation>Mostrar la grabación del fallo</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::TextPage</name>
-    <message>
-        <source>Line %1: %2</source>
-        <translation>Línea %1: %2</translation>
-    </message>
-</context>
-<context>
-    <name>plc::editor::RunArchive</name>
-    <message>
-        <source>The recording of the last run was not kept: %1</source>
-        <translation>La grabación de la última ejecución no se ha conservado: %1</translation>
-    </message>
-</context>
-<context>
-    <name>plc::editor::LadderView</name>
-    <message>
-        <source>Ladder or function block diagram</source>
-        <translation>Esquema de contactos o diagrama de bloques</translation>
-    </message>
-    <message>
-        <source>Insert a rung below (Ctrl+T)</source>
-        <translation>Insertar un segmento debajo (Ctrl+T)</translation>
-    </message>
-    <message>
-        <source>Insert a contact on the left (Ctrl+K)</source>
-        <translation>Insertar un contacto a la izquierda (Ctrl+K)</translation>
-    </message>
-    <message>
-        <source>Insert a contact on the right (Ctrl+D)</source>
-        <translation>Insertar un contacto a la derecha (Ctrl+D)</translation>
-    </message>
-    <message>
-        <source>Insert a parallel contact (Ctrl+R)</source>
-        <translation>Insertar un contacto en paralelo (Ctrl+R)</translation>
-    </message>
-    <message>
-        <source>Insert a coil (Ctrl+A)</source>
-        <translation>Insertar una bobina (Ctrl+A)</translation>
-    </message>
-    <message>
-        <source>Insert a function block (Ctrl+B)</source>
-        <translation>Insertar un bloque de función (Ctrl+B)</translation>
-    </message>
-    <message>
-        <source>Edit (F2)</source>
-        <translation>Editar (F2)</translation>
-    </message>
-    <message>
-        <source>Delete (Del)</source>
-        <translation>Eliminar (Supr)</translation>
-    </message>
-    <message>
-        <source>Breakpoint on the rung (F9)</source>
-        <translation>Punto de interrupción en el segmento (F9)</translation>
-    </message>
-    <message>
-        <source>Show as a function block diagram</source>
-        <translation>Mostrar como diagrama de bloques</translation>
-    </message>
-    <message>
-        <source>Show as a ladder diagram</source>
-        <translation>Mostrar como esquema de contactos</translation>
-    </message>
-    <message>
-        <source>%1 is not in the text any more</source>
-        <translation>%1 ya no está en el texto</translation>
-    </message>
-    <message>
-        <source>The text has errors: this is the last good drawing</source>
-        <translation>El texto tiene errores: este es el último dibujo correcto</translation>
-    </message>
-    <message>
-        <source>Fix the text first: this is the last good drawing</source>
-        <translation>Corrija primero el texto: este es el último dibujo correcto</translation>
-    </message>
-    <message>
-        <source>Select a rung</source>
-        <translation>Seleccione un segmento</translation>
-    </message>
-    <message>
-        <source>Select a coil</source>
-        <translation>Seleccione una bobina</translation>
-    </message>
-    <message>
-        <source>Select a contact, a coil or a pin with a variable</source>
-        <translation>Seleccione un contacto, una bobina o una conexión con una variable</translation>
-    </message>
-    <message>
-        <source>The rung has no contact yet</source>
-        <translation>El segmento aún no tiene ningún contacto</translation>
-    </message>
-    <message>
-        <source>Select the rung that gets the block</source>
-        <translation>Seleccione el segmento que recibe el bloque</translation>
-    </message>
-    <message>
-        <source>block</source>
-        <translation>bloque</translation>
-    </message>
-    <message>
-        <source>Contact on the left; at a coil, the last contact</source>
-        <translation>Contacto a la izquierda; en una bobina, el último contacto</translation>
-    </message>
-    <message>
-        <source>Contact on the right</source>
-        <translation>Contacto a la derecha</translation>
-    </message>
-    <message>
-        <source>Parallel contact</source>
-        <translation>Contacto en paralelo</translation>
-    </message>
-    <message>
-        <source>Coil</source>
-        <translation>Bobina</translation>
-    </message>
-    <message>
-        <source>Function block in the rung</source>
-        <translation>Bloque de función en el segmento</translation>
-    </message>
-    <message>
-        <source>Rung above</source>
-        <translation>Segmento encima</translation>
-    </message>
-    <message>
-        <source>Rung below</source>
-        <translation>Segmento debajo</translation>
-    </message>
-    <message>
-        <source>Negate a contact, a coil or a pin</source>
-        <translation>Negar un contacto, una bobina o una conexión</translation>
-    </message>
-    <message>
-        <source>Coil: normal, set, reset</source>
-        <translation>Bobina: normal, set, reset</translation>
-    </message>
-    <message>
-        <source>Comment of the rung</source>
-        <translation>Comentario del segmento</translation>
-    </message>
-    <message>
-        <source>Edit what is selected (or Enter)</source>
-        <translation>Editar lo seleccionado (o Intro)</translation>
-    </message>
-    <message>
-        <source>Delete what is selected</source>
-        <translation>Eliminar lo seleccionado</translation>
-    </message>
-    <message>
-        <source>Breakpoint on the rung</source>
-        <translation>Punto de interrupción en el segmento</translation>
-    </message>
-    <message>
-        <source>This list</source>
-        <translation>Esta lista</translation>
-    </message>
-    <message>
-        <source>Arrows</source>
-        <translation>Flechas</translation>
-    </message>
-    <message>
-        <source>Select the next part; Up and Down also the next rung</source>
-        <translation>Seleccionar la parte siguiente; Arriba y Abajo también el segmento siguiente</translation>
-    </message>
-    <message>
-        <source>Move the rung up; with Down, down</source>
-        <translation>Mover el segmento hacia arriba; con Abajo, hacia abajo</translation>
-    </message>
-    <message>
-        <source>Typed before a name: a negated contact</source>
-        <translation>Escrito delante de un nombre: un contacto negado</translation>
-    </message>
-    <message>
-        <source>Keys in Ladder and Function Block Diagrams</source>
-        <translation>Teclas en esquemas de contactos y diagramas de bloques</translation>
-    </message>
-    <message>
-        <source>Insert a Rung Above</source>
-        <translation>Insertar un segmento encima</translation>
-    </message>
-    <message>
-        <source>Insert a Rung Below</source>
-        <translation>Insertar un segmento debajo</translation>
-    </message>
-    <message>
-        <source>Insert a Contact</source>
-        <translation>Insertar un contacto</translation>
-    </message>
-    <message>
-        <source>Insert a Parallel Contact</source>
-        <translation>Insertar un contacto en paralelo</translation>
-    </message>
-    <message>
-        <source>Insert a Coil</source>
-        <translation>Insertar una bobina</translation>
-    </message>
-    <message>
-        <source>Insert a Function Block…</source>
-        <translation>Insertar un bloque de función…</translation>
-    </message>
-    <message>
-        <source>Edit</source>
-        <translation>Edición</translation>
-    </message>
-    <message>
-        <source>Comment…</source>
-        <translation>Comentario…</translation>
-    </message>
-    <message>
-        <source>Negate</source>
-        <translation>Negar</translation>
-    </message>
-    <message>
-        <source>Set or Reset</source>
-        <translation>Set o reset</translation>
-    </message>
-    <message>
-        <source>Move the Rung Up</source>
-        <translation>Subir el segmento</translation>
-    </message>
-    <message>
-        <source>Move the Rung Down</source>
-        <translation>Bajar el segmento</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>Eliminar</translation>
-    </message>
-    <message>
-        <source>Force TRUE</source>
-        <translation>Forzar TRUE</translation>
-    </message>
-    <message>
-        <source>Force FALSE</source>
-        <translation>Forzar FALSE</translation>
-    </message>
-    <message>
-        <source>Release</source>
-        <translation>Anular el forzado</translation>
-    </message>
-    <message>
-        <source>Toggle Breakpoint</source>
-        <translation>Alternar punto de interrupción</translation>
+        <source>%1, %2 earlier</source>
+        <translation>%1, %2 antes</translation>
     </message>
 </context>
 </TS>

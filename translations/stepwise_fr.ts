@@ -9,15 +9,15 @@
     </message>
     <message>
         <source>Unterminated comment; close it with *)</source>
-        <translation>Commentaire non terminé ; le fermer par *)</translation>
+        <translation>Commentaire non terminé&#x202f;; le fermer par *)</translation>
     </message>
     <message>
         <source>Unterminated string; add the closing quote</source>
-        <translation>Chaîne non terminée ; ajouter le guillemet fermant</translation>
+        <translation>Chaîne non terminée&#x202f;; ajouter le guillemet fermant</translation>
     </message>
     <message>
         <source>This is not valid UTF-8; save the file as UTF-8</source>
-        <translation>Ce n’est pas de l’UTF-8 valide ; enregistrer le fichier en UTF-8</translation>
+        <translation>Ce n’est pas de l’UTF-8 valide&#x202f;; enregistrer le fichier en UTF-8</translation>
     </message>
     <message>
         <source>{0} is not a valid {1} literal</source>
@@ -25,7 +25,7 @@
     </message>
     <message>
         <source>Expected {0} before {1}</source>
-        <translation>Attendu avant {1} : {0}</translation>
+        <translation>Attendu avant {1}&#xa0;: {0}</translation>
     </message>
     <message>
         <source>A semicolon is missing here</source>
@@ -41,11 +41,11 @@
     </message>
     <message>
         <source>This comparison has no effect; use := to assign</source>
-        <translation>Cette comparaison est sans effet ; utiliser := pour affecter</translation>
+        <translation>Cette comparaison est sans effet&#x202f;; utiliser := pour affecter</translation>
     </message>
     <message>
         <source>An assignment is not a condition; use = to compare</source>
-        <translation>Une affectation n’est pas une condition ; utiliser = pour comparer</translation>
+        <translation>Une affectation n’est pas une condition&#x202f;; utiliser = pour comparer</translation>
     </message>
     <message>
         <source>A colon is missing between the name and its type</source>
@@ -53,7 +53,7 @@
     </message>
     <message>
         <source>Decimal numbers use a point: {0}</source>
-        <translation>Les nombres décimaux utilisent le point : {0}</translation>
+        <translation>Les nombres décimaux utilisent le point&#xa0;: {0}</translation>
     </message>
     <message>
         <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT</source>
@@ -69,11 +69,11 @@
     </message>
     <message>
         <source>{0} is missing; the program unit ends here</source>
-        <translation>Il manque {0} ; le POU se termine ici</translation>
+        <translation>Il manque {0}&#x202f;; le POU se termine ici</translation>
     </message>
     <message>
         <source>A semicolon is missing here; the statement ends here</source>
-        <translation>Il manque un point-virgule ici ; l’instruction se termine ici</translation>
+        <translation>Il manque un point-virgule ici&#x202f;; l’instruction se termine ici</translation>
     </message>
     <message>
         <source>{0} is not declared</source>
@@ -89,7 +89,7 @@
     </message>
     <message>
         <source>Implicit conversion from {0} to {1} may lose data; convert it explicitly</source>
-        <translation>La conversion implicite de {0} en {1} peut perdre des données ; convertir explicitement</translation>
+        <translation>La conversion implicite de {0} en {1} peut perdre des données&#x202f;; convertir explicitement</translation>
     </message>
     <message>
         <source>{0} cannot be assigned to</source>
@@ -169,7 +169,7 @@
     </message>
     <message>
         <source>{0} is ambiguous: {1}; write the namespace before it</source>
-        <translation>{0} est ambigu : {1} ; le faire précéder de l’espace de noms</translation>
+        <translation>{0} est ambigu&#xa0;: {1}&#x202f;; le faire précéder de l’espace de noms</translation>
     </message>
     <message>
         <source>{0} is abstract and cannot be instantiated</source>
@@ -181,7 +181,7 @@
     </message>
     <message>
         <source>The character {0} is not in STRING (Latin-1); use WSTRING</source>
-        <translation>Le caractère {0} n’existe pas en STRING (Latin-1) ; utiliser WSTRING</translation>
+        <translation>Le caractère {0} n’existe pas en STRING (Latin-1)&#x202f;; utiliser WSTRING</translation>
     </message>
     <message>
         <source>The text has {0} characters and will be truncated to {1}</source>
@@ -197,11 +197,11 @@
     </message>
     <message>
         <source>{0} and {1} are compared as {2}; convert one of them</source>
-        <translation>{0} et {1} sont comparés en {2} ; convertir l’un des deux</translation>
+        <translation>{0} et {1} sont comparés en {2}&#x202f;; convertir l’un des deux</translation>
     </message>
     <message>
         <source>{0} is not checked against the enumeration {1}; use one of its names</source>
-        <translation>{0} n’est pas vérifié par rapport à l’énumération {1} ; utiliser l’un de ses noms</translation>
+        <translation>{0} n’est pas vérifié par rapport à l’énumération {1}&#x202f;; utiliser l’un de ses noms</translation>
     </message>
     <message>
         <source>The result of {0} is not used</source>
@@ -217,7 +217,7 @@
     </message>
     <message>
         <source>{0} is {1}; write {2}</source>
-        <translation>{0} est {1} ; écrire {2}</translation>
+        <translation>{0} est {1}&#x202f;; écrire {2}</translation>
     </message>
     <message>
         <source>A reference needs a variable that has an address</source>
@@ -233,11 +233,11 @@
     </message>
     <message>
         <source>{0} contains itself; use a REFERENCE TO</source>
-        <translation>{0} se contient lui-même ; utiliser un REFERENCE TO</translation>
+        <translation>{0} se contient lui-même&#x202f;; utiliser un REFERENCE TO</translation>
     </message>
     <message>
         <source>{0} calls itself, which is not allowed: {1}</source>
-        <translation>{0} s’appelle lui-même, ce qui n’est pas autorisé : {1}</translation>
+        <translation>{0} s’appelle lui-même, ce qui n’est pas autorisé&#xa0;: {1}</translation>
     </message>
     <message>
         <source>{0} is never used</source>
@@ -309,7 +309,7 @@
     </message>
     <message>
         <source>The variables need {0} bytes; the maximum is {1}</source>
-        <translation>Les variables demandent {0} octets ; le maximum est {1}</translation>
+        <translation>Les variables demandent {0} octets&#x202f;; le maximum est {1}</translation>
     </message>
     <message>
         <source>There is no PROGRAM to run</source>
@@ -317,7 +317,7 @@
     </message>
     <message>
         <source>There are several programs and no CONFIGURATION; name one of them Main or write a CONFIGURATION</source>
-        <translation>Il y a plusieurs programmes et pas de CONFIGURATION ; en nommer un Main ou écrire une CONFIGURATION</translation>
+        <translation>Il y a plusieurs programmes et pas de CONFIGURATION&#x202f;; en nommer un Main ou écrire une CONFIGURATION</translation>
     </message>
     <message>
         <source>There is no namespace {0}</source>
@@ -325,7 +325,7 @@
     </message>
     <message>
         <source>The range {0}..{1} is not valid: the lower bound is above the upper bound or there are too many elements</source>
-        <translation>La plage {0}..{1} n’est pas valide : la borne inférieure dépasse la borne supérieure ou il y a trop d’éléments</translation>
+        <translation>La plage {0}..{1} n’est pas valide&#xa0;: la borne inférieure dépasse la borne supérieure ou il y a trop d’éléments</translation>
     </message>
     <message>
         <source>{0} is not a variable of this configuration</source>
@@ -333,7 +333,7 @@
     </message>
     <message>
         <source>{0} has an incomplete address; complete it in a VAR_CONFIG</source>
-        <translation>{0} a une adresse incomplète ; la compléter dans un VAR_CONFIG</translation>
+        <translation>{0} a une adresse incomplète&#x202f;; la compléter dans un VAR_CONFIG</translation>
     </message>
     <message>
         <source>{0} restarts on every call because functions keep no state</source>
@@ -341,11 +341,11 @@
     </message>
     <message>
         <source>Too many initial values: {0} for {1} {1:element|elements}</source>
-        <translation>Trop de valeurs initiales : {0} pour {1} {1:élément|éléments}</translation>
+        <translation>Trop de valeurs initiales&#xa0;: {0} pour {1} {1:élément|éléments}</translation>
     </message>
     <message>
         <source>{0} may call itself; the depth of recursion is limited at run time</source>
-        <translation>{0} peut s’appeler lui-même ; la profondeur de récursion est limitée à l’exécution</translation>
+        <translation>{0} peut s’appeler lui-même&#x202f;; la profondeur de récursion est limitée à l’exécution</translation>
     </message>
     <message>
         <source>The chart has no INITIAL_STEP</source>
@@ -353,7 +353,7 @@
     </message>
     <message>
         <source>The chart has two initial steps: {0} and {1}</source>
-        <translation>Le grafcet a deux étapes initiales : {0} et {1}</translation>
+        <translation>Le grafcet a deux étapes initiales&#xa0;: {0} et {1}</translation>
     </message>
     <message>
         <source>There is no step {0}</source>
@@ -361,19 +361,19 @@
     </message>
     <message>
         <source>No transition leads to step {0}; it can never become active</source>
-        <translation>Aucune transition ne mène à l’étape {0} ; elle ne peut jamais devenir active</translation>
+        <translation>Aucune transition ne mène à l’étape {0}&#x202f;; elle ne peut jamais devenir active</translation>
     </message>
     <message>
         <source>Step {0} can become active twice at the same time: the branches from here do not join</source>
-        <translation>L’étape {0} peut devenir active deux fois en même temps : les branches qui partent d’ici ne convergent pas</translation>
+        <translation>L’étape {0} peut devenir active deux fois en même temps&#xa0;: les branches qui partent d’ici ne convergent pas</translation>
     </message>
     <message>
         <source>The steps before this transition cannot be active together; start them from one simultaneous branch</source>
-        <translation>Les étapes avant cette transition ne peuvent pas être actives ensemble ; les démarrer par une même divergence simultanée</translation>
+        <translation>Les étapes avant cette transition ne peuvent pas être actives ensemble&#x202f;; les démarrer par une même divergence simultanée</translation>
     </message>
     <message>
         <source>This transition is always true; the step before it lasts one scan</source>
-        <translation>Cette transition est toujours vraie ; l’étape qui la précède dure un cycle</translation>
+        <translation>Cette transition est toujours vraie&#x202f;; l’étape qui la précède dure un cycle</translation>
     </message>
     <message>
         <source>The qualifier {0} needs a time, for example T#2s</source>
@@ -397,7 +397,7 @@
     </message>
     <message>
         <source>{0} needs a current result; load one with LD</source>
-        <translation>{0} demande un résultat courant ; en charger un avec LD</translation>
+        <translation>{0} demande un résultat courant&#x202f;; en charger un avec LD</translation>
     </message>
     <message>
         <source>The parenthesis of this instruction is not closed</source>
@@ -413,23 +413,23 @@
     </message>
     <message>
         <source>{0} is not a value of the strict enumeration {1}; use one of its names</source>
-        <translation>{0} n’est pas une valeur de l’énumération stricte {1} ; utiliser l’un de ses noms</translation>
+        <translation>{0} n’est pas une valeur de l’énumération stricte {1}&#x202f;; utiliser l’un de ses noms</translation>
     </message>
     <message>
         <source>{0} is a strict enumeration and cannot be used in arithmetic; convert the value with {1}</source>
-        <translation>{0} est une énumération stricte et ne peut pas être utilisée dans un calcul ; convertir la valeur avec {1}</translation>
+        <translation>{0} est une énumération stricte et ne peut pas être utilisée dans un calcul&#x202f;; convertir la valeur avec {1}</translation>
     </message>
     <message>
         <source>{0} cannot compare {1} as a whole; compare the members one by one</source>
-        <translation>{0} ne peut pas comparer {1} en entier ; comparer les membres un par un</translation>
+        <translation>{0} ne peut pas comparer {1} en entier&#x202f;; comparer les membres un par un</translation>
     </message>
     <message>
         <source>A CASE selector must be an integer, enumeration or character, not {0}; use IF and ELSIF</source>
-        <translation>Le sélecteur d’un CASE doit être un entier, une énumération ou un caractère, et non {0} ; utiliser IF et ELSIF</translation>
+        <translation>Le sélecteur d’un CASE doit être un entier, une énumération ou un caractère, et non {0}&#x202f;; utiliser IF et ELSIF</translation>
     </message>
     <message>
         <source>{0} and {1} share storage at {2}; move one of them or write STRUCT OVERLAP</source>
-        <translation>{0} et {1} partagent la mémoire en {2} ; déplacer l’un des deux ou écrire STRUCT OVERLAP</translation>
+        <translation>{0} et {1} partagent la mémoire en {2}&#x202f;; déplacer l’un des deux ou écrire STRUCT OVERLAP</translation>
     </message>
     <message>
         <source>A member&apos;s address is relative to the start of its structure (%B4, %X4.1), not {0}</source>
@@ -437,7 +437,7 @@
     </message>
     <message>
         <source>{0} and {1} share the address {2}; {3} is free</source>
-        <translation>{0} et {1} partagent l’adresse {2} ; {3} est libre</translation>
+        <translation>{0} et {1} partagent l’adresse {2}&#x202f;; {3} est libre</translation>
     </message>
     <message>
         <source>{0} belongs to the chart and must be {1}</source>
@@ -445,15 +445,15 @@
     </message>
     <message>
         <source>{0} has no effect without {1}; declare both</source>
-        <translation>{0} est sans effet sans {1} ; déclarer les deux</translation>
+        <translation>{0} est sans effet sans {1}&#x202f;; déclarer les deux</translation>
     </message>
     <message>
         <source>A step lists its actions here; write statements in an ACTION</source>
-        <translation>Une étape énumère ici ses actions ; écrire les instructions dans une ACTION</translation>
+        <translation>Une étape énumère ici ses actions&#x202f;; écrire les instructions dans une ACTION</translation>
     </message>
     <message>
         <source>No transition leads away from step {0}; the chart ends here</source>
-        <translation>Aucune transition ne part de l’étape {0} ; le grafcet se termine ici</translation>
+        <translation>Aucune transition ne part de l’étape {0}&#x202f;; le grafcet se termine ici</translation>
     </message>
     <message>
         <source>{0} appears twice in this step with qualifier {1}</source>
@@ -461,7 +461,7 @@
     </message>
     <message>
         <source>{0} is also a variable; steps and calls mean the ACTION</source>
-        <translation>{0} est aussi une variable ; les étapes et les appels désignent l’ACTION</translation>
+        <translation>{0} est aussi une variable&#x202f;; les étapes et les appels désignent l’ACTION</translation>
     </message>
     <message>
         <source>{0} is a keyword and cannot be used as a name</source>
@@ -481,15 +481,15 @@
     </message>
     <message>
         <source>The task {0} has no INTERVAL above zero and no SINGLE; it runs in every scan</source>
-        <translation>La tâche {0} n’a ni INTERVAL supérieur à zéro ni SINGLE ; elle s’exécute à chaque cycle</translation>
+        <translation>La tâche {0} n’a ni INTERVAL supérieur à zéro ni SINGLE&#x202f;; elle s’exécute à chaque cycle</translation>
     </message>
     <message>
         <source>{0} is read as {1}; write a time with its unit</source>
-        <translation>{0} est lu comme {1} ; écrire un temps avec son unité</translation>
+        <translation>{0} est lu comme {1}&#x202f;; écrire un temps avec son unité</translation>
     </message>
     <message>
         <source>The address {0} has {1} {1:bit|bits}, {2} has {3}; write {4}</source>
-        <translation>L’adresse {0} a {1} {1:bit|bits}, {2} en a {3} ; écrire {4}</translation>
+        <translation>L’adresse {0} a {1} {1:bit|bits}, {2} en a {3}&#x202f;; écrire {4}</translation>
     </message>
     <message>
         <source>An index must be an integer, not {0}</source>
@@ -497,7 +497,7 @@
     </message>
     <message>
         <source>A block with a task of its own is not supported; call {0} in a program of the task {1}</source>
-        <translation>Un bloc doté de sa propre tâche n’est pas pris en charge ; appeler {0} dans un programme de la tâche {1}</translation>
+        <translation>Un bloc doté de sa propre tâche n’est pas pris en charge&#x202f;; appeler {0} dans un programme de la tâche {1}</translation>
     </message>
     <message>
         <source>{0}</source>
@@ -514,6 +514,33 @@
     <message>
         <source>Code in C is not executed</source>
         <translation>Le code en C n’est pas exécuté</translation>
+    </message>
+</context>
+<context>
+    <name>DiskChange</name>
+    <message>
+        <source>Changed outside</source>
+        <translation>Modifié à l’extérieur</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program, and here too.</source>
+        <translation>%1 a été modifié par un autre programme, et ici aussi.</translation>
+    </message>
+    <message>
+        <source>Compare both side by side, load the file from disk and lose the changes made here, or keep what is here and replace the file with the next save?</source>
+        <translation>Comparer les deux côte à côte, charger le fichier du disque et perdre les modifications faites ici, ou garder ce qui est ici et remplacer le fichier au prochain enregistrement&#x202f;?</translation>
+    </message>
+    <message>
+        <source>Compare…</source>
+        <translation>Comparer…</translation>
+    </message>
+    <message>
+        <source>Load from Disk</source>
+        <translation>Charger du disque</translation>
+    </message>
+    <message>
+        <source>Keep Mine</source>
+        <translation>Garder ma version</translation>
     </message>
 </context>
 <context>
@@ -570,12 +597,8 @@
         <translation>la tâche a dépassé son temps de chien de garde de {0}</translation>
     </message>
     <message>
-        <source>more than {0} loop passes and calls in one run of the task; check for an endless loop</source>
-        <translation>plus de {0} passages de boucle et appels en une exécution de la tâche ; recherchez une boucle sans fin</translation>
-    </message>
-    <message>
         <source>calls are nested too deeply; check for endless recursion</source>
-        <translation>les appels sont imbriqués trop profondément ; recherchez une récursion sans fin</translation>
+        <translation>les appels sont imbriqués trop profondément&#x202f;; recherchez une récursion sans fin</translation>
     </message>
     <message>
         <source>the called method has no body</source>
@@ -599,11 +622,11 @@
     </message>
     <message>
         <source>{0}: {1}</source>
-        <translation>{0} : {1}</translation>
+        <translation>{0}&#xa0;: {1}</translation>
     </message>
     <message>
         <source>simulation: {0}</source>
-        <translation>simulation : {0}</translation>
+        <translation>simulation&#xa0;: {0}</translation>
     </message>
     <message>
         <source>warm</source>
@@ -679,11 +702,11 @@
     </message>
     <message>
         <source>{0}; free some space and save again</source>
-        <translation>{0} ; libérez de l’espace et enregistrez de nouveau</translation>
+        <translation>{0}&#x202f;; libérez de l’espace et enregistrez de nouveau</translation>
     </message>
     <message>
         <source>{0}; check the permissions of the folder</source>
-        <translation>{0} ; vérifiez les droits du dossier</translation>
+        <translation>{0}&#x202f;; vérifiez les droits du dossier</translation>
     </message>
     <message>
         <source>cancelled</source>
@@ -691,15 +714,15 @@
     </message>
     <message>
         <source>This is not a regular file and cannot be replaced; choose another name</source>
-        <translation>Ce n’est pas un fichier ordinaire et il ne peut pas être remplacé ; choisissez un autre nom</translation>
+        <translation>Ce n’est pas un fichier ordinaire et il ne peut pas être remplacé&#x202f;; choisissez un autre nom</translation>
     </message>
     <message>
         <source>The recording cannot be written: {0}</source>
-        <translation>L’enregistrement ne peut pas être écrit : {0}</translation>
+        <translation>L’enregistrement ne peut pas être écrit&#xa0;: {0}</translation>
     </message>
     <message>
         <source>The recording cannot be read: {0}</source>
-        <translation>L’enregistrement ne peut pas être lu : {0}</translation>
+        <translation>L’enregistrement ne peut pas être lu&#xa0;: {0}</translation>
     </message>
     <message>
         <source>The file is damaged or is not a recording</source>
@@ -711,11 +734,11 @@
     </message>
     <message>
         <source>This version of Stepwise lays out the program&apos;s variables differently; open the recording with the version that made it</source>
-        <translation>Cette version de Stepwise dispose autrement les variables du programme ; ouvrez l’enregistrement avec la version qui l’a créé</translation>
+        <translation>Cette version de Stepwise dispose autrement les variables du programme&#x202f;; ouvrez l’enregistrement avec la version qui l’a créé</translation>
     </message>
     <message>
         <source>The recording cannot be opened: {0}</source>
-        <translation>L’enregistrement ne peut pas être ouvert : {0}</translation>
+        <translation>L’enregistrement ne peut pas être ouvert&#xa0;: {0}</translation>
     </message>
     <message>
         <source>its program has errors</source>
@@ -739,35 +762,35 @@
     </message>
     <message>
         <source>&apos;{0}&apos; is ambiguous; write one of {1}</source>
-        <translation>« {0} » est ambigu ; écrivez l’un de {1}</translation>
+        <translation>«&#xa0;{0}&#xa0;» est ambigu&#x202f;; écrivez l’un de {1}</translation>
     </message>
     <message>
         <source>&apos;{0}&apos; has no variable &apos;{1}&apos;; did you mean &apos;{2}&apos;?</source>
-        <translation>« {0} » n’a pas de variable « {1} » ; vouliez-vous dire « {2} » ?</translation>
+        <translation>«&#xa0;{0}&#xa0;» n’a pas de variable «&#xa0;{1}&#xa0;»&#x202f;; vouliez-vous dire «&#xa0;{2}&#xa0;»&#x202f;?</translation>
     </message>
     <message>
         <source>&apos;{0}&apos; has no variable &apos;{1}&apos;</source>
-        <translation>« {0} » n’a pas de variable « {1} »</translation>
+        <translation>«&#xa0;{0}&#xa0;» n’a pas de variable «&#xa0;{1}&#xa0;»</translation>
     </message>
     <message>
         <source>there is no variable &apos;{0}&apos;; did you mean &apos;{1}&apos;?</source>
-        <translation>la variable « {0} » n’existe pas ; vouliez-vous dire « {1} » ?</translation>
+        <translation>la variable «&#xa0;{0}&#xa0;» n’existe pas&#x202f;; vouliez-vous dire «&#xa0;{1}&#xa0;»&#x202f;?</translation>
     </message>
     <message>
         <source>there is no variable &apos;{0}&apos;</source>
-        <translation>la variable « {0} » n’existe pas</translation>
+        <translation>la variable «&#xa0;{0}&#xa0;» n’existe pas</translation>
     </message>
     <message>
         <source>&apos;{0}&apos; is reached through a reference, which a path cannot follow</source>
-        <translation>« {0} » est atteint par une référence, qu’un chemin ne peut pas suivre</translation>
+        <translation>«&#xa0;{0}&#xa0;» est atteint par une référence, qu’un chemin ne peut pas suivre</translation>
     </message>
     <message>
         <source>a variable of type {1} has no member &apos;{0}&apos;</source>
-        <translation>une variable de type {1} n’a pas de membre « {0} »</translation>
+        <translation>une variable de type {1} n’a pas de membre «&#xa0;{0}&#xa0;»</translation>
     </message>
     <message>
         <source>&apos;{0}&apos; is a VAR_IN_OUT; write the variable that is connected to it</source>
-        <translation>« {0} » est un VAR_IN_OUT ; écrivez la variable qui lui est reliée</translation>
+        <translation>«&#xa0;{0}&#xa0;» est un VAR_IN_OUT&#x202f;; écrivez la variable qui lui est reliée</translation>
     </message>
     <message>
         <source>a string has one index</source>
@@ -795,11 +818,11 @@
     </message>
     <message>
         <source>&apos;{0}&apos; is not an address; write for example %IX0.0, %QB4 or %MW2</source>
-        <translation>« {0} » n’est pas une adresse ; écrivez par exemple %IX0.0, %QB4 ou %MW2</translation>
+        <translation>«&#xa0;{0}&#xa0;» n’est pas une adresse&#x202f;; écrivez par exemple %IX0.0, %QB4 ou %MW2</translation>
     </message>
     <message>
         <source>the program does not use the address &apos;{0}&apos;</source>
-        <translation>le programme n’utilise pas l’adresse « {0} »</translation>
+        <translation>le programme n’utilise pas l’adresse «&#xa0;{0}&#xa0;»</translation>
     </message>
     <message>
         <source>the path is empty</source>
@@ -811,11 +834,11 @@
     </message>
     <message>
         <source>the path cannot be read from &apos;{0}&apos; on</source>
-        <translation>le chemin n’est plus lisible à partir de « {0} »</translation>
+        <translation>le chemin n’est plus lisible à partir de «&#xa0;{0}&#xa0;»</translation>
     </message>
     <message>
         <source>{0} is forced; release the force before writing</source>
-        <translation>{0} est forcé ; levez le forçage avant d’écrire</translation>
+        <translation>{0} est forcé&#x202f;; levez le forçage avant d’écrire</translation>
     </message>
     <message>
         <source>a constant cannot be written</source>
@@ -831,15 +854,15 @@
     </message>
     <message>
         <source>the initial values of the new program cause a fault: {0}</source>
-        <translation>les valeurs initiales du nouveau programme provoquent une erreur : {0}</translation>
+        <translation>les valeurs initiales du nouveau programme provoquent une erreur&#xa0;: {0}</translation>
     </message>
     <message>
         <source>The retain file cannot be written: {0}</source>
-        <translation>Le fichier des valeurs rémanentes ne peut pas être écrit : {0}</translation>
+        <translation>Le fichier des valeurs rémanentes ne peut pas être écrit&#xa0;: {0}</translation>
     </message>
     <message>
         <source>The retain file cannot be read: {0}</source>
-        <translation>Le fichier des valeurs rémanentes ne peut pas être lu : {0}</translation>
+        <translation>Le fichier des valeurs rémanentes ne peut pas être lu&#xa0;: {0}</translation>
     </message>
     <message>
         <source>The retain file is not a regular file</source>
@@ -847,15 +870,15 @@
     </message>
     <message>
         <source>The retain file is damaged; the program starts with its initial values</source>
-        <translation>Le fichier des valeurs rémanentes est endommagé ; le programme démarre avec ses valeurs initiales</translation>
+        <translation>Le fichier des valeurs rémanentes est endommagé&#x202f;; le programme démarre avec ses valeurs initiales</translation>
     </message>
     <message>
         <source>{0}; it is kept as {1}</source>
-        <translation>{0} ; il est conservé sous {1}</translation>
+        <translation>{0}&#x202f;; il est conservé sous {1}</translation>
     </message>
     <message>
         <source>{0} retained {0:value does|values do} not fit the program: {1}</source>
-        <translation>{0} {0:valeur rémanente ne correspond|valeurs rémanentes ne correspondent} pas au programme : {1}</translation>
+        <translation>{0} {0:valeur rémanente ne correspond|valeurs rémanentes ne correspondent} pas au programme&#xa0;: {1}</translation>
     </message>
     <message>
         <source>{0} does not fit into a variable of type {1}</source>
@@ -871,7 +894,7 @@
     </message>
     <message>
         <source>a character of the text does not fit into a STRING; use a WSTRING</source>
-        <translation>un caractère du texte n’existe pas en STRING ; utilisez une WSTRING</translation>
+        <translation>un caractère du texte n’existe pas en STRING&#x202f;; utilisez une WSTRING</translation>
     </message>
     <message>
         <source>the text has {0} characters, the maximum is {1}</source>
@@ -899,11 +922,11 @@
     </message>
     <message>
         <source>{0}; {1}</source>
-        <translation>{0} ; {1}</translation>
+        <translation>{0}&#x202f;; {1}</translation>
     </message>
     <message>
         <source>did you mean {0}?</source>
-        <translation>vouliez-vous dire {0} ?</translation>
+        <translation>vouliez-vous dire {0}&#x202f;?</translation>
     </message>
     <message>
         <source>its values are {0}</source>
@@ -1007,11 +1030,11 @@
     </message>
     <message>
         <source>The code generator failed: {0}</source>
-        <translation>Le générateur de code a échoué : {0}</translation>
+        <translation>Le générateur de code a échoué&#xa0;: {0}</translation>
     </message>
     <message>
         <source>The code generator produced an invalid module: {0}</source>
-        <translation>Le générateur de code a produit un module incorrect : {0}</translation>
+        <translation>Le générateur de code a produit un module incorrect&#xa0;: {0}</translation>
     </message>
     <message>
         <source>not compiled</source>
@@ -1023,7 +1046,7 @@
     </message>
     <message>
         <source>the program could not be optimised: {0}</source>
-        <translation>le programme n’a pas pu être optimisé : {0}</translation>
+        <translation>le programme n’a pas pu être optimisé&#xa0;: {0}</translation>
     </message>
     <message>
         <source>the program has errors</source>
@@ -1063,35 +1086,35 @@
     </message>
     <message>
         <source>Fix the text first: {0}</source>
-        <translation>Corrigez d’abord le texte : {0}</translation>
+        <translation>Corrigez d’abord le texte&#xa0;: {0}</translation>
     </message>
     <message>
         <source>There is no equivalent in the other language: {0}</source>
-        <translation>Il n’y a pas d’équivalent dans l’autre langage : {0}</translation>
+        <translation>Il n’y a pas d’équivalent dans l’autre langage&#xa0;: {0}</translation>
     </message>
     <message>
         <source>This is a folder; a file is needed</source>
-        <translation>C’est un dossier ; il faut un fichier</translation>
+        <translation>C’est un dossier&#x202f;; il faut un fichier</translation>
     </message>
     <message>
         <source>This is a device; a file is needed</source>
-        <translation>C’est un périphérique ; il faut un fichier</translation>
+        <translation>C’est un périphérique&#x202f;; il faut un fichier</translation>
     </message>
     <message>
         <source>The file cannot be read: {0}</source>
-        <translation>Le fichier ne peut pas être lu : {0}</translation>
+        <translation>Le fichier ne peut pas être lu&#xa0;: {0}</translation>
     </message>
     <message>
         <source>The file cannot be replaced: {0}</source>
-        <translation>Le fichier ne peut pas être remplacé : {0}</translation>
+        <translation>Le fichier ne peut pas être remplacé&#xa0;: {0}</translation>
     </message>
     <message>
         <source>The file cannot be written: {0}</source>
-        <translation>Le fichier ne peut pas être écrit : {0}</translation>
+        <translation>Le fichier ne peut pas être écrit&#xa0;: {0}</translation>
     </message>
     <message>
         <source>project.json is not valid JSON; look for a missing comma, quote or bracket</source>
-        <translation>project.json n’est pas du JSON valide ; recherchez une virgule, un guillemet ou un crochet manquant</translation>
+        <translation>project.json n’est pas du JSON valide&#x202f;; recherchez une virgule, un guillemet ou un crochet manquant</translation>
     </message>
     <message>
         <source>project.json must contain one JSON object</source>
@@ -1103,11 +1126,11 @@
     </message>
     <message>
         <source>There is no library &quot;{0}&quot;; available are {1}</source>
-        <translation>La bibliothèque « {0} » n’existe pas ; sont disponibles {1}</translation>
+        <translation>La bibliothèque «&#xa0;{0}&#xa0;» n’existe pas&#x202f;; sont disponibles {1}</translation>
     </message>
     <message>
         <source>There is no library {0}; did you mean {1}?</source>
-        <translation>La bibliothèque {0} n’existe pas ; vouliez-vous dire {1} ?</translation>
+        <translation>La bibliothèque {0} n’existe pas&#x202f;; vouliez-vous dire {1}&#x202f;?</translation>
     </message>
     <message>
         <source>There is no library {0}</source>
@@ -1135,7 +1158,7 @@
     </message>
     <message>
         <source>{0} is not a valid name; use letters, digits and _, start with a letter and avoid keywords</source>
-        <translation>{0} n’est pas un nom valide ; utilisez des lettres, des chiffres et _, commencez par une lettre et évitez les mots-clés</translation>
+        <translation>{0} n’est pas un nom valide&#x202f;; utilisez des lettres, des chiffres et _, commencez par une lettre et évitez les mots-clés</translation>
     </message>
     <message>
         <source>{0} already exists in the project</source>
@@ -1147,19 +1170,19 @@
     </message>
     <message>
         <source>The folder cannot be created: {0}</source>
-        <translation>Le dossier ne peut pas être créé : {0}</translation>
+        <translation>Le dossier ne peut pas être créé&#xa0;: {0}</translation>
     </message>
     <message>
         <source>The folder cannot be read: {0}</source>
-        <translation>Le dossier ne peut pas être lu : {0}</translation>
+        <translation>Le dossier ne peut pas être lu&#xa0;: {0}</translation>
     </message>
     <message>
         <source>The file cannot be copied: {0}</source>
-        <translation>Le fichier ne peut pas être copié : {0}</translation>
+        <translation>Le fichier ne peut pas être copié&#xa0;: {0}</translation>
     </message>
     <message>
         <source>The folder already exists and is not empty; choose another name</source>
-        <translation>Le dossier existe déjà et n’est pas vide ; choisissez un autre nom</translation>
+        <translation>Le dossier existe déjà et n’est pas vide&#x202f;; choisissez un autre nom</translation>
     </message>
     <message>
         <source>The page cannot be written</source>
@@ -1183,11 +1206,11 @@
     </message>
     <message>
         <source>The file cannot be removed; check the permissions of the folder</source>
-        <translation>Le fichier ne peut pas être supprimé ; vérifiez les droits du dossier</translation>
+        <translation>Le fichier ne peut pas être supprimé&#x202f;; vérifiez les droits du dossier</translation>
     </message>
     <message>
         <source>The file cannot be renamed; check the permissions of the folder</source>
-        <translation>Le fichier ne peut pas être renommé ; vérifiez les droits du dossier</translation>
+        <translation>Le fichier ne peut pas être renommé&#x202f;; vérifiez les droits du dossier</translation>
     </message>
     <message>
         <source>Open a project first</source>
@@ -1219,7 +1242,7 @@
     </message>
     <message>
         <source>Fault in the test: {0}</source>
-        <translation>Erreur dans le test : {0}</translation>
+        <translation>Erreur dans le test&#xa0;: {0}</translation>
     </message>
     <message>
         <source>{0} is not a value for {1}</source>
@@ -1235,11 +1258,11 @@
     </message>
     <message>
         <source>The simulation stopped: {0}</source>
-        <translation>La simulation s’est arrêtée : {0}</translation>
+        <translation>La simulation s’est arrêtée&#xa0;: {0}</translation>
     </message>
     <message>
         <source>The controller stopped: {0}</source>
-        <translation>L’automate s’est arrêté : {0}</translation>
+        <translation>L’automate s’est arrêté&#xa0;: {0}</translation>
     </message>
     <message>
         <source>at {0}:{1}</source>
@@ -1247,7 +1270,7 @@
     </message>
     <message>
         <source>{0} has no value: {1}</source>
-        <translation>{0} n’a pas de valeur : {1}</translation>
+        <translation>{0} n’a pas de valeur&#xa0;: {1}</translation>
     </message>
     <message>
         <source>{0} did not become true within {1}</source>
@@ -1255,11 +1278,11 @@
     </message>
     <message>
         <source>ASSERT failed: {0}</source>
-        <translation>Échec d’ASSERT : {0}</translation>
+        <translation>Échec d’ASSERT&#xa0;: {0}</translation>
     </message>
     <message>
         <source>ASSERT failed: {0} ({1})</source>
-        <translation>Échec d’ASSERT : {0} ({1})</translation>
+        <translation>Échec d’ASSERT&#xa0;: {0} ({1})</translation>
     </message>
     <message>
         <source>A coil writes a variable.</source>
@@ -1267,7 +1290,7 @@
     </message>
     <message>
         <source>A pin has no contacts; type an expression.</source>
-        <translation>Une broche n’a pas de contacts ; saisissez une expression.</translation>
+        <translation>Une broche n’a pas de contacts&#x202f;; saisissez une expression.</translation>
     </message>
     <message>
         <source>A rung cannot move into itself.</source>
@@ -1275,11 +1298,11 @@
     </message>
     <message>
         <source>A rung moves within its block of statements; use cut and paste in the text for more.</source>
-        <translation>Un réseau se déplace au sein de son bloc d’instructions ; au-delà, utilisez couper et coller dans le texte.</translation>
+        <translation>Un réseau se déplace au sein de son bloc d’instructions&#x202f;; au-delà, utilisez couper et coller dans le texte.</translation>
     </message>
     <message>
         <source>Delete the call in the text: other statements may use its outputs.</source>
-        <translation>Supprimez l’appel dans le texte : d’autres instructions peuvent utiliser ses sorties.</translation>
+        <translation>Supprimez l’appel dans le texte&#xa0;: d’autres instructions peuvent utiliser ses sorties.</translation>
     </message>
     <message>
         <source>Delete this output in the text.</source>
@@ -1287,7 +1310,7 @@
     </message>
     <message>
         <source>Other outputs depend on the same IF; give this coil a rung of its own first.</source>
-        <translation>D’autres sorties dépendent du même IF ; donnez d’abord à cette bobine son propre réseau.</translation>
+        <translation>D’autres sorties dépendent du même IF&#x202f;; donnez d’abord à cette bobine son propre réseau.</translation>
     </message>
     <message>
         <source>Select a box with text.</source>
@@ -1331,19 +1354,15 @@
     </message>
     <message>
         <source>Several variables are assigned in one statement; separate them in the text first.</source>
-        <translation>Plusieurs variables sont affectées dans une même instruction ; séparez-les d’abord dans le texte.</translation>
+        <translation>Plusieurs variables sont affectées dans une même instruction&#x202f;; séparez-les d’abord dans le texte.</translation>
     </message>
     <message>
         <source>Statements on one line cannot be moved; separate them in the text first.</source>
-        <translation>Des instructions sur la même ligne ne peuvent pas être déplacées ; séparez-les d’abord dans le texte.</translation>
-    </message>
-    <message>
-        <source>The first input and the first output of {0} must be BOOL for it to stand in a rung.</source>
-        <translation>La première entrée et la première sortie de {0} doivent être de type BOOL pour qu’il puisse figurer dans un réseau.</translation>
+        <translation>Des instructions sur la même ligne ne peuvent pas être déplacées&#x202f;; séparez-les d’abord dans le texte.</translation>
     </message>
     <message>
         <source>The rung reads what it writes; add this coil in a rung of its own.</source>
-        <translation>Le réseau lit ce qu’il écrit ; ajoutez cette bobine dans un réseau à part.</translation>
+        <translation>Le réseau lit ce qu’il écrit&#x202f;; ajoutez cette bobine dans un réseau à part.</translation>
     </message>
     <message>
         <source>There is no function block {0}.</source>
@@ -1351,7 +1370,7 @@
     </message>
     <message>
         <source>This edit cannot be made in the picture; edit the text.</source>
-        <translation>Cette modification n’est pas possible dans le schéma ; modifiez le texte.</translation>
+        <translation>Cette modification n’est pas possible dans le schéma&#x202f;; modifiez le texte.</translation>
     </message>
     <message>
         <source>This has no operand.</source>
@@ -1359,15 +1378,15 @@
     </message>
     <message>
         <source>This is not a statement: {0}</source>
-        <translation>Ce n’est pas une instruction : {0}</translation>
+        <translation>Ce n’est pas une instruction&#xa0;: {0}</translation>
     </message>
     <message>
         <source>This is not an expression: {0}</source>
-        <translation>Ce n’est pas une expression : {0}</translation>
+        <translation>Ce n’est pas une expression&#xa0;: {0}</translation>
     </message>
     <message>
         <source>This rung has no condition; put it under IF in the text.</source>
-        <translation>Ce réseau n’a pas de condition ; placez-le sous un IF dans le texte.</translation>
+        <translation>Ce réseau n’a pas de condition&#x202f;; placez-le sous un IF dans le texte.</translation>
     </message>
     <message>
         <source>{0} is {1}</source>
@@ -1399,7 +1418,7 @@
     </message>
     <message>
         <source>{0} is not a valid name; use letters, digits and underscores</source>
-        <translation>{0} n’est pas un nom valide ; utilisez des lettres, des chiffres et le trait de soulignement</translation>
+        <translation>{0} n’est pas un nom valide&#x202f;; utilisez des lettres, des chiffres et le trait de soulignement</translation>
     </message>
     <message>
         <source>A step {0} already exists</source>
@@ -1451,7 +1470,7 @@
     </message>
     <message>
         <source>Nothing follows this step yet; insert a step after it first</source>
-        <translation>Rien ne suit encore cette étape ; insérez d’abord une étape après elle</translation>
+        <translation>Rien ne suit encore cette étape&#x202f;; insérez d’abord une étape après elle</translation>
     </message>
     <message>
         <source>The last branch does not lead to a step</source>
@@ -1467,19 +1486,19 @@
     </message>
     <message>
         <source>The initial step cannot be deleted; make another step the initial step first</source>
-        <translation>L’étape initiale ne peut pas être supprimée ; définissez d’abord une autre étape comme étape initiale</translation>
+        <translation>L’étape initiale ne peut pas être supprimée&#x202f;; définissez d’abord une autre étape comme étape initiale</translation>
     </message>
     <message>
         <source>Several transitions leave this step; delete its branches first</source>
-        <translation>Plusieurs transitions quittent cette étape ; supprimez d’abord ses branches</translation>
+        <translation>Plusieurs transitions quittent cette étape&#x202f;; supprimez d’abord ses branches</translation>
     </message>
     <message>
         <source>The condition of this transition cannot be read; edit it in the text</source>
-        <translation>La condition de cette transition n’est pas lisible ; modifiez-la dans le texte</translation>
+        <translation>La condition de cette transition n’est pas lisible&#x202f;; modifiez-la dans le texte</translation>
     </message>
     <message>
         <source>The branches after this transition do not join; connect them in the text first</source>
-        <translation>Les branches après cette transition ne convergent pas ; reliez-les d’abord dans le texte</translation>
+        <translation>Les branches après cette transition ne convergent pas&#x202f;; reliez-les d’abord dans le texte</translation>
     </message>
     <message>
         <source>The panel is not valid JSON</source>
@@ -1495,7 +1514,7 @@
     </message>
     <message>
         <source>&quot;{0}&quot; must be a list</source>
-        <translation>« {0} » doit être une liste</translation>
+        <translation>«&#xa0;{0}&#xa0;» doit être une liste</translation>
     </message>
     <message>
         <source>Element {0} is not an object</source>
@@ -1507,7 +1526,7 @@
     </message>
     <message>
         <source>Two elements have the id &quot;{0}&quot;; change one of them</source>
-        <translation>Deux éléments ont l’identifiant « {0} » ; modifiez l’un des deux</translation>
+        <translation>Deux éléments ont l’identifiant «&#xa0;{0}&#xa0;»&#x202f;; modifiez l’un des deux</translation>
     </message>
     <message>
         <source>The alarms are not valid JSON</source>
@@ -1523,15 +1542,15 @@
     </message>
     <message>
         <source>Two alarms have the id &quot;{0}&quot;</source>
-        <translation>Deux alarmes ont l’identifiant « {0} »</translation>
+        <translation>Deux alarmes ont l’identifiant «&#xa0;{0}&#xa0;»</translation>
     </message>
     <message>
         <source>This line is not valid UTF-8; save the file as UTF-8</source>
-        <translation>Cette ligne n’est pas de l’UTF-8 valide ; enregistrez le fichier en UTF-8</translation>
+        <translation>Cette ligne n’est pas de l’UTF-8 valide&#x202f;; enregistrez le fichier en UTF-8</translation>
     </message>
     <message>
         <source>There is text after a closing quote; double a quote that belongs to the text</source>
-        <translation>Du texte suit un guillemet fermant ; doublez un guillemet qui appartient au texte</translation>
+        <translation>Du texte suit un guillemet fermant&#x202f;; doublez un guillemet qui appartient au texte</translation>
     </message>
     <message>
         <source>The quote that opens here is never closed</source>
@@ -1563,23 +1582,23 @@
     </message>
     <message>
         <source>The alarm history cannot be opened: {0}</source>
-        <translation>L’historique des alarmes ne peut pas être ouvert : {0}</translation>
+        <translation>L’historique des alarmes ne peut pas être ouvert&#xa0;: {0}</translation>
     </message>
     <message>
         <source>The alarm history cannot be used: {0}</source>
-        <translation>L’historique des alarmes ne peut pas être utilisé : {0}</translation>
+        <translation>L’historique des alarmes ne peut pas être utilisé&#xa0;: {0}</translation>
     </message>
     <message>
         <source>The alarm history cannot be written: {0}</source>
-        <translation>L’historique des alarmes ne peut pas être écrit : {0}</translation>
+        <translation>L’historique des alarmes ne peut pas être écrit&#xa0;: {0}</translation>
     </message>
     <message>
         <source>{0} does not fit into {1}</source>
         <translation>{0} dépasse la plage de {1}</translation>
     </message>
     <message>
-        <source>STRING holds Latin-1 only; declare the variable as WSTRING</source>
-        <translation>STRING ne contient que du Latin-1 ; déclarez la variable en WSTRING</translation>
+        <source>STRING contains Latin-1 only; declare the variable as WSTRING</source>
+        <translation>STRING ne contient que du Latin-1&#x202f;; déclarez la variable en WSTRING</translation>
     </message>
     <message>
         <source>A {0} cannot be written from a panel</source>
@@ -1599,7 +1618,7 @@
     </message>
     <message>
         <source>The text &quot;{0}&quot; has no key, so it cannot be translated</source>
-        <translation>Le texte « {0} » n’a pas de clé et ne peut donc pas être traduit</translation>
+        <translation>Le texte «&#xa0;{0}&#xa0;» n’a pas de clé et ne peut donc pas être traduit</translation>
     </message>
     <message>
         <source>The key {0} is not in the text table</source>
@@ -1607,15 +1626,15 @@
     </message>
     <message>
         <source>The text needs a value for {0}; specify it in &quot;Values in texts&quot;</source>
-        <translation>Le texte demande une valeur pour {0} ; indiquez-la dans « Valeurs des textes »</translation>
+        <translation>Le texte demande une valeur pour {0}&#x202f;; indiquez-la dans «&#xa0;Valeurs des textes&#xa0;»</translation>
     </message>
     <message>
         <source>The text list {0} is empty: there is no key {1}</source>
-        <translation>La liste de textes {0} est vide : la clé {1} n’existe pas</translation>
+        <translation>La liste de textes {0} est vide&#xa0;: la clé {1} n’existe pas</translation>
     </message>
     <message>
         <source>This version does not know the element kind &quot;{0}&quot;; it is kept as it is</source>
-        <translation>Cette version ne connaît pas le genre d’élément « {0} » ; il est conservé tel quel</translation>
+        <translation>Cette version ne connaît pas le genre d’élément «&#xa0;{0}&#xa0;»&#x202f;; il est conservé tel quel</translation>
     </message>
     <message>
         <source>The project has no language {0}</source>
@@ -1635,7 +1654,7 @@
     </message>
     <message>
         <source>The format {0} is not known; use for example {1} or {2}</source>
-        <translation>Le format {0} est inconnu ; utilisez par exemple {1} ou {2}</translation>
+        <translation>Le format {0} est inconnu&#x202f;; utilisez par exemple {1} ou {2}</translation>
     </message>
     <message>
         <source>The alarm has no condition</source>
@@ -1651,7 +1670,7 @@
     </message>
     <message>
         <source>The placeholders differ: {0} has {1}, {2} has {3}</source>
-        <translation>Les espaces réservés diffèrent : {0} a {1}, {2} a {3}</translation>
+        <translation>Les espaces réservés diffèrent&#xa0;: {0} a {1}, {2} a {3}</translation>
     </message>
     <message>
         <source>The key {0} has no text in {1}</source>
@@ -1667,15 +1686,15 @@
     </message>
     <message>
         <source>&quot;{0}&quot; does not fit: it needs {1} px, the maximum is {2}</source>
-        <translation>« {0} » ne tient pas : il faut {1} px, le maximum est {2}</translation>
+        <translation>«&#xa0;{0}&#xa0;» ne tient pas&#xa0;: il faut {1}&#xa0;px, le maximum est {2}</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}</source>
-        <translation>« {0} » ne tient pas : il faut une hauteur de {1} px, le maximum est {2}</translation>
+        <translation>«&#xa0;{0}&#xa0;» ne tient pas&#xa0;: il faut une hauteur de {1}&#xa0;px, le maximum est {2}</translation>
     </message>
     <message>
         <source>{0}; did you mean {1}?</source>
-        <translation>{0} ; vouliez-vous dire {1} ?</translation>
+        <translation>{0}&#x202f;; vouliez-vous dire {1}&#x202f;?</translation>
     </message>
     <message>
         <source>{0} is not a variable, so it cannot be written</source>
@@ -1683,23 +1702,23 @@
     </message>
     <message>
         <source>{0} is {1}; a BOOL is needed here</source>
-        <translation>{0} est {1} ; il faut ici un BOOL</translation>
+        <translation>{0} est {1}&#x202f;; il faut ici un BOOL</translation>
     </message>
     <message>
         <source>{0} is {1}; a number is needed here</source>
-        <translation>{0} est {1} ; il faut ici un nombre</translation>
+        <translation>{0} est {1}&#x202f;; il faut ici un nombre</translation>
     </message>
     <message>
         <source>{0} is {1}; a STRING is needed here</source>
-        <translation>{0} est {1} ; il faut ici une STRING</translation>
+        <translation>{0} est {1}&#x202f;; il faut ici une STRING</translation>
     </message>
     <message>
         <source>{0} is {1}; an array is needed here</source>
-        <translation>{0} est {1} ; il faut ici un tableau</translation>
+        <translation>{0} est {1}&#x202f;; il faut ici un tableau</translation>
     </message>
     <message>
         <source>{0} is {1}; a single value is needed here</source>
-        <translation>{0} est {1} ; il faut ici une valeur simple</translation>
+        <translation>{0} est {1}&#x202f;; il faut ici une valeur simple</translation>
     </message>
     <message>
         <source>A placeholder is not closed with {0}</source>
@@ -1723,15 +1742,15 @@
     </message>
     <message>
         <source>The trace configuration is invalid: {0}</source>
-        <translation>La configuration de trace n’est pas valide : {0}</translation>
+        <translation>La configuration de trace n’est pas valide&#xa0;: {0}</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; must be {1}</source>
-        <translation>« {0} » doit être {1}</translation>
+        <translation>«&#xa0;{0}&#xa0;» doit être {1}</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; is missing</source>
-        <translation>« {0} » manque</translation>
+        <translation>«&#xa0;{0}&#xa0;» manque</translation>
     </message>
     <message>
         <source>A picture&apos;s name must end in one of {0}</source>
@@ -1743,15 +1762,15 @@
     </message>
     <message>
         <source>A recording from a file cannot be written; go back to the running controller first</source>
-        <translation>Un enregistrement ouvert depuis un fichier ne peut pas être écrit ; revenez d’abord à l’automate en marche</translation>
+        <translation>Un enregistrement ouvert depuis un fichier ne peut pas être écrit&#x202f;; revenez d’abord à l’automate en marche</translation>
     </message>
     <message>
         <source>Recorded values cannot be written; resume from here first</source>
-        <translation>Des valeurs enregistrées ne peuvent pas être écrites ; reprenez d’abord ici</translation>
+        <translation>Des valeurs enregistrées ne peuvent pas être écrites&#x202f;; reprenez d’abord ici</translation>
     </message>
     <message>
         <source>Recorded values cannot be forced; resume from here or go back to live first</source>
-        <translation>Des valeurs enregistrées ne peuvent pas être forcées ; reprenez ici ou revenez d’abord au direct</translation>
+        <translation>Des valeurs enregistrées ne peuvent pas être forcées&#x202f;; reprenez ici ou revenez d’abord au direct</translation>
     </message>
     <message>
         <source>A recording from a file cannot be resumed, only what the controller itself recorded</source>
@@ -1759,7 +1778,7 @@
     </message>
     <message>
         <source>A priority is a number; 0 removes it</source>
-        <translation>Une priorité est un nombre ; 0 la supprime</translation>
+        <translation>Une priorité est un nombre&#x202f;; 0 la supprime</translation>
     </message>
     <message>
         <source>The file was changed by another program and was not overwritten</source>
@@ -1767,11 +1786,11 @@
     </message>
     <message>
         <source>This is no file that can be imported: PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
-        <translation>Ce fichier ne peut pas être importé : PLCopen XML (.xml), TwinCAT (.TcPOU, etc.), texte de CODESYS (.EXP, .export) et texte structuré (.st) peuvent être lus</translation>
+        <translation>Ce fichier ne peut pas être importé&#xa0;: PLCopen XML (.xml), TwinCAT (.TcPOU, etc.), texte de CODESYS (.EXP, .export) et texte structuré (.st) peuvent être lus</translation>
     </message>
     <message>
         <source>This XML is neither PLCopen XML nor of TwinCAT or CODESYS; export the project as PLCopen XML and import that file</source>
-        <translation>Ce XML n’est ni du PLCopen XML ni de TwinCAT ou CODESYS ; exportez le projet en PLCopen XML et importez ce fichier</translation>
+        <translation>Ce XML n’est ni du PLCopen XML ni de TwinCAT ou CODESYS&#x202f;; exportez le projet en PLCopen XML et importez ce fichier</translation>
     </message>
     <message>
         <source>There is nothing in it that can be imported</source>
@@ -1779,11 +1798,11 @@
     </message>
     <message>
         <source>The folder exists and is not empty; name a new one</source>
-        <translation>Le dossier existe et n’est pas vide ; indiquez-en un nouveau</translation>
+        <translation>Le dossier existe et n’est pas vide&#x202f;; indiquez-en un nouveau</translation>
     </message>
     <message>
         <source>The sources have errors of syntax; stepwise check lists them</source>
-        <translation>Les sources ont des erreurs de syntaxe ; stepwise check les énumère</translation>
+        <translation>Les sources ont des erreurs de syntaxe&#x202f;; stepwise check les énumère</translation>
     </message>
     <message>
         <source>The file is too large to be read</source>
@@ -1791,11 +1810,11 @@
     </message>
     <message>
         <source>The file is in the encoding {0}, which is not read; save it as UTF-8</source>
-        <translation>Le fichier a le codage {0}, qui n’est pas pris en charge ; enregistrez-le en UTF-8</translation>
+        <translation>Le fichier a le codage {0}, qui n’est pas pris en charge&#x202f;; enregistrez-le en UTF-8</translation>
     </message>
     <message>
         <source>The file declares a document type or entities of its own, which is not read; export it again without them</source>
-        <translation>Le fichier déclare un type de document ou des entités propres, qui ne sont pas lus ; exportez-le de nouveau sans eux</translation>
+        <translation>Le fichier déclare un type de document ou des entités propres, qui ne sont pas lus&#x202f;; exportez-le de nouveau sans eux</translation>
     </message>
     <message>
         <source>The elements of the file are nested too deeply</source>
@@ -1803,7 +1822,7 @@
     </message>
     <message>
         <source>This is not well-formed XML: {0}</source>
-        <translation>Ce XML n’est pas bien formé : {0}</translation>
+        <translation>Ce XML n’est pas bien formé&#xa0;: {0}</translation>
     </message>
     <message>
         <source>The file has no elements</source>
@@ -1811,11 +1830,11 @@
     </message>
     <message>
         <source>This is XML, not structured text; import it (stepwise import --help)</source>
-        <translation>C’est du XML, pas du texte structuré ; importez-le (stepwise import --help)</translation>
+        <translation>C’est du XML, pas du texte structuré&#x202f;; importez-le (stepwise import --help)</translation>
     </message>
     <message>
         <source>Windows-1252 does not have the character {0}; write the file as UTF-8</source>
-        <translation>Windows-1252 n’a pas le caractère {0} ; écrivez le fichier en UTF-8</translation>
+        <translation>Windows-1252 n’a pas le caractère {0}&#x202f;; écrivez le fichier en UTF-8</translation>
     </message>
     <message>
         <source>The first input and the first output of {0} must be BOOL for it to be part of a rung.</source>
@@ -1823,19 +1842,19 @@
     </message>
     <message>
         <source>Type a name and a block: T1 : TON</source>
-        <translation>Saisissez un nom et un bloc : T1 : TON</translation>
+        <translation>Saisissez un nom et un bloc&#xa0;: T1 : TON</translation>
     </message>
     <message>
         <source>the local variables of {0} and of what it calls need {1} bytes; the maximum is {2}</source>
-        <translation>les variables locales de {0} et de ce qu’il appelle demandent {1} octets ; le maximum est {2}</translation>
+        <translation>les variables locales de {0} et de ce qu’il appelle demandent {1} octets&#x202f;; le maximum est {2}</translation>
     </message>
     <message>
         <source>{0} is too large for the stack; divide it into several functions</source>
-        <translation>{0} est trop grand pour la pile ; répartissez-le en plusieurs fonctions</translation>
+        <translation>{0} est trop grand pour la pile&#x202f;; répartissez-le en plusieurs fonctions</translation>
     </message>
     <message>
         <source>more than {0} units of work (loop passes, calls, copies) in one run of the task; check for an endless loop</source>
-        <translation>plus de {0} unités de travail (passages de boucle, appels, copies) en une exécution de la tâche ; recherchez une boucle sans fin</translation>
+        <translation>plus de {0} unités de travail (passages de boucle, appels, copies) en une exécution de la tâche&#x202f;; recherchez une boucle sans fin</translation>
     </message>
     <message>
         <source>{0} is not a whole number</source>
@@ -1846,14 +1865,570 @@
         <translation>{0} n’est pas un nombre de cycles</translation>
     </message>
     <message>
+        <source>{0} is not a name: use letters, digits and underscores.</source>
+        <translation>{0} n’est pas un nom&#xa0;: utilisez des lettres, des chiffres et le trait de soulignement.</translation>
+    </message>
+    <message>
         <source>{0} is not a time</source>
-        <translation>{0} n’est pas un temps</translation>
-        <source>This is no file that can be imported: PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
         <translation>{0} n’est pas un temps</translation>
     </message>
     <message>
-        <source>{0} is not a name: use letters, digits and underscores.</source>
-        <translation>{0} n’est pas un nom : utilisez des lettres, des chiffres et le trait de soulignement.</translation>
+        <source>This is not an XLIFF file</source>
+        <translation>Ce n’est pas un fichier XLIFF</translation>
+    </message>
+    <message>
+        <source>The XLIFF version {0} is not known; save the file as 1.2 or 2.0</source>
+        <translation>La version XLIFF {0} est inconnue&#x202f;; enregistrez le fichier en 1.2 ou 2.0</translation>
+    </message>
+    <message>
+        <source>The file does not say into which language it is translated</source>
+        <translation>Le fichier n’indique pas dans quelle langue il est traduit</translation>
+    </message>
+    <message>
+        <source>The XML is wrong: {0}</source>
+        <translation>Le XML est incorrect&#xa0;: {0}</translation>
+    </message>
+    <message>
+        <source>The text of the key {0} in {1} has changed since the export; check the translation</source>
+        <translation>Le texte de la clé {0} en {1} a changé depuis l’exportation&#x202f;; vérifiez la traduction</translation>
+    </message>
+    <message>
+        <source>The translation of the key {0} has other placeholders than its source, so it was not taken</source>
+        <translation>La traduction de la clé {0} n’a pas les mêmes espaces réservés que sa source et n’a pas été reprise</translation>
+    </message>
+    <message>
+        <source>The picture {0} is outside the project; copy it into the project, or set {1} to true under {2} in project.json</source>
+        <translation>L’image {0} est en dehors du projet&#x202f;; copiez-la dans le projet, ou mettez {1} à true sous {2} dans project.json</translation>
+    </message>
+    <message>
+        <source>The picture {0} is larger than {1} MB</source>
+        <translation>L’image {0} dépasse {1}&#xa0;Mo</translation>
+    </message>
+    <message>
+        <source>The picture {0} unpacks to more than {1} MB</source>
+        <translation>L’image {0} dépasse {1}&#xa0;Mo une fois décompressée</translation>
+    </message>
+    <message>
+        <source>The picture {0} is {1} x {2} pixels; more than {3} million are not drawn</source>
+        <translation>L’image {0} fait {1} x {2} pixels&#x202f;; au-delà de {3} millions, elle n’est pas dessinée</translation>
+    </message>
+    <message>
+        <source>{0} is not a picture in a known format such as PNG, JPEG or SVG</source>
+        <translation>{0} n’est pas une image dans un format connu tel que PNG, JPEG ou SVG</translation>
+    </message>
+    <message>
+        <source>The picture {0} draws more than {1} shapes</source>
+        <translation>L’image {0} dessine plus de {1} formes</translation>
+    </message>
+    <message>
+        <source>The shapes of the picture {0} are nested more than {1} deep or contain themselves</source>
+        <translation>Les formes de l’image {0} sont imbriquées sur plus de {1} niveaux ou se contiennent elles-mêmes</translation>
+    </message>
+    <message>
+        <source>The picture {0} loads {1}; embed it in the picture as PNG or JPEG</source>
+        <translation>L’image {0} charge {1}&#x202f;; intégrez-le dans l’image en PNG ou JPEG</translation>
+    </message>
+    <message>
+        <source>The picture {0} has dashed lines of more than {1} dashes</source>
+        <translation>L’image {0} a des lignes pointillées de plus de {1} tirets</translation>
+    </message>
+    <message>
+        <source>This version does not know the property {0}; it is kept as it is</source>
+        <translation>Cette version ne connaît pas la propriété {0}&#x202f;; elle est conservée telle quelle</translation>
+    </message>
+    <message>
+        <source>This version does not know the property {0}; did you mean {1}?</source>
+        <translation>Cette version ne connaît pas la propriété {0}&#x202f;; vouliez-vous dire {1}&#x202f;?</translation>
+    </message>
+    <message>
+        <source>The value must be true or false</source>
+        <translation>La valeur doit être true ou false</translation>
+    </message>
+    <message>
+        <source>The value must be a whole number</source>
+        <translation>La valeur doit être un nombre entier</translation>
+    </message>
+    <message>
+        <source>The value must be a number</source>
+        <translation>La valeur doit être un nombre</translation>
+    </message>
+    <message>
+        <source>The value must be a list of two numbers: width and height</source>
+        <translation>La valeur doit être une liste de deux nombres&#xa0;: largeur et hauteur</translation>
+    </message>
+    <message>
+        <source>The value must be a list of four numbers: x, y, width and height</source>
+        <translation>La valeur doit être une liste de quatre nombres&#xa0;: x, y, largeur et hauteur</translation>
+    </message>
+    <message>
+        <source>The value must be a list of points, each a list of two numbers</source>
+        <translation>La valeur doit être une liste de points, chacun une liste de deux nombres</translation>
+    </message>
+    <message>
+        <source>The value must be an object with an expression for each name</source>
+        <translation>La valeur doit être un objet avec une expression par nom</translation>
+    </message>
+    <message>
+        <source>The value must be a list of objects</source>
+        <translation>La valeur doit être une liste d’objets</translation>
+    </message>
+    <message>
+        <source>The value must be a text in quotes</source>
+        <translation>La valeur doit être un texte entre guillemets</translation>
+    </message>
+    <message>
+        <source>{0} is not one of the choices: {1}</source>
+        <translation>{0} n’est pas l’un des choix&#xa0;: {1}</translation>
+    </message>
+    <message>
+        <source>{0} is not a colour; use the name of a role of the theme or a value such as {1}</source>
+        <translation>{0} n’est pas une couleur&#x202f;; utilisez le nom d’un rôle du thème ou une valeur telle que {1}</translation>
+    </message>
+    <message>
+        <source>{0} is not a colour; did you mean {1}?</source>
+        <translation>{0} n’est pas une couleur&#x202f;; vouliez-vous dire {1}&#x202f;?</translation>
+    </message>
+    <message>
+        <source>{0} ({1}) must be greater than {2} ({3})</source>
+        <translation>{0} ({1}) doit être supérieur à {2} ({3})</translation>
+    </message>
+    <message>
+        <source>The panel has no group or tab {0}</source>
+        <translation>La vue n’a ni groupe ni onglets {0}</translation>
+    </message>
+    <message>
+        <source>The group {0} contains itself</source>
+        <translation>Le groupe {0} se contient lui-même</translation>
+    </message>
+    <message>
+        <source>{0} has no page {1}; its {2} {2:page is|pages are} numbered from 0</source>
+        <translation>{0} n’a pas de page {1}&#x202f;; {2:sa page est numérotée|ses {2} pages sont numérotées} à partir de 0</translation>
+    </message>
+    <message>
+        <source>The format {0} needs a number, and {1} is none; use {2}</source>
+        <translation>Le format {0} demande un nombre, et {1} n’en est pas un&#x202f;; utilisez {2}</translation>
+    </message>
+    <message>
+        <source>The project has no language {0}, so operators never see this column; add it to the languages in project.json</source>
+        <translation>Le projet n’a pas la langue {0}, les opérateurs ne voient donc jamais cette colonne&#x202f;; ajoutez-la aux langues dans project.json</translation>
+    </message>
+    <message>
+        <source>Nothing says what this does; give it a text, or place one beside it</source>
+        <translation>Rien n’indique à quoi cela sert&#x202f;; donnez-lui un texte, ou placez-en un à côté</translation>
+    </message>
+    <message>
+        <source>{0} is between {1} and {2} in the recording, so the range from {3} to {4} cuts it off</source>
+        <translation>{0} est entre {1} et {2} dans l’enregistrement, la plage de {3} à {4} le tronque donc</translation>
+    </message>
+    <message>
+        <source>{0} is not between {1} and {2}; {3} is used</source>
+        <translation>{0} n’est pas entre {1} et {2}&#x202f;; {3} est utilisé</translation>
+    </message>
+    <message>
+        <source>The faceplate does not say which panel it shows</source>
+        <translation>La vue d’objet n’indique pas quelle vue elle affiche</translation>
+    </message>
+    <message>
+        <source>The panel {0} contains this one, so it cannot be placed in it</source>
+        <translation>La vue {0} contient celle-ci et ne peut donc pas y être placée</translation>
+    </message>
+    <message>
+        <source>The panel {0} has no parameter {1}</source>
+        <translation>La vue {0} n’a pas de paramètre {1}</translation>
+    </message>
+    <message>
+        <source>The program has no type {0}; name a block or a structure, BOOL, REAL or the like, or text</source>
+        <translation>Le programme n’a pas de type {0}&#x202f;; indiquez un bloc ou une structure, BOOL, REAL ou similaire, ou text</translation>
+    </message>
+    <message>
+        <source>The parameter {0} needs an argument of type {1}</source>
+        <translation>Le paramètre {0} demande un argument de type {1}</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; the parameter {2} needs {3}</source>
+        <translation>{0} est {1}&#x202f;; le paramètre {2} demande {3}</translation>
+    </message>
+    <message>
+        <source>{0} (tried with {1})</source>
+        <translation>{0} (essayé avec {1})</translation>
+    </message>
+    <message>
+        <source>The program was not built from sources.</source>
+        <translation>Le programme n’a pas été compilé à partir de sources.</translation>
+    </message>
+    <message>
+        <source>The recording does not contain the program of this scan.</source>
+        <translation>L’enregistrement ne contient pas le programme de ce cycle.</translation>
+    </message>
+    <message>
+        <source>This scan is no longer in the recording.</source>
+        <translation>Ce cycle n’est plus dans l’enregistrement.</translation>
+    </message>
+    <message>
+        <source>The scan before it is not in the recording, so the values with which this scan began are not known.</source>
+        <translation>Le cycle précédent n’est pas dans l’enregistrement&#x202f;; les valeurs au début de ce cycle sont donc inconnues.</translation>
+    </message>
+    <message>
+        <source>The users and roles are not valid JSON</source>
+        <translation>Les utilisateurs et les rôles ne sont pas du JSON valide</translation>
+    </message>
+    <message>
+        <source>A role has no name</source>
+        <translation>Un rôle n’a pas de nom</translation>
+    </message>
+    <message>
+        <source>Two roles are named {0}</source>
+        <translation>Deux rôles s’appellent {0}</translation>
+    </message>
+    <message>
+        <source>There is no role {0}</source>
+        <translation>Le rôle {0} n’existe pas</translation>
+    </message>
+    <message>
+        <source>A user has no name</source>
+        <translation>Un utilisateur n’a pas de nom</translation>
+    </message>
+    <message>
+        <source>Two users are named {0}</source>
+        <translation>Deux utilisateurs s’appellent {0}</translation>
+    </message>
+    <message>
+        <source>There is no user {0}</source>
+        <translation>L’utilisateur {0} n’existe pas</translation>
+    </message>
+    <message>
+        <source>The password cannot be kept: {0}</source>
+        <translation>Le mot de passe ne peut pas être conservé : {0}</translation>
+    </message>
+    <message>
+        <source>A password needs at least {0} characters</source>
+        <translation>Un mot de passe doit avoir au moins {0} caractères</translation>
+    </message>
+    <message>
+        <source>The password must not be the name of the user</source>
+        <translation>Le mot de passe ne doit pas être le nom de l’utilisateur</translation>
+    </message>
+    <message>
+        <source>The audit trail cannot be written: {0}</source>
+        <translation>La piste d’audit ne peut pas être écrite : {0}</translation>
+    </message>
+    <message>
+        <source>The audit trail cannot be read: {0}</source>
+        <translation>La piste d’audit ne peut pas être lue : {0}</translation>
+    </message>
+    <message>
+        <source>The frame {0} has no panel area, so no panel is seen in it</source>
+        <translation>Le cadre {0} n’a pas de zone de vue, aucune vue n’y apparaît donc</translation>
+    </message>
+    <message>
+        <source>Only for the roles {0}, but the project has no users; anybody may operate it</source>
+        <translation>Seulement pour les rôles {0}, mais le projet n’a pas d’utilisateurs ; tout le monde peut le commander</translation>
+    </message>
+    <message>
+        <source>The recipes are not valid JSON</source>
+        <translation>Les recettes ne sont pas du JSON valide</translation>
+    </message>
+    <message>
+        <source>A recipe has no name</source>
+        <translation>Une recette n’a pas de nom</translation>
+    </message>
+    <message>
+        <source>Two recipes are named {0}</source>
+        <translation>Deux recettes s’appellent {0}</translation>
+    </message>
+    <message>
+        <source>A row of a recipe names no variable</source>
+        <translation>Une ligne d’une recette n’indique pas de variable</translation>
+    </message>
+    <message>
+        <source>The recipe has the variable {0} twice</source>
+        <translation>La recette contient deux fois la variable {0}</translation>
+    </message>
+    <message>
+        <source>A set of a recipe has no name</source>
+        <translation>Un jeu de valeurs d’une recette n’a pas de nom</translation>
+    </message>
+    <message>
+        <source>Two sets of the recipe are named {0}</source>
+        <translation>Deux jeux de valeurs de la recette s’appellent {0}</translation>
+    </message>
+    <message>
+        <source>The first column must be named variable, and each set has a column of its own</source>
+        <translation>La première colonne doit s’appeler variable, et chaque jeu de valeurs a sa propre colonne</translation>
+    </message>
+    <message>
+        <source>The recipe {0} has no variable {1}</source>
+        <translation>La recette {0} n’a pas de variable {1}</translation>
+    </message>
+    <message>
+        <source>There is no recipe {0}</source>
+        <translation>La recette {0} n’existe pas</translation>
+    </message>
+    <message>
+        <source>The recipe {0} has no set {1}</source>
+        <translation>La recette {0} n’a pas de jeu de valeurs {1}</translation>
+    </message>
+    <message>
+        <source>The set {0} has no value for {1}</source>
+        <translation>Le jeu de valeurs {0} n’a pas de valeur pour {1}</translation>
+    </message>
+    <message>
+        <source>{0} is outside the limits of {1}, {2} to {3}</source>
+        <translation>{0} est hors des limites de {1}, {2} à {3}</translation>
+    </message>
+    <message>
+        <source>The list of shelved alarms cannot be read, so none is shelved: {0}</source>
+        <translation>La liste des alarmes mises de côté ne peut pas être lue, aucune n’est donc mise de côté : {0}</translation>
+    </message>
+    <message>
+        <source>The list of shelved alarms cannot be written: {0}</source>
+        <translation>La liste des alarmes mises de côté ne peut pas être écrite : {0}</translation>
+    </message>
+</context>
+<context>
+    <name>Exchange</name>
+    <message>
+        <source>The file is written in {0}</source>
+        <translation>Le fichier est codé en {0}</translation>
+    </message>
+    <message>
+        <source>The file was not read: {0}</source>
+        <translation>Le fichier n’a pas été lu&#xa0;: {0}</translation>
+    </message>
+    <message>
+        <source>The element {0} was not read</source>
+        <translation>L’élément {0} n’a pas été lu</translation>
+    </message>
+    <message>
+        <source>The vendor&apos;s data {0} is kept in exchange.json</source>
+        <translation>Les données {0} de l’éditeur d’origine sont conservées dans exchange.json</translation>
+    </message>
+    <message>
+        <source>The body in {0} became structured text; the diagram is kept in exchange.json</source>
+        <translation>Le corps dans {0} est devenu du texte structuré&#x202f;; le schéma est conservé dans exchange.json</translation>
+    </message>
+    <message>
+        <source>The body in {0} is stored in a form that only its own editor reads; export it there as PLCopen XML</source>
+        <translation>Le corps dans {0} est stocké sous une forme que seul son propre éditeur lit&#x202f;; exportez-le là-bas en PLCopen XML</translation>
+    </message>
+    <message>
+        <source>A jump leads to the step {0}, which does not exist</source>
+        <translation>Un saut mène à l’étape {0}, qui n’existe pas</translation>
+    </message>
+    <message>
+        <source>The element {0} of the chart is not connected and was left out</source>
+        <translation>L’élément {0} du grafcet n’est pas relié et a été omis</translation>
+    </message>
+    <message>
+        <source>The transition from {0} has no condition; it is written as FALSE</source>
+        <translation>La transition depuis {0} n’a pas de condition&#x202f;; elle est écrite comme FALSE</translation>
+    </message>
+    <message>
+        <source>The element {0} takes part in a loop without a block that stores a value; its last value is not kept</source>
+        <translation>L’élément {0} fait partie d’une boucle sans bloc qui mémorise une valeur&#x202f;; sa dernière valeur n’est pas conservée</translation>
+    </message>
+    <message>
+        <source>The element {0} is not connected and was left out</source>
+        <translation>L’élément {0} n’est pas relié et a été omis</translation>
+    </message>
+    <message>
+        <source>An edge in a function needs the value of the last call, which a function does not store</source>
+        <translation>Un front dans une fonction demande la valeur du dernier appel, qu’une fonction ne mémorise pas</translation>
+    </message>
+    <message>
+        <source>The result of {0} is used in several places and is computed in each</source>
+        <translation>Le résultat de {0} est utilisé à plusieurs endroits et est calculé à chacun</translation>
+    </message>
+    <message>
+        <source>The type of the result of {0} is not known; it is computed although EN is FALSE</source>
+        <translation>Le type du résultat de {0} est inconnu&#x202f;; il est calculé même si EN est FALSE</translation>
+    </message>
+    <message>
+        <source>The library {0} is not part of Stepwise; uses of it are reported by the check</source>
+        <translation>La bibliothèque {0} ne fait pas partie de Stepwise&#x202f;; ses utilisations sont signalées par la vérification</translation>
+    </message>
+    <message>
+        <source>Code in C is kept as a comment and is not executed</source>
+        <translation>Le code en C est conservé en commentaire et n’est pas exécuté</translation>
+    </message>
+    <message>
+        <source>There are two units named {0}; the second is in {1}</source>
+        <translation>Deux POU s’appellent {0}&#x202f;; le second est dans {1}</translation>
+    </message>
+    <message>
+        <source>The configuration of the devices was not read; assign the inputs and outputs again</source>
+        <translation>La configuration des appareils n’a pas été lue&#x202f;; affectez de nouveau les entrées et les sorties</translation>
+    </message>
+    <message>
+        <source>The task {0} is started by the event {1}, which does not exist here; give it an INTERVAL or a SINGLE</source>
+        <translation>La tâche {0} est lancée par l’événement {1}, qui n’existe pas ici&#x202f;; donnez-lui un INTERVAL ou un SINGLE</translation>
+    </message>
+    <message>
+        <source>{0} counts %MW1 in words, here it is counted in bytes; check that the addresses do not overlap</source>
+        <translation>{0} compte %MW1 en mots, ici le compte est en octets&#x202f;; vérifiez que les adresses ne se chevauchent pas</translation>
+    </message>
+    <message>
+        <source>A comment outside of the elements was left out: {0}</source>
+        <translation>Un commentaire hors des éléments a été omis&#xa0;: {0}</translation>
+    </message>
+    <message>
+        <source>The diagram in {0} was not read: an expression repeats itself without end</source>
+        <translation>Le schéma dans {0} n’a pas été lu&#xa0;: une expression se répète sans fin</translation>
+    </message>
+    <message>
+        <source>A condition in {0} needs the call of a block, which a condition cannot make</source>
+        <translation>Une condition dans {0} demande l’appel d’un bloc, ce qu’une condition ne peut pas faire</translation>
+    </message>
+    <message>
+        <source>The transition {0} is not a single expression and was not read</source>
+        <translation>La transition {0} n’est pas une expression unique et n’a pas été lue</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for panels; they were left out</source>
+        <translation>PLCopen XML n’a pas de place pour les vues&#x202f;; elles ont été omises</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for traces; they were left out</source>
+        <translation>PLCopen XML n’a pas de place pour les traces&#x202f;; elles ont été omises</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for tests; they were left out</source>
+        <translation>PLCopen XML n’a pas de place pour les tests&#x202f;; ils ont été omis</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for tests; the TEST &apos;{0}&apos; was left out</source>
+        <translation>PLCopen XML n’a pas de place pour les tests&#x202f;; le TEST «&#xa0;{0}&#xa0;» a été omis</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for namespaces; a NAMESPACE was left out with its units</source>
+        <translation>PLCopen XML n’a pas de place pour les espaces de noms&#x202f;; un NAMESPACE a été omis avec ses POU</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for USING; it was left out</source>
+        <translation>PLCopen XML n’a pas de place pour USING&#x202f;; il a été omis</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for the name of the transition {0}; it was left out</source>
+        <translation>PLCopen XML n’a pas de place pour le nom de la transition {0}&#x202f;; il a été omis</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has one indicator per action; {0} was left out</source>
+        <translation>PLCopen XML a un indicateur par action&#x202f;; {0} a été omis</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no methods; {0} was left out</source>
+        <translation>La version 0201 n’a pas de méthodes&#x202f;; {0} a été omis</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no properties; {0} was left out</source>
+        <translation>La version 0201 n’a pas de propriétés&#x202f;; {0} a été omis</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no interfaces; {0} was left out</source>
+        <translation>La version 0201 n’a pas d’interfaces&#x202f;; {0} a été omis</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no unions; {0} was left out</source>
+        <translation>La version 0201 n’a pas d’unions&#x202f;; {0} a été omis</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no inheritance; EXTENDS or IMPLEMENTS of {0} was left out</source>
+        <translation>La version 0201 n’a pas d’héritage&#x202f;; EXTENDS ou IMPLEMENTS de {0} a été omis</translation>
+    </message>
+    <message>
+        <source>Version 0201 does not have the type {0}; other tools will not know it</source>
+        <translation>La version 0201 n’a pas le type {0}&#x202f;; les autres outils ne le connaîtront pas</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for the pragma {0} of a step; it was left out</source>
+        <translation>La version 0201 n’a pas de place pour le pragma {0} d’une étape&#x202f;; il a été omis</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for {0} of a task; it was left out</source>
+        <translation>La version 0201 n’a pas de place pour {0} d’une tâche&#x202f;; il a été omis</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for the connections of the program {0}; they were left out</source>
+        <translation>La version 0201 n’a pas de place pour les connexions du programme {0}&#x202f;; elles ont été omises</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for libraries; {0} was left out</source>
+        <translation>La version 0201 n’a pas de place pour les bibliothèques&#x202f;; {0} a été omis</translation>
+    </message>
+    <message>
+        <source>The file is no program source and was left out</source>
+        <translation>Le fichier n’est pas une source de programme et a été omis</translation>
+    </message>
+</context>
+<context>
+    <name>Fixes</name>
+    <message>
+        <source>Replace with {0}</source>
+        <translation>Remplacer par {0}</translation>
+    </message>
+    <message>
+        <source>Insert {0}</source>
+        <translation>Insérer {0}</translation>
+    </message>
+    <message>
+        <source>Did you mean {0}?</source>
+        <translation>Vouliez-vous dire {0}&#x202f;?</translation>
+    </message>
+    <message>
+        <source>Convert with {0}</source>
+        <translation>Convertir avec {0}</translation>
+    </message>
+    <message>
+        <source>Move {0} to {1}</source>
+        <translation>Déplacer {0} vers {1}</translation>
+    </message>
+    <message>
+        <source>Add the property {0}</source>
+        <translation>Ajouter la propriété {0}</translation>
+    </message>
+    <message>
+        <source>Add the method {0}</source>
+        <translation>Ajouter la méthode {0}</translation>
+    </message>
+    <message>
+        <source>Add the missing branches</source>
+        <translation>Ajouter les branches manquantes</translation>
+    </message>
+    <message>
+        <source>Add ELSE</source>
+        <translation>Ajouter ELSE</translation>
+    </message>
+    <message>
+        <source>Add () to call it</source>
+        <translation>Ajouter () pour l’appeler</translation>
+    </message>
+    <message>
+        <source>Compare with 0</source>
+        <translation>Comparer avec 0</translation>
+    </message>
+    <message>
+        <source>Remove the unused declaration</source>
+        <translation>Supprimer la déclaration inutilisée</translation>
+    </message>
+    <message>
+        <source>Replace with IF and ELSIF</source>
+        <translation>Remplacer par IF et ELSIF</translation>
+    </message>
+    <message>
+        <source>Change to a WSTRING literal</source>
+        <translation>Transformer en littéral WSTRING</translation>
+    </message>
+    <message>
+        <source>Replace with straight quotes</source>
+        <translation>Remplacer par des guillemets droits</translation>
+    </message>
+    <message>
+        <source>Make {0} the initial step</source>
+        <translation>Faire de {0} l’étape initiale</translation>
+    </message>
+    <message>
+        <source>Dereference the pointer with ^</source>
+        <translation>Déréférencer le pointeur avec ^</translation>
     </message>
 </context>
 <context>
@@ -1879,8 +2454,8 @@
         <translation>Une expression ST</translation>
     </message>
     <message>
-        <source>Shown to the operator. A typed text gets its key by itself; @key names one.</source>
-        <translation>Affiché à l’opérateur. Un texte saisi reçoit automatiquement sa clé ; @clé en désigne une existante.</translation>
+        <source>Shown to the operator. A typed text gets its key automatically; @key uses an existing one.</source>
+        <translation>Affiché à l’opérateur. Un texte saisi reçoit automatiquement sa clé&#x202f;; @clé en utilise une existante.</translation>
     </message>
     <message>
         <source>X</source>
@@ -2087,7 +2662,7 @@
         <translation>Page d’onglet</translation>
     </message>
     <message>
-        <source>Place and size</source>
+        <source>Position and size</source>
         <translation>Position et taille</translation>
     </message>
     <message>
@@ -2367,11 +2942,11 @@
         <translation>Orientation</translation>
     </message>
     <message>
-        <source>Shows the value</source>
+        <source>Show the value</source>
         <translation>Afficher la valeur</translation>
     </message>
     <message>
-        <source>Turning knob</source>
+        <source>Rotary knob</source>
         <translation>Bouton rotatif</translation>
     </message>
     <message>
@@ -2407,7 +2982,7 @@
         <translation>Masque (# chiffre, A lettre, * quelconque)</translation>
     </message>
     <message>
-        <source>Hides the value</source>
+        <source>Hide the value</source>
         <translation>Masquer la valeur</translation>
     </message>
     <message>
@@ -2424,7 +2999,7 @@
     </message>
     <message>
         <source>Value (empty: the controller&apos;s clock)</source>
-        <translation>Valeur (vide : l’horloge de l’automate)</translation>
+        <translation>Valeur (vide&#xa0;: l’horloge de l’automate)</translation>
     </message>
     <message>
         <source>Shows</source>
@@ -2547,7 +3122,7 @@
         <translation>Premier indice</translation>
     </message>
     <message>
-        <source>Shows the numbers</source>
+        <source>Show the numbers</source>
         <translation>Afficher les numéros</translation>
     </message>
     <message>
@@ -2715,7 +3290,7 @@
         <translation>Géométrie</translation>
     </message>
     <message>
-        <source>Look</source>
+        <source>Appearance</source>
         <translation>Apparence</translation>
     </message>
     <message>
@@ -2726,12 +3301,953 @@
         <source>Motion</source>
         <translation>Mouvement</translation>
     </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Paramètres</translation>
+    </message>
+    <message>
+        <source>Type (a block, a structure, BOOL, REAL, text)</source>
+        <translation>Type (un bloc, une structure, BOOL, REAL, text)</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>Valeur par défaut</translation>
+    </message>
+    <message>
+        <source>Faceplate</source>
+        <translation>Vue d’objet</translation>
+    </message>
+    <message>
+        <source>Arguments</source>
+        <translation>Arguments</translation>
+    </message>
+    <message>
+        <source>Adapts to the screen by</source>
+        <translation>S’adapte à l’écran par</translation>
+    </message>
+    <message>
+        <source>On a tall screen</source>
+        <translation>Sur un écran en hauteur</translation>
+    </message>
+    <message>
+        <source>Shown in the frame</source>
+        <translation>Affiché dans le cadre</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Aide</translation>
+    </message>
+    <message>
+        <source>Panel to show</source>
+        <translation>Vue à afficher</translation>
+    </message>
+    <message>
+        <source>First-out group</source>
+        <translation>Groupe de première alarme</translation>
+    </message>
+    <message>
+        <source>Horizontal anchor</source>
+        <translation>Ancrage horizontal</translation>
+    </message>
+    <message>
+        <source>Vertical anchor</source>
+        <translation>Ancrage vertical</translation>
+    </message>
+    <message>
+        <source>Only for the roles</source>
+        <translation>Seulement pour les rôles</translation>
+    </message>
+    <message>
+        <source>For all others</source>
+        <translation>Pour tous les autres</translation>
+    </message>
+    <message>
+        <source>Writes are confirmed</source>
+        <translation>Les écritures sont confirmées</translation>
+    </message>
+    <message>
+        <source>Navigation bar</source>
+        <translation>Barre de navigation</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Vues</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>Utilisateur</translation>
+    </message>
+    <message>
+        <source>Recipe</source>
+        <translation>Recette</translation>
+    </message>
+    <message>
+        <source>Alarm statistics</source>
+        <translation>Statistique des alarmes</translation>
+    </message>
+    <message>
+        <source>Hours to look back</source>
+        <translation>Heures à considérer</translation>
+    </message>
+    <message>
+        <source>Panel area</source>
+        <translation>Zone de vue</translation>
+    </message>
+</context>
+<context>
+    <name>HmiChoices</name>
+    <message>
+        <source>Dot</source>
+        <translation>Point</translation>
+    </message>
+    <message>
+        <source>Start sign</source>
+        <translation>Signe de marche</translation>
+    </message>
+    <message>
+        <source>Stop sign</source>
+        <translation>Signe d’arrêt</translation>
+    </message>
+    <message>
+        <source>Pause sign</source>
+        <translation>Signe de pause</translation>
+    </message>
+    <message>
+        <source>Plus</source>
+        <translation>Signe plus</translation>
+    </message>
+    <message>
+        <source>Minus</source>
+        <translation>Signe moins</translation>
+    </message>
+    <message>
+        <source>House</source>
+        <translation>Maison</translation>
+    </message>
+    <message>
+        <source>Circular arrow</source>
+        <translation>Flèche circulaire</translation>
+    </message>
+    <message>
+        <source>Time of day</source>
+        <translation>Heure</translation>
+    </message>
+    <message>
+        <source>By time</source>
+        <translation>Par heure</translation>
+    </message>
+    <message>
+        <source>Solid</source>
+        <translation>Continu</translation>
+    </message>
+    <message>
+        <source>Dashed</source>
+        <translation>Tirets</translation>
+    </message>
+    <message>
+        <source>Dotted</source>
+        <translation>Pointillé</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucun</translation>
+    </message>
+    <message>
+        <source>At the start</source>
+        <translation>Au début</translation>
+    </message>
+    <message>
+        <source>Centred</source>
+        <translation>Centré</translation>
+    </message>
+    <message>
+        <source>At the end</source>
+        <translation>À la fin</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Clair</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Sombre</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>Contraste élevé</translation>
+    </message>
+    <message>
+        <source>Arrow</source>
+        <translation>Flèche</translation>
+    </message>
+    <message>
+        <source>Arc line</source>
+        <translation>Ligne d’arc</translation>
+    </message>
+    <message>
+        <source>Pie</source>
+        <translation>Secteur</translation>
+    </message>
+    <message>
+        <source>Chord</source>
+        <translation>Segment de cercle</translation>
+    </message>
+    <message>
+        <source>Show all of it</source>
+        <translation>Afficher en entier</translation>
+    </message>
+    <message>
+        <source>Fill the frame</source>
+        <translation>Remplir le cadre</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>Étirer</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Droite</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Gauche</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Haut</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Bas</translation>
+    </message>
+    <message>
+        <source>Momentary</source>
+        <translation>Fugitif</translation>
+    </message>
+    <message>
+        <source>Toggle</source>
+        <translation>Inverser</translation>
+    </message>
+    <message>
+        <source>Set to TRUE</source>
+        <translation>Mettre à TRUE</translation>
+    </message>
+    <message>
+        <source>Set to FALSE</source>
+        <translation>Mettre à FALSE</translation>
+    </message>
+    <message>
+        <source>Write a value</source>
+        <translation>Écrire une valeur</translation>
+    </message>
+    <message>
+        <source>Go to a panel</source>
+        <translation>Aller à une vue</translation>
+    </message>
+    <message>
+        <source>Change the language</source>
+        <translation>Changer la langue</translation>
+    </message>
+    <message>
+        <source>Acknowledge alarms</source>
+        <translation>Acquitter les alarmes</translation>
+    </message>
+    <message>
+        <source>Horizontal</source>
+        <translation>Horizontale</translation>
+    </message>
+    <message>
+        <source>Vertical</source>
+        <translation>Verticale</translation>
+    </message>
+    <message>
+        <source>Date and time of day</source>
+        <translation>Date et heure</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Date</translation>
+    </message>
+    <message>
+        <source>Calendar week</source>
+        <translation>Semaine du calendrier</translation>
+    </message>
+    <message>
+        <source>Round</source>
+        <translation>Rond</translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation>Carré</translation>
+    </message>
+    <message>
+        <source>Rounded</source>
+        <translation>Arrondi</translation>
+    </message>
+    <message>
+        <source>Dished ends</source>
+        <translation>Fonds bombés</translation>
+    </message>
+    <message>
+        <source>Flat ends</source>
+        <translation>Fonds plats</translation>
+    </message>
+    <message>
+        <source>Hopper</source>
+        <translation>Trémie</translation>
+    </message>
+    <message>
+        <source>Open at the top</source>
+        <translation>Ouvert en haut</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Sélectionner</translation>
+    </message>
+    <message>
+        <source>Present alarms</source>
+        <translation>Alarmes présentes</translation>
+    </message>
+    <message>
+        <source>Alarm history</source>
+        <translation>Historique des alarmes</translation>
+    </message>
+    <message>
+        <source>By priority</source>
+        <translation>Par priorité</translation>
+    </message>
+    <message>
+        <source>Buttons</source>
+        <translation>Boutons</translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <translation>Menu</translation>
+    </message>
+    <message>
+        <source>In their own language</source>
+        <translation>Dans leur propre langue</translation>
+    </message>
+    <message>
+        <source>Language tags</source>
+        <translation>Étiquettes de langue</translation>
+    </message>
+    <message>
+        <source>Motor</source>
+        <translation>Moteur</translation>
+    </message>
+    <message>
+        <source>Pump</source>
+        <translation>Pompe</translation>
+    </message>
+    <message>
+        <source>Valve</source>
+        <translation>Vanne</translation>
+    </message>
+    <message>
+        <source>Tank</source>
+        <translation>Cuve</translation>
+    </message>
+    <message>
+        <source>Silo</source>
+        <translation>Silo</translation>
+    </message>
+    <message>
+        <source>Conveyor</source>
+        <translation>Convoyeur</translation>
+    </message>
+    <message>
+        <source>Agitator</source>
+        <translation>Agitateur</translation>
+    </message>
+    <message>
+        <source>Heater</source>
+        <translation>Résistance chauffante</translation>
+    </message>
+    <message>
+        <source>Fan</source>
+        <translation>Ventilateur</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>Capteur</translation>
+    </message>
+    <message>
+        <source>Lamp</source>
+        <translation>Voyant</translation>
+    </message>
+    <message>
+        <source>Siren</source>
+        <translation>Sirène</translation>
+    </message>
+    <message>
+        <source>Lorry</source>
+        <translation>Camion</translation>
+    </message>
+    <message>
+        <source>Vehicle</source>
+        <translation>Véhicule</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Arrière-plan</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Surface</translation>
+    </message>
+    <message>
+        <source>Raised surface</source>
+        <translation>Surface en relief</translation>
+    </message>
+    <message>
+        <source>Sunken surface</source>
+        <translation>Surface en creux</translation>
+    </message>
+    <message>
+        <source>Line colour</source>
+        <translation>Couleur de ligne</translation>
+    </message>
+    <message>
+        <source>Faint line</source>
+        <translation>Ligne discrète</translation>
+    </message>
+    <message>
+        <source>Text colour</source>
+        <translation>Couleur du texte</translation>
+    </message>
+    <message>
+        <source>Muted text</source>
+        <translation>Texte atténué</translation>
+    </message>
+    <message>
+        <source>Button colour</source>
+        <translation>Couleur de bouton</translation>
+    </message>
+    <message>
+        <source>Accent</source>
+        <translation>Accent</translation>
+    </message>
+    <message>
+        <source>Switched off</source>
+        <translation>À l’arrêt</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>En marche</translation>
+    </message>
+    <message>
+        <source>Liquid</source>
+        <translation>Liquide</translation>
+    </message>
+    <message>
+        <source>Pipe colour</source>
+        <translation>Couleur de conduite</translation>
+    </message>
+    <message>
+        <source>Measured value</source>
+        <translation>Valeur mesurée</translation>
+    </message>
+    <message>
+        <source>Lit segment</source>
+        <translation>Segment allumé</translation>
+    </message>
+    <message>
+        <source>Display glass</source>
+        <translation>Verre d’afficheur</translation>
+    </message>
+    <message>
+        <source>Alarm colour</source>
+        <translation>Couleur d’alarme</translation>
+    </message>
+    <message>
+        <source>High priority</source>
+        <translation>Priorité haute</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Avertissement</translation>
+    </message>
+    <message>
+        <source>Low priority</source>
+        <translation>Priorité basse</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation>Rouge</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation>Orange</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation>Jaune</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Vert</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Bleu</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>Blanc</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>Noir</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Gris</translation>
+    </message>
+    <message>
+        <source>Good state</source>
+        <translation>Bon état</translation>
+    </message>
+    <message>
+        <source>Curve 1</source>
+        <translation>Courbe 1</translation>
+    </message>
+    <message>
+        <source>Curve 2</source>
+        <translation>Courbe 2</translation>
+    </message>
+    <message>
+        <source>Curve 3</source>
+        <translation>Courbe 3</translation>
+    </message>
+    <message>
+        <source>Curve 4</source>
+        <translation>Courbe 4</translation>
+    </message>
+    <message>
+        <source>Curve 5</source>
+        <translation>Courbe 5</translation>
+    </message>
+    <message>
+        <source>Curve 6</source>
+        <translation>Courbe 6</translation>
+    </message>
+    <message>
+        <source>Curve 7</source>
+        <translation>Courbe 7</translation>
+    </message>
+    <message>
+        <source>Curve 8</source>
+        <translation>Courbe 8</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>un nombre</translation>
+    </message>
+    <message>
+        <source>a BOOL</source>
+        <translation>un BOOL</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>un texte</translation>
+    </message>
+    <message>
+        <source>an array</source>
+        <translation>un tableau</translation>
+    </message>
+    <message>
+        <source>any type</source>
+        <translation>type quelconque</translation>
+    </message>
+    <message>
+        <source>Left and right</source>
+        <translation>Gauche et droite</translation>
+    </message>
+    <message>
+        <source>Top and bottom</source>
+        <translation>Haut et bas</translation>
+    </message>
+    <message>
+        <source>Scaling to its size</source>
+        <translation>Mise à l’échelle</translation>
+    </message>
+    <message>
+        <source>Moving what is anchored</source>
+        <translation>Déplacement des éléments ancrés</translation>
+    </message>
+    <message>
+        <source>Keep the proportions</source>
+        <translation>Garder les proportions</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Haut</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Bas</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Verrouillé</translation>
+    </message>
+    <message>
+        <source>Hidden</source>
+        <translation>Masqué</translation>
+    </message>
+    <message>
+        <source>Open a panel in a window</source>
+        <translation>Ouvrir une vue dans une fenêtre</translation>
+    </message>
+    <message>
+        <source>Close the window</source>
+        <translation>Fermer la fenêtre</translation>
+    </message>
+    <message>
+        <source>Go back</source>
+        <translation>Revenir en arrière</translation>
+    </message>
+    <message>
+        <source>Go to the start panel</source>
+        <translation>Aller à la vue de départ</translation>
+    </message>
+    <message>
+        <source>Log out</source>
+        <translation>Se déconnecter</translation>
+    </message>
+    <message>
+        <source>Shelved alarms</source>
+        <translation>Alarmes mises de côté</translation>
+    </message>
+</context>
+<context>
+    <name>Inside</name>
+    <message>
+        <source>set by {0}  {1} ({2}, task {3})</source>
+        <translation>écrit par {0}  {1} ({2}, tâche {3})</translation>
+    </message>
+    <message>
+        <source>set by {0}  {1} ({2})</source>
+        <translation>écrit par {0}  {1} ({2})</translation>
+    </message>
+    <message>
+        <source>set by what the compiler adds ({0})</source>
+        <translation>écrit par ce que le compilateur ajoute ({0})</translation>
+    </message>
+    <message>
+        <source>written from outside</source>
+        <translation>écrit de l’extérieur</translation>
+    </message>
+    <message>
+        <source>written from {0}</source>
+        <translation>écrit depuis {0}</translation>
+    </message>
+    <message>
+        <source>forced</source>
+        <translation>forcé</translation>
+    </message>
+    <message>
+        <source>forced from {0}</source>
+        <translation>forcé depuis {0}</translation>
+    </message>
+    <message>
+        <source>put back by a reset</source>
+        <translation>remis à sa valeur par un reset</translation>
+    </message>
+    <message>
+        <source>carried over by an online change</source>
+        <translation>repris lors d’une modification en ligne</translation>
+    </message>
+    <message>
+        <source>restored from the retained values</source>
+        <translation>restauré à partir des valeurs rémanentes</translation>
+    </message>
+    <message>
+        <source>its initial value</source>
+        <translation>sa valeur initiale</translation>
+    </message>
+    <message>
+        <source>put into the safe state when the controller stopped</source>
+        <translation>mis à l’état sûr à l’arrêt de l’automate</translation>
+    </message>
+    <message>
+        <source>as recorded in the scan that was resumed from</source>
+        <translation>tel qu’enregistré dans le cycle à partir duquel l’exécution a repris</translation>
+    </message>
+    <message>
+        <source>set by a statement of a test</source>
+        <translation>écrit par une instruction d’un test</translation>
+    </message>
+    <message>
+        <source>not known who set it</source>
+        <translation>auteur inconnu</translation>
+    </message>
+    <message>
+        <source>the command line</source>
+        <translation>la ligne de commande</translation>
+    </message>
+    <message>
+        <source>the studio</source>
+        <translation>le studio</translation>
+    </message>
+    <message>
+        <source>panel {0}, {1}</source>
+        <translation>la vue {0}, {1}</translation>
+    </message>
+    <message>
+        <source>{0} (scan {1})</source>
+        <translation>{0} (cycle {1})</translation>
+    </message>
+    <message>
+        <source>{0}  {1} from {2} to {3}, {4}</source>
+        <translation>{0}  {1} de {2} à {3}, {4}</translation>
+    </message>
+    <message>
+        <source>{0}  {1} to {2}, {3}</source>
+        <translation>{0}  {1} à {2}, {3}</translation>
+    </message>
+    <message>
+        <source>called by {0}  {1}</source>
+        <translation>appelé par {0}  {1}</translation>
+    </message>
+    <message>
+        <source>{0} is {1} at {2}, since {3}.</source>
+        <translation>{0} est {1} à {2}, depuis {3}.</translation>
+    </message>
+    <message>
+        <source>{0} is {1} at {2}, as it was when the recording began.</source>
+        <translation>{0} est {1} à {2}, comme au début de l’enregistrement.</translation>
+    </message>
+    <message>
+        <source>{0} is {1} at {2}.</source>
+        <translation>{0} est {1} à {2}.</translation>
+    </message>
+    <message>
+        <source>It was {0}.</source>
+        <translation>Valeur&#xa0;: {0}.</translation>
+    </message>
+    <message>
+        <source>It has its initial value.</source>
+        <translation>La variable a sa valeur initiale.</translation>
+    </message>
+    <message>
+        <source>It became {0} because</source>
+        <translation>Elle est devenue {0} parce que</translation>
+    </message>
+    <message>
+        <source>This needed</source>
+        <translation>Il fallait</translation>
+    </message>
+    <message>
+        <source>It needs</source>
+        <translation>Il faut</translation>
+    </message>
+    <message>
+        <source>It stays so because</source>
+        <translation>Elle le reste parce que</translation>
+    </message>
+    <message>
+        <source>Step by step</source>
+        <translation>Étape par étape</translation>
+    </message>
+    <message>
+        <source>because</source>
+        <translation>parce que</translation>
+    </message>
+    <message>
+        <source>time passed.</source>
+        <translation>du temps s’est écoulé.</translation>
+    </message>
+    <message>
+        <source>it was the first scan.</source>
+        <translation>c’était le premier cycle.</translation>
+    </message>
+    <message>
+        <source>other variables were forced.</source>
+        <translation>d’autres variables étaient forcées.</translation>
+    </message>
+    <message>
+        <source>{0} became {1}.</source>
+        <translation>{0} est devenu {1}.</translation>
+    </message>
+    <message>
+        <source>{0} became {1}, {2}.</source>
+        <translation>{0} est devenu {1}, {2}.</translation>
+    </message>
+    <message>
+        <source>{0} changed.</source>
+        <translation>{0} a changé.</translation>
+    </message>
+    <message>
+        <source>{0} changed, {1}.</source>
+        <translation>{0} a changé, {1}.</translation>
+    </message>
+    <message>
+        <source>{0} was {1}.</source>
+        <translation>{0} était {1}.</translation>
+    </message>
+    <message>
+        <source>{0} was {1} since {2}, {3}.</source>
+        <translation>{0} était {1} depuis {2}, {3}.</translation>
+    </message>
+    <message>
+        <source>{0}   → {1}</source>
+        <translation>{0}   → {1}</translation>
+    </message>
+    <message>
+        <source>it ran because {0} was {1}</source>
+        <translation>exécuté parce que {0} était {1}</translation>
+    </message>
+    <message>
+        <source>nothing wrote it later because {0} was {1}</source>
+        <translation>rien ne l’a écrit ensuite parce que {0} était {1}</translation>
+    </message>
+    <message>
+        <source>a statement that would write it did not run because {0} was {1}</source>
+        <translation>une instruction qui l’écrirait n’a pas été exécutée parce que {0} était {1}</translation>
+    </message>
+    <message>
+        <source>{0} ({1})</source>
+        <translation>{0} ({1})</translation>
+    </message>
+    <message>
+        <source>{0}</source>
+        <translation>{0}</translation>
+    </message>
+    <message>
+        <source>{0}: {1}</source>
+        <translation>{0}&#xa0;: {1}</translation>
+    </message>
+    <message>
+        <source>{0} was {1} when the scan began</source>
+        <translation>{0} était {1} au début du cycle</translation>
+    </message>
+    <message>
+        <source>{0}   {1}</source>
+        <translation>{0}   {1}</translation>
+    </message>
+    <message>
+        <source>its time of {0} is over</source>
+        <translation>son temps de {0} est écoulé</translation>
+    </message>
+    <message>
+        <source>it does not run</source>
+        <translation>ne tourne pas</translation>
+    </message>
+    <message>
+        <source>it has run {0} of {1}, {2} to go</source>
+        <translation>{0} sur {1} écoulés, reste {2}</translation>
+    </message>
+    <message>
+        <source>it has counted {0} of {1}</source>
+        <translation>a compté {0} sur {1}</translation>
+    </message>
+    <message>
+        <source>No change of up to three variables makes it {0} in this scan.</source>
+        <translation>Aucun changement de trois variables au plus ne la rend {0} dans ce cycle.</translation>
+    </message>
+    <message>
+        <source>It would be {0} if {1}.</source>
+        <translation>Elle serait {0} si {1}.</translation>
+    </message>
+    <message>
+        <source>It would also be {0} if {1}.</source>
+        <translation>Elle serait aussi {0} si {1}.</translation>
+    </message>
+    <message>
+        <source>{0} were {1} (it is {2})</source>
+        <translation>{0} était {1} (actuellement {2})</translation>
+    </message>
+    <message>
+        <source>{0} and {1}</source>
+        <translation>{0} et {1}</translation>
+    </message>
+    <message>
+        <source>What keeps it {0}</source>
+        <translation>Ce qui la maintient à {0}</translation>
+    </message>
+    <message>
+        <source>Note: {0}.</source>
+        <translation>Remarque&#xa0;: {0}.</translation>
+    </message>
+    <message>
+        <source>recorded by an earlier version, which kept no journal</source>
+        <translation>enregistré par une version antérieure, qui ne tenait pas de journal</translation>
+    </message>
+    <message>
+        <source>it was written to while it was halted at a breakpoint</source>
+        <translation>des valeurs ont été écrites pendant l’arrêt à un point d’arrêt</translation>
+    </message>
+    <message>
+        <source>the scan had another result when it was run again</source>
+        <translation>le cycle a donné un autre résultat lors de sa réexécution</translation>
+    </message>
+    <message>
+        <source>it has no value in this scan: {0}</source>
+        <translation>pas de valeur dans ce cycle&#xa0;: {0}</translation>
+    </message>
+    <message>
+        <source>&quot;Why not?&quot; needs a condition (BOOL), for example &quot;Main.level &gt; 80&quot;</source>
+        <translation>«&#xa0;Pourquoi pas&#x202f;?&#xa0;» demande une condition (BOOL), par exemple «&#xa0;Main.level &gt; 80&#xa0;»</translation>
+    </message>
+    <message>
+        <source>the program was not built from sources</source>
+        <translation>le programme n’a pas été compilé à partir de sources</translation>
+    </message>
+    <message>
+        <source>this scan is not in the recording</source>
+        <translation>ce cycle n’est pas dans l’enregistrement</translation>
+    </message>
+    <message>
+        <source>it does not change in this recording</source>
+        <translation>ne change pas dans cet enregistrement</translation>
+    </message>
+    <message>
+        <source>nothing wrote it in this scan</source>
+        <translation>rien ne l’a écrit dans ce cycle</translation>
+    </message>
+    <message>
+        <source>no statement of the project ran in this scan</source>
+        <translation>aucune instruction du projet n’a été exécutée dans ce cycle</translation>
+    </message>
 </context>
 <context>
     <name>LongTask</name>
     <message>
         <source>Cancel</source>
         <translation>Annuler</translation>
+    </message>
+</context>
+<context>
+    <name>Loops</name>
+    <message>
+        <source>The program has no controller block; name the signals with --input and --output</source>
+        <translation>Le programme n’a pas de bloc régulateur&#x202f;; indiquez les signaux avec --input et --output</translation>
+    </message>
+    <message>
+        <source>There is no single loop {0}; the program has {1}</source>
+        <translation>Il n’y a pas de boucle unique {0}&#x202f;; le programme a {1}</translation>
+    </message>
+    <message>
+        <source>The recording contains no program that knows it</source>
+        <translation>L’enregistrement ne contient aucun programme qui la connaît</translation>
+    </message>
+    <message>
+        <source>It is not a number and cannot be a signal of a loop</source>
+        <translation>Ce n’est pas un nombre et ne peut pas être un signal de boucle</translation>
+    </message>
+    <message>
+        <source>This range is no longer recorded, or the program was changed in it; choose another one</source>
+        <translation>Cette plage n’est plus enregistrée, ou le programme y a été modifié&#x202f;; choisissez-en une autre</translation>
+    </message>
+    <message>
+        <source>{0} gets an expression in the call; give the measured value a variable of its own to try settings</source>
+        <translation>{0} reçoit une expression dans l’appel&#x202f;; donnez à la valeur mesurée sa propre variable pour essayer des paramètres</translation>
     </message>
 </context>
 <context>
@@ -2791,8 +4307,8 @@
     <message numerus="yes">
         <source>%n scan(s) skipped: the machine was late</source>
         <translation>
-            <numerusform>%n cycle sauté : l’ordinateur était en retard</numerusform>
-            <numerusform>%n cycles sautés : l’ordinateur était en retard</numerusform>
+            <numerusform>%n cycle sauté&#xa0;: l’ordinateur était en retard</numerusform>
+            <numerusform>%n cycles sautés&#xa0;: l’ordinateur était en retard</numerusform>
         </translation>
     </message>
     <message>
@@ -2801,3694 +4317,34 @@
     </message>
 </context>
 <context>
-    <name>PlotText</name>
+    <name>Notes</name>
     <message>
-        <source>no longer kept</source>
-        <translation>n’est plus conservé</translation>
+        <source>first declared here</source>
+        <translation>première déclaration ici</translation>
     </message>
     <message>
-        <source>did not exist</source>
-        <translation>n’existait pas</translation>
+        <source>declared here</source>
+        <translation>déclaré ici</translation>
     </message>
     <message>
-        <source>scans skipped</source>
-        <translation>cycles sautés</translation>
+        <source>the variable</source>
+        <translation>la variable</translation>
     </message>
     <message>
-        <source>not recorded</source>
-        <translation>non enregistré</translation>
+        <source>the first program</source>
+        <translation>le premier programme</translation>
     </message>
     <message>
-        <source>Time [%1]</source>
-        <translation>Temps [%1]</translation>
+        <source>overridden here</source>
+        <translation>redéfini ici</translation>
     </message>
     <message>
-        <source>Time from the trigger [%1]</source>
-        <translation>Temps depuis le déclenchement [%1]</translation>
+        <source>the first one</source>
+        <translation>le premier</translation>
     </message>
     <message>
-        <source>Channel</source>
-        <translation>Voie</translation>
-    </message>
-    <message>
-        <source>At A</source>
-        <translation>En A</translation>
-    </message>
-    <message>
-        <source>At B</source>
-        <translation>En B</translation>
-    </message>
-    <message>
-        <source>Min</source>
-        <translation>Min</translation>
-    </message>
-    <message>
-        <source>Max</source>
-        <translation>Max</translation>
-    </message>
-    <message>
-        <source>Mean</source>
-        <translation>Moyenne</translation>
-    </message>
-    <message>
-        <source>RMS</source>
-        <translation>Valeur efficace</translation>
-    </message>
-    <message>
-        <source>Rise time</source>
-        <translation>Temps de montée</translation>
-    </message>
-    <message>
-        <source>Overshoot</source>
-        <translation>Dépassement</translation>
-    </message>
-    <message>
-        <source>Settling</source>
-        <translation>Temps de stabilisation</translation>
-    </message>
-</context>
-<context>
-    <name>TraceText</name>
-    <message>
-        <source>Triggered at %1.</source>
-        <translation>Déclenchement à %1.</translation>
-    </message>
-    <message>
-        <source>The trigger did not fire.</source>
-        <translation>Le déclenchement n’a pas eu lieu.</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::ConversionDialog</name>
-    <message>
-        <source>%1 as ST</source>
-        <translation>%1 en ST</translation>
-    </message>
-    <message>
-        <source>%1 as an Instruction List</source>
-        <translation>%1 en liste d’instructions</translation>
-    </message>
-    <message>
-        <source>Instruction list, as it stands</source>
-        <translation>Liste d’instructions (texte actuel)</translation>
-    </message>
-    <message>
-        <source>ST, as it stands</source>
-        <translation>ST (texte actuel)</translation>
-    </message>
-    <message>
-        <source>The same as ST</source>
-        <translation>La même chose en ST</translation>
-    </message>
-    <message>
-        <source>The same as an instruction list</source>
-        <translation>La même chose en liste d’instructions</translation>
-    </message>
-    <message>
-        <source>Both give the same results. Replacing is one step of undo; comments stay, each above its statement.</source>
-        <translation>Les deux donnent les mêmes résultats. Le remplacement peut être annulé en une seule étape ; les commentaires restent, chacun au-dessus de son instruction.</translation>
-    </message>
-    <message>
-        <source>Replace the Text</source>
-        <translation>Remplacer le texte</translation>
-    </message>
-    <message>
-        <source>Copy</source>
-        <translation>Copier</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::EditorTabs</name>
-    <message>
-        <source>Documents</source>
-        <translation>Documents</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Fermer</translation>
-    </message>
-    <message>
-        <source>Close Others</source>
-        <translation>Fermer les autres</translation>
-    </message>
-    <message>
-        <source>Unsaved changes</source>
-        <translation>Modifications non enregistrées</translation>
-    </message>
-    <message>
-        <source>%1 was changed. Save it?</source>
-        <translation>%1 a été modifié. L’enregistrer ?</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n file(s) were changed: %1. Save them?</source>
-        <translation>
-            <numerusform>%n fichier a été modifié : %1. L’enregistrer ?</numerusform>
-            <numerusform>%n fichiers ont été modifiés : %1. Les enregistrer ?</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Changed outside</source>
-        <translation>Modifié à l’extérieur</translation>
-    </message>
-    <message>
-        <source>%1 was changed by another program, and here too. Load the file from disk and lose the changes made here?</source>
-        <translation>%1 a été modifié par un autre programme, et ici aussi. Charger le fichier du disque et perdre les modifications faites ici ?</translation>
-    </message>
-    <message numerus="yes">
-        <source>Changed in %n file(s); those edited since stay as they are</source>
-        <translation>
-            <numerusform>Modifié dans %n fichier ; ceux modifiés depuis restent tels quels</numerusform>
-            <numerusform>Modifié dans %n fichiers ; ceux modifiés depuis restent tels quels</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Changed in %n file(s)</source>
-        <translation>
-            <numerusform>Modifié dans %n fichier</numerusform>
-            <numerusform>Modifié dans %n fichiers</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Read-only file</source>
-        <translation>Fichier en lecture seule</translation>
-    </message>
-    <message>
-        <source>%1 is read-only. Replace it all the same? It stays read-only.</source>
-        <translation>%1 est en lecture seule. Le remplacer quand même ? Il reste en lecture seule.</translation>
-    </message>
-    <message>
-        <source>Replace</source>
-        <translation>Remplacer</translation>
-    </message>
-    <message>
-        <source>%1 was not saved</source>
-        <translation>%1 n’a pas été enregistré</translation>
-    </message>
-    <message>
-        <source>%1 is no variable of the running program</source>
-        <translation>%1 n’est pas une variable du programme en cours</translation>
-    </message>
-    <message>
-        <source>Force</source>
-        <translation>Forcer</translation>
-    </message>
-    <message>
-        <source>Write</source>
-        <translation>Écrire</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::LiveViews</name>
-    <message>
-        <source>Panel shown</source>
-        <translation>Vue affichée</translation>
-    </message>
-    <message>
-        <source>Full screen (Esc ends it)</source>
-        <translation>Plein écran (Échap pour quitter)</translation>
-    </message>
-    <message>
-        <source>This project has no panel yet.
-New panels are drawn in the designer: Project, Panels, New…</source>
-        <translation>Ce projet n’a pas encore de vue.
-Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouveau…</translation>
-    </message>
-    <message>
-        <source>The alarm history is kept in memory only: %1</source>
-        <translation>L’historique des alarmes n’est conservé qu’en mémoire : %1</translation>
-    </message>
-    <message>
-        <source>Saving the recording…</source>
-        <translation>Écriture de l’enregistrement…</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::MainWindow</name>
-    <message>
-        <source>A panel&apos;s name is a file name: no / and no \</source>
-        <translation>Le nom d’une vue est un nom de fichier : ni / ni \</translation>
-    </message>
-    <message>
-        <source>Name of the panel:</source>
-        <translation>Nom de la vue :</translation>
-    </message>
-    <message>
-        <source>New Panel</source>
-        <translation>Nouvelle vue</translation>
-    </message>
-    <message>
-        <source>overview</source>
-        <translation>vue_generale</translation>
-    </message>
-    <message>
-        <source>Project</source>
-        <translation>Projet</translation>
-    </message>
-    <message>
-        <source>Watch</source>
-        <translation>Surveillance</translation>
-    </message>
-    <message>
-        <source>Forces</source>
-        <translation>Forçages</translation>
-    </message>
-    <message>
-        <source>Call Path</source>
-        <translation>Pile d’appels</translation>
-    </message>
-    <message>
-        <source>Breakpoints</source>
-        <translation>Points d’arrêt</translation>
-    </message>
-    <message>
-        <source>Problems</source>
-        <translation>Problèmes</translation>
-    </message>
-    <message>
-        <source>Search</source>
-        <translation>Recherche</translation>
-    </message>
-    <message>
-        <source>Tasks</source>
-        <translation>Tâches</translation>
-    </message>
-    <message>
-        <source>Log</source>
-        <translation>Journal</translation>
-    </message>
-    <message>
-        <source>Trace</source>
-        <translation>Trace</translation>
-    </message>
-    <message>
-        <source>Panel</source>
-        <translation>Vue</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Temps</translation>
-    </message>
-    <message>
-        <source>Recent Projects</source>
-        <translation>Projets récents</translation>
-    </message>
-    <message>
-        <source>View</source>
-        <translation>Affichage</translation>
-    </message>
-    <message>
-        <source>Main</source>
-        <translation>Barre d’outils</translation>
-    </message>
-    <message>
-        <source>State of the controller</source>
-        <translation>État de l’automate</translation>
-    </message>
-    <message>
-        <source>%1 : %2</source>
-        <translation>%1 : %2</translation>
-    </message>
-    <message>
-        <source>OFFLINE</source>
-        <translation>HORS LIGNE</translation>
-    </message>
-    <message>
-        <source>RUN</source>
-        <translation>RUN</translation>
-    </message>
-    <message>
-        <source>PAUSE</source>
-        <translation>PAUSE</translation>
-    </message>
-    <message>
-        <source>HALT</source>
-        <translation>HALTE</translation>
-    </message>
-    <message>
-        <source>FAULT</source>
-        <translation>ERREUR</translation>
-    </message>
-    <message>
-        <source>STOP</source>
-        <translation>STOP</translation>
-    </message>
-    <message>
-        <source>PAST</source>
-        <translation>PASSÉ</translation>
-    </message>
-    <message>
-        <source>%1 · scan %2</source>
-        <translation>%1 · cycle %2</translation>
-    </message>
-    <message>
-        <source>%1 µs · %2 % load</source>
-        <translation>%1 µs · charge %2 %</translation>
-    </message>
-    <message>
-        <source>%1 MB recorded</source>
-        <translation>%1 Mo enregistrés</translation>
-    </message>
-    <message>
-        <source>%1 scans of %2 MB at most</source>
-        <translation>%1 cycles, %2 Mo au maximum</translation>
-    </message>
-    <message>
-        <source>Go to the line</source>
-        <translation>Aller à la ligne</translation>
-    </message>
-    <message>
-        <source>no problems</source>
-        <translation>aucun problème</translation>
-    </message>
-    <message>
-        <source>Open Project</source>
-        <translation>Ouvrir un projet</translation>
-    </message>
-    <message>
-        <source>%1 – Stepwise</source>
-        <translation>%1 – Stepwise</translation>
-    </message>
-    <message>
-        <source>Recovery</source>
-        <translation>Récupération</translation>
-    </message>
-    <message>
-        <source>The studio ended without saving. Unsaved changes of %1 were kept. Restore them?</source>
-        <translation>Le studio s’est terminé sans enregistrer. Les modifications non enregistrées de %1 ont été conservées. Les restaurer ?</translation>
-    </message>
-    <message>
-        <source>Go to Line</source>
-        <translation>Aller à la ligne</translation>
-    </message>
-    <message>
-        <source>Line (1 to %1)</source>
-        <translation>Ligne (1 à %1)</translation>
-    </message>
-    <message>
-        <source>Nothing is declared under this name</source>
-        <translation>Rien n’est déclaré sous ce nom</translation>
-    </message>
-    <message>
-        <source>There is no name at the cursor</source>
-        <translation>Il n’y a pas de nom sous le curseur</translation>
-    </message>
-    <message>
-        <source>Rename</source>
-        <translation>Renommer</translation>
-    </message>
-    <message>
-        <source>New name of %1, in the whole project:</source>
-        <translation>Nouveau nom de %1, dans tout le projet :</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 is now %2 in %n place(s)</source>
-        <translation>
-            <numerusform>%1 s’appelle maintenant %2, à %n endroit</numerusform>
-            <numerusform>%1 s’appelle maintenant %2, à %n endroits</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Delete %1?</source>
-        <translation>Supprimer %1 ?</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>Supprimer</translation>
-    </message>
-    <message>
-        <source>Libraries</source>
-        <translation>Bibliothèques</translation>
-    </message>
-    <message>
-        <source>The tests run…</source>
-        <translation>Les tests sont en cours…</translation>
-    </message>
-    <message>
-        <source>passed: %1</source>
-        <translation>réussi : %1</translation>
-    </message>
-    <message>
-        <source>FAILED: %1</source>
-        <translation>ÉCHEC : %1</translation>
-    </message>
-    <message>
-        <source>%1 passed, %2 failed</source>
-        <translation>%1 réussis, %2 en échec</translation>
-    </message>
-    <message>
-        <source>Real time</source>
-        <translation>Temps réel</translation>
-    </message>
-    <message>
-        <source>As fast as possible</source>
-        <translation>Aussi vite que possible</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>Vitesse</translation>
-    </message>
-    <message>
-        <source>Recording</source>
-        <translation>Enregistrement</translation>
-    </message>
-    <message>
-        <source>Memory for the recording of every scan [MB]:</source>
-        <translation>Mémoire pour l’enregistrement de chaque cycle [Mo] :</translation>
-    </message>
-    <message>
-        <source>Save the Recording</source>
-        <translation>Sauvegarder l’enregistrement</translation>
-    </message>
-    <message>
-        <source>Recordings (*.rec)</source>
-        <translation>Enregistrements (*.rec)</translation>
-    </message>
-    <message>
-        <source>Saved: %1</source>
-        <translation>Enregistré : %1</translation>
-    </message>
-    <message>
-        <source>About Stepwise</source>
-        <translation>À propos de Stepwise</translation>
-    </message>
-    <message>
-        <source>&lt;h3&gt;Stepwise 0.1&lt;/h3&gt;&lt;p&gt;An open PLC studio: IEC 61131-3 programs as native code, every scan recorded, operator panels in many languages.&lt;/p&gt;&lt;p&gt;Licence: GPL-3.0&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Stepwise 0.1&lt;/h3&gt;&lt;p&gt;Un studio ouvert pour automates (API) : programmes CEI 61131-3 en code natif, chaque cycle enregistré, vues opérateur en plusieurs langues.&lt;/p&gt;&lt;p&gt;Licence : GPL-3.0&lt;/p&gt;</translation>
-    </message>
-    <message>
-        <source>Welcome</source>
-        <translation>Bienvenue</translation>
-    </message>
-    <message>
-        <source>This is a PID controller working on a simulated process: the program above, its trace below, its operator panel at the right. Nothing can break: the plant is only numbers. Press Next to look around for a minute, or F5 to run it at once.</source>
-        <translation>Voici un régulateur PID sur un procédé simulé : le programme en haut, sa trace en bas, sa vue opérateur à droite. Rien ne peut être endommagé : l’installation n’est faite que de nombres. Cliquez sur Suivant pour une courte visite, ou appuyez sur F5 pour démarrer tout de suite.</translation>
-    </message>
-    <message>
-        <source>The project</source>
-        <translation>Le projet</translation>
-    </message>
-    <message>
-        <source>Programs, blocks, tasks, panels, traces and tests, made from the text files in the folder.</source>
-        <translation>Programmes, blocs, tâches, vues, traces et tests, issus des fichiers texte du dossier.</translation>
-    </message>
-    <message>
-        <source>The program</source>
-        <translation>Le programme</translation>
-    </message>
-    <message>
-        <source>Structured Text with colours by meaning. Errors are underlined while you type; Alt+Enter mends what it can; Ctrl+Space completes.</source>
-        <translation>Texte structuré coloré selon le sens. Les erreurs sont soulignées pendant la saisie ; Alt+Entrée corrige ce qui peut l’être ; Ctrl+Espace complète.</translation>
-    </message>
-    <message>
-        <source>Run</source>
-        <translation>Exécution</translation>
-    </message>
-    <message>
-        <source>F5 compiles to native code and runs it. Values then stand beside each line.</source>
-        <translation>F5 compile en code natif et exécute. Les valeurs s’affichent alors à côté de chaque ligne.</translation>
-    </message>
-    <message>
-        <source>Any expression, at any moment. Prepare a value and write or force it with one click.</source>
-        <translation>N’importe quelle expression, à tout moment. Préparez une valeur, puis écrivez-la ou forcez-la d’un clic.</translation>
-    </message>
-    <message>
-        <source>The trace</source>
-        <translation>La trace</translation>
-    </message>
-    <message>
-        <source>Nothing had to be chosen before it happened: every scan is recorded, and a chart can be made of any expression afterwards.</source>
-        <translation>Rien n’était à choisir à l’avance : chaque cycle est enregistré, et une courbe de n’importe quelle expression peut être tracée après coup.</translation>
-    </message>
-    <message>
-        <source>The panel</source>
-        <translation>La vue</translation>
-    </message>
-    <message>
-        <source>What the operator sees, in the languages of the machine. It works here as it will on the machine.</source>
-        <translation>Ce que voit l’opérateur, dans les langues de la machine. Elle fonctionne ici comme sur la machine.</translation>
-    </message>
-    <message>
-        <source>Time runs backwards, too</source>
-        <translation>Le temps s’écoule aussi à rebours</translation>
-    </message>
-    <message>
-        <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume From Here” goes on from there.</source>
-        <translation>Faites glisser le curseur temporel, ou appuyez sur Ctrl+Alt+Gauche : le code, les courbes et la vue affichent le passé. « Reprendre ici » repart de là.</translation>
-    </message>
-    <message>
-        <source>That is it</source>
-        <translation>C’est tout</translation>
-    </message>
-    <message>
-        <source>Ctrl+Shift+P finds every command. The start page has more machines to play with.</source>
-        <translation>Ctrl+Maj+P trouve chaque commande. La page de démarrage propose d’autres machines à essayer.</translation>
-    </message>
-    <message>
-        <source>Texts</source>
-        <translation>Textes</translation>
-    </message>
-    <message>
-        <source>Alarms</source>
-        <translation>Alarmes</translation>
-    </message>
-    <message>
-        <source>File</source>
-        <translation>Fichier</translation>
-    </message>
-    <message>
-        <source>New Project…</source>
-        <translation>Nouveau projet…</translation>
-    </message>
-    <message>
-        <source>Open Project…</source>
-        <translation>Ouvrir un projet…</translation>
-    </message>
-    <message>
-        <source>Close Project</source>
-        <translation>Fermer le projet</translation>
-    </message>
-    <message>
-        <source>New Program, Block, Type…</source>
-        <translation>Ajouter un programme, un bloc, un type…</translation>
-    </message>
-    <message>
-        <source>Save</source>
-        <translation>Enregistrer</translation>
-    </message>
-    <message>
-        <source>New Panel…</source>
-        <translation>Nouvelle vue…</translation>
-    </message>
-    <message>
-        <source>Panel Texts</source>
-        <translation>Textes des vues</translation>
-    </message>
-    <message>
-        <source>Save All</source>
-        <translation>Enregistrer tout</translation>
-    </message>
-    <message>
-        <source>Close Document</source>
-        <translation>Fermer le document</translation>
-    </message>
-    <message>
-        <source>Libraries…</source>
-        <translation>Bibliothèques…</translation>
-    </message>
-    <message>
-        <source>Settings…</source>
-        <translation>Paramètres…</translation>
-    </message>
-    <message>
-        <source>Quit</source>
-        <translation>Quitter</translation>
-    </message>
-    <message>
-        <source>Edit</source>
-        <translation>Édition</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Annuler</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>Rétablir</translation>
-    </message>
-    <message>
-        <source>Cut</source>
-        <translation>Couper</translation>
-    </message>
-    <message>
-        <source>Copy</source>
-        <translation>Copier</translation>
-    </message>
-    <message>
-        <source>Paste</source>
-        <translation>Coller</translation>
-    </message>
-    <message>
-        <source>Find…</source>
-        <translation>Rechercher…</translation>
-    </message>
-    <message>
-        <source>Replace…</source>
-        <translation>Remplacer…</translation>
-    </message>
-    <message>
-        <source>Find Next</source>
-        <translation>Rechercher le suivant</translation>
-    </message>
-    <message>
-        <source>Find Previous</source>
-        <translation>Rechercher le précédent</translation>
-    </message>
-    <message>
-        <source>Find in All Files…</source>
-        <translation>Rechercher dans tous les fichiers…</translation>
-    </message>
-    <message>
-        <source>Go to Line…</source>
-        <translation>Aller à la ligne…</translation>
-    </message>
-    <message>
-        <source>Go to Definition</source>
-        <translation>Aller à la définition</translation>
-    </message>
-    <message>
-        <source>Find All Uses</source>
-        <translation>Rechercher les utilisations</translation>
-    </message>
-    <message>
-        <source>Rename…</source>
-        <translation>Renommer…</translation>
-    </message>
-    <message>
-        <source>Complete</source>
-        <translation>Compléter</translation>
-    </message>
-    <message>
-        <source>Apply a Fix (Alt+Enter)</source>
-        <translation>Appliquer une correction (Alt+Entrée)</translation>
-    </message>
-    <message>
-        <source>Format</source>
-        <translation>Mettre en forme</translation>
-    </message>
-    <message>
-        <source>Comment In or Out (Ctrl+/)</source>
-        <translation>Commenter ou décommenter (Ctrl+/)</translation>
-    </message>
-    <message>
-        <source>Duplicate</source>
-        <translation>Dupliquer la ligne</translation>
-    </message>
-    <message>
-        <source>Select the Block Around</source>
-        <translation>Sélectionner le bloc englobant</translation>
-    </message>
-    <message>
-        <source>Go to the Matching Word</source>
-        <translation>Aller au mot-clé correspondant</translation>
-    </message>
-    <message>
-        <source>Next Problem</source>
-        <translation>Problème suivant</translation>
-    </message>
-    <message>
-        <source>Previous Problem</source>
-        <translation>Problème précédent</translation>
-    </message>
-    <message>
-        <source>Back</source>
-        <translation>Précédent</translation>
-    </message>
-    <message>
-        <source>Forward</source>
-        <translation>Suivant</translation>
-    </message>
-    <message>
-        <source>Build</source>
-        <translation>Compiler</translation>
-    </message>
-    <message>
-        <source>Pause</source>
-        <translation>Pause</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>Arrêter</translation>
-    </message>
-    <message>
-        <source>Single Scan</source>
-        <translation>Un seul cycle</translation>
-    </message>
-    <message>
-        <source>Step In</source>
-        <translation>Pas à pas détaillé</translation>
-    </message>
-    <message>
-        <source>Step Over</source>
-        <translation>Pas à pas principal</translation>
-    </message>
-    <message>
-        <source>Step Out</source>
-        <translation>Pas à pas sortant</translation>
-    </message>
-    <message>
-        <source>Run to Cursor</source>
-        <translation>Exécuter jusqu’au curseur</translation>
-    </message>
-    <message>
-        <source>Toggle Breakpoint</source>
-        <translation>Basculer le point d’arrêt</translation>
-    </message>
-    <message>
-        <source>Reset Warm</source>
-        <translation>Reset à chaud</translation>
-    </message>
-    <message>
-        <source>Reset Cold</source>
-        <translation>Reset à froid</translation>
-    </message>
-    <message>
-        <source>Reset Origin</source>
-        <translation>Reset d’origine</translation>
-    </message>
-    <message>
-        <source>Online Change</source>
-        <translation>Modification en ligne</translation>
-    </message>
-    <message>
-        <source>Speed…</source>
-        <translation>Vitesse…</translation>
-    </message>
-    <message>
-        <source>Memory for the Recording…</source>
-        <translation>Mémoire pour l’enregistrement…</translation>
-    </message>
-    <message>
-        <source>Save the Recording…</source>
-        <translation>Sauvegarder l’enregistrement…</translation>
-    </message>
-    <message>
-        <source>Write Prepared Values</source>
-        <translation>Écrire les valeurs préparées</translation>
-    </message>
-    <message>
-        <source>Force Prepared Values</source>
-        <translation>Forcer les valeurs préparées</translation>
-    </message>
-    <message>
-        <source>Release All Forces</source>
-        <translation>Lever tous les forçages</translation>
-    </message>
-    <message>
-        <source>Run the Tests</source>
-        <translation>Exécuter les tests</translation>
-    </message>
-    <message>
-        <source>One Scan Back</source>
-        <translation>Un cycle en arrière</translation>
-    </message>
-    <message>
-        <source>One Scan Forward</source>
-        <translation>Un cycle en avant</translation>
-    </message>
-    <message>
-        <source>Back to Live</source>
-        <translation>Retour au direct</translation>
-    </message>
-    <message>
-        <source>Resume From Here</source>
-        <translation>Reprendre ici</translation>
-    </message>
-    <message>
-        <source>Command Palette</source>
-        <translation>Palette de commandes</translation>
-    </message>
-    <message>
-        <source>Split the Editor</source>
-        <translation>Fractionner l’éditeur</translation>
-    </message>
-    <message>
-        <source>Declarations as a Table</source>
-        <translation>Déclarations en tableau</translation>
-    </message>
-    <message>
-        <source>Chart Beside the Text</source>
-        <translation>Grafcet à côté du texte</translation>
-    </message>
-    <message>
-        <source>Online Values in the Text</source>
-        <translation>Valeurs en ligne dans le texte</translation>
-    </message>
-    <message>
-        <source>Larger</source>
-        <translation>Agrandir</translation>
-    </message>
-    <message>
-        <source>Smaller</source>
-        <translation>Réduire</translation>
-    </message>
-    <message>
-        <source>Light Theme</source>
-        <translation>Thème clair</translation>
-    </message>
-    <message>
-        <source>Dark Theme</source>
-        <translation>Thème sombre</translation>
-    </message>
-    <message>
-        <source>Theme of the System</source>
-        <translation>Thème du système</translation>
-    </message>
-    <message>
-        <source>Reset the Layout</source>
-        <translation>Réinitialiser la disposition</translation>
-    </message>
-    <message>
-        <source>Help</source>
-        <translation>Aide</translation>
-    </message>
-    <message>
-        <source>Tour</source>
-        <translation>Visite guidée</translation>
-    </message>
-    <message>
-        <source>Open a Recording…</source>
-        <translation>Ouvrir un enregistrement…</translation>
-    </message>
-    <message>
-        <source>All values are of a recording from a file. A click goes back to the controller.</source>
-        <translation>Toutes les valeurs proviennent d’un enregistrement dans un fichier. Un clic ramène à l’automate.</translation>
-    </message>
-    <message>
-        <source>RECORDING</source>
-        <translation>ENREGISTREMENT</translation>
-    </message>
-    <message>
-        <source>%1 – back to live</source>
-        <translation>%1 – retour au direct</translation>
-    </message>
-    <message>
-        <source>Panel %1</source>
-        <translation>Vue %1</translation>
-    </message>
-    <message>
-        <source>Unsaved changes</source>
-        <translation>Modifications non enregistrées</translation>
-    </message>
-    <message>
-        <source>%1 was changed. Save it?</source>
-        <translation>%1 a été modifié. L’enregistrer ?</translation>
-    </message>
-    <message>
-        <source>Open a Recording</source>
-        <translation>Ouvrir un enregistrement</translation>
-    </message>
-    <message>
-        <source>Show as ST…</source>
-        <translation>Afficher en ST…</translation>
-    </message>
-    <message>
-        <source>Show as an Instruction List…</source>
-        <translation>Afficher en liste d’instructions…</translation>
-    </message>
-    <message>
-        <source>Put the cursor into a unit that is written in ST or IL</source>
-        <translation>Placez le curseur dans un POU écrit en ST ou en IL</translation>
-    </message>
-    <message>
-        <source>The text has changed meanwhile</source>
-        <translation>Le texte a changé entre-temps</translation>
-    </message>
-    <message>
-        <source>New Trace…</source>
-        <translation>Nouvelle trace…</translation>
-    </message>
-    <message numerus="yes">
-        <source>It is used in %n other place(s).</source>
-        <translation>
-            <numerusform>Utilisé à %n autre endroit.</numerusform>
-            <numerusform>Utilisé à %n autres endroits.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Delete and Comment Out the Uses</source>
-        <translation>Supprimer et commenter les utilisations</translation>
-    </message>
-    <message>
-        <source>Show the Uses</source>
-        <translation>Afficher les utilisations</translation>
-    </message>
-    <message>
-        <source>New Trace</source>
-        <translation>Nouvelle trace</translation>
-    </message>
-    <message>
-        <source>Name of the trace:</source>
-        <translation>Nom de la trace :</translation>
-    </message>
-    <message>
-        <source>trace</source>
-        <translation>trace</translation>
-    </message>
-    <message>
-        <source>A file name holds no / and no \</source>
-        <translation>Un nom de fichier ne contient ni / ni \</translation>
-    </message>
-    <message>
-        <source>There is a trace %1 already</source>
-        <translation>Une trace %1 existe déjà</translation>
-    </message>
-    <message>
-        <source>New name of %1:</source>
-        <translation>Nouveau nom de %1 :</translation>
-    </message>
-    <message>
-        <source>There is a file %1 already</source>
-        <translation>Un fichier %1 existe déjà</translation>
-    </message>
-    <message>
-        <source>The file can not be renamed; check the permissions of the folder</source>
-        <translation>Le fichier ne peut pas être renommé ; vérifiez les droits du dossier</translation>
-    </message>
-    <message>
-        <source>These panels lead to it; their buttons will be problems: %1</source>
-        <translation>Ces vues y renvoient ; leurs boutons seront signalés comme problèmes : %1</translation>
-    </message>
-    <message>
-        <source>The file can not be removed; check the permissions of the folder</source>
-        <translation>Le fichier ne peut pas être supprimé ; vérifiez les droits du dossier</translation>
-    </message>
-    <message>
-        <source>The build was cancelled; everything is as it was</source>
-        <translation>La compilation a été annulée ; tout est comme avant</translation>
-    </message>
-    <message>
-        <source>Tests</source>
-        <translation>Tests</translation>
-    </message>
-    <message>
-        <source>The tests were cancelled</source>
-        <translation>Les tests ont été annulés</translation>
-    </message>
-    <message>
-        <source>Cancelled: nothing was saved</source>
-        <translation>Annulé : rien n’a été enregistré</translation>
-    </message>
-    <message>
-        <source>%1 is written in %2 and is saved as it was found</source>
-        <translation>%1 est écrit en %2 et sera enregistré tel quel</translation>
-    </message>
-    <message>
-        <source>This is a copy of the example, in %1: change what you like</source>
-        <translation>Ceci est une copie de l’exemple, dans %1 : modifiez ce que vous voulez</translation>
-    </message>
-    <message>
-        <source>This is your copy of the example, in %1</source>
-        <translation>Ceci est votre copie de l’exemple, dans %1</translation>
-    </message>
-    <message>
-        <source>The project is still being checked; try again in a moment</source>
-        <translation>Le projet est encore en cours de vérification ; réessayez dans un instant</translation>
-    </message>
-    <message>
-        <source>It holds %1.</source>
-        <translation>Il contient %1.</translation>
-    </message>
-    <message>
-        <source>The language changes when the tests have ended</source>
-        <translation>La langue change quand les tests sont terminés</translation>
-    </message>
-    <message>
-        <source>Fault of the controller</source>
-        <translation>Erreur de l’automate</translation>
-    </message>
-    <message>
-        <source>RUN %1</source>
-        <translation>RUN %1</translation>
-    </message>
-    <message>
-        <source>at full speed</source>
-        <translation>à pleine vitesse</translation>
-    </message>
-    <message>
-        <source>%1 ×</source>
-        <translation>%1 ×</translation>
-    </message>
-    <message>
-        <source>Speed of the controller; any factor can be typed:</source>
-        <translation>Vitesse de l’automate ; tout facteur peut être saisi :</translation>
-    </message>
-    <message>
-        <source>The speed is a factor from 0.001 to 10000</source>
-        <translation>La vitesse est un facteur de 0.001 à 10000</translation>
-    </message>
-    <message>
-        <source>Import…</source>
-        <translation>Importer…</translation>
-    </message>
-    <message>
-        <source>Export…</source>
-        <translation>Exporter…</translation>
-    </message>
-    <message>
-        <source>The project was exported</source>
-        <translation>Le projet a été exporté</translation>
-    </message>
-    <message>
-        <source>%1 is written in %2 and is saved as it was found</source>
-        <translation>%1 est écrit en %2 et sera enregistré tel quel</translation>
-    </message>
-    <message>
-        <source>Select the Next Occurrence Too</source>
-        <translation>Sélectionner aussi l’occurrence suivante</translation>
-    </message>
-    <message>
-        <source>Arrange for Editing</source>
-        <translation>Disposition pour l’édition</translation>
-    </message>
-    <message>
-        <source>Arrange for Debugging</source>
-        <translation>Disposition pour le débogage</translation>
-    </message>
-    <message>
-        <source>Arrange for Drawing Panels</source>
-        <translation>Disposition pour dessiner des vues</translation>
-    </message>
-    <message>
-        <source>Maximise the Editor</source>
-        <translation>Agrandir l’éditeur</translation>
-    </message>
-    <message>
-        <source>Keeping the recording of the last run…</source>
-        <translation>Conservation de l’enregistrement de la dernière exécution…</translation>
-    </message>
-    <message>
-        <source>%1 is not UTF-8 and was read as Windows-1252; saving it writes UTF-8</source>
-        <translation>%1 n’est pas en UTF-8 et a été lu en Windows-1252 ; il sera enregistré en UTF-8</translation>
-    </message>
-    <message>
-        <source>Diagram Beside the Text</source>
-        <translation>Schéma à côté du texte</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::NewProjectDialog</name>
-    <message>
-        <source>Empty</source>
-        <translation>Vide</translation>
-    </message>
-    <message>
-        <source>One program in a task of 10 ms</source>
-        <translation>Un programme dans une tâche de 10 ms</translation>
-    </message>
-    <message>
-        <source>Motor</source>
-        <translation>Moteur</translation>
-    </message>
-    <message>
-        <source>Start, stop, a simulated motor and a test</source>
-        <translation>Marche, arrêt, un moteur simulé et un test</translation>
-    </message>
-    <message>
-        <source>PID loop</source>
-        <translation>Boucle PID</translation>
-    </message>
-    <message>
-        <source>A temperature loop with its plant</source>
-        <translation>Une boucle de température avec son installation</translation>
-    </message>
-    <message>
-        <source>Sequence</source>
-        <translation>Séquence</translation>
-    </message>
-    <message>
-        <source>Fill, mix, empty as a sequential function chart</source>
-        <translation>Remplir, mélanger, vider, en grafcet (SFC)</translation>
-    </message>
-    <message>
-        <source>New Project</source>
-        <translation>Nouveau projet</translation>
-    </message>
-    <message>
-        <source>Template</source>
-        <translation>Modèle</translation>
-    </message>
-    <message>
-        <source>My machine</source>
-        <translation>Ma machine</translation>
-    </message>
-    <message>
-        <source>Choose a folder</source>
-        <translation>Choisir un dossier</translation>
-    </message>
-    <message>
-        <source>Folder of the project</source>
-        <translation>Dossier du projet</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Nom</translation>
-    </message>
-    <message>
-        <source>In folder</source>
-        <translation>Dans le dossier</translation>
-    </message>
-    <message>
-        <source>Create</source>
-        <translation>Créer</translation>
-    </message>
-    <message>
-        <source>The project needs a name</source>
-        <translation>Saisissez un nom de projet</translation>
-    </message>
-    <message>
-        <source>%1 exists already and is not empty</source>
-        <translation>%1 existe déjà et n’est pas vide</translation>
-    </message>
-    <message>
-        <source>Will be made in %1</source>
-        <translation>Sera créé dans %1</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::NewUnitDialog</name>
-    <message>
-        <source>Program</source>
-        <translation>Programme</translation>
-    </message>
-    <message>
-        <source>Function block</source>
-        <translation>Bloc fonctionnel</translation>
-    </message>
-    <message>
-        <source>Function</source>
-        <translation>Fonction</translation>
-    </message>
-    <message>
-        <source>Structure</source>
-        <translation>Structure</translation>
-    </message>
-    <message>
-        <source>Enumeration</source>
-        <translation>Énumération</translation>
-    </message>
-    <message>
-        <source>Interface</source>
-        <translation>Interface</translation>
-    </message>
-    <message>
-        <source>Global variables</source>
-        <translation>Variables globales</translation>
-    </message>
-    <message>
-        <source>Sequential function chart</source>
-        <translation>Grafcet (SFC)</translation>
-    </message>
-    <message>
-        <source>Simulation of the plant</source>
-        <translation>Simulation de l’installation</translation>
-    </message>
-    <message>
-        <source>Test</source>
-        <translation>Test</translation>
-    </message>
-    <message>
-        <source>New</source>
-        <translation>Nouveau</translation>
-    </message>
-    <message>
-        <source>a file of its own</source>
-        <translation>un fichier à part</translation>
-    </message>
-    <message>
-        <source>Kind</source>
-        <translation>Genre</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Nom</translation>
-    </message>
-    <message>
-        <source>In</source>
-        <translation>Dans</translation>
-    </message>
-    <message>
-        <source>Create</source>
-        <translation>Créer</translation>
-    </message>
-    <message>
-        <source>Give it a name</source>
-        <translation>Saisissez un nom</translation>
-    </message>
-    <message>
-        <source>A name has letters, digits and _, begins with a letter and is no keyword</source>
-        <translation>Un nom se compose de lettres, de chiffres et de _, commence par une lettre et n’est pas un mot-clé</translation>
-    </message>
-    <message>
-        <source>There is a %1 in the project already</source>
-        <translation>%1 existe déjà dans le projet</translation>
-    </message>
-    <message>
-        <source>There is a file %1 already: choose it, or another name</source>
-        <translation>Le fichier %1 existe déjà : choisissez-le, ou un autre nom</translation>
-    </message>
-    <message>
-        <source>Program as a ladder diagram</source>
-        <translation>Programme en schéma à contacts (LD)</translation>
-    </message>
-    <message>
-        <source>Program as a function block diagram</source>
-        <translation>Programme en diagramme de blocs fonctionnels (FBD)</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::ProblemsView</name>
-    <message>
-        <source>Message</source>
-        <translation>Message</translation>
-    </message>
-    <message>
-        <source>Code</source>
-        <translation>Code</translation>
-    </message>
-    <message>
-        <source>Place</source>
-        <translation>Emplacement</translation>
-    </message>
-    <message>
-        <source>Problems</source>
-        <translation>Problèmes</translation>
-    </message>
-    <message>
-        <source>Show errors</source>
-        <translation>Afficher les erreurs</translation>
-    </message>
-    <message>
-        <source>Show warnings</source>
-        <translation>Afficher les avertissements</translation>
-    </message>
-    <message>
-        <source>Show notes</source>
-        <translation>Afficher les remarques</translation>
-    </message>
-    <message>
-        <source>Filter</source>
-        <translation>Filtre</translation>
-    </message>
-    <message>
-        <source>Filter of the problem list</source>
-        <translation>Filtre de la liste des problèmes</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::ProjectTree</name>
-    <message>
-        <source>Project</source>
-        <translation>Projet</translation>
-    </message>
-    <message>
-        <source>Filter</source>
-        <translation>Filtre</translation>
-    </message>
-    <message>
-        <source>Filter of the project tree</source>
-        <translation>Filtre de l’arborescence du projet</translation>
-    </message>
-    <message>
-        <source>Chart</source>
-        <translation>Grafcet</translation>
-    </message>
-    <message>
-        <source>Programs</source>
-        <translation>Programmes</translation>
-    </message>
-    <message>
-        <source>Blocks</source>
-        <translation>Blocs</translation>
-    </message>
-    <message>
-        <source>Functions</source>
-        <translation>Fonctions</translation>
-    </message>
-    <message>
-        <source>Types</source>
-        <translation>Types</translation>
-    </message>
-    <message>
-        <source>Globals</source>
-        <translation>Variables globales</translation>
-    </message>
-    <message>
-        <source>Tasks</source>
-        <translation>Tâches</translation>
-    </message>
-    <message>
-        <source>Simulation</source>
-        <translation>Simulation</translation>
-    </message>
-    <message>
-        <source>Panels</source>
-        <translation>Vues</translation>
-    </message>
-    <message>
-        <source>Texts</source>
-        <translation>Textes</translation>
-    </message>
-    <message>
-        <source>Alarms</source>
-        <translation>Alarmes</translation>
-    </message>
-    <message>
-        <source>Traces</source>
-        <translation>Traces</translation>
-    </message>
-    <message>
-        <source>Tests</source>
-        <translation>Tests</translation>
-    </message>
-    <message>
-        <source>Libraries</source>
-        <translation>Bibliothèques</translation>
-    </message>
-    <message>
-        <source>New…</source>
-        <translation>Nouveau…</translation>
-    </message>
-    <message>
-        <source>Open</source>
-        <translation>Ouvrir</translation>
-    </message>
-    <message>
-        <source>Rename…</source>
-        <translation>Renommer…</translation>
-    </message>
-    <message>
-        <source>Delete…</source>
-        <translation>Supprimer…</translation>
-    </message>
-    <message>
-        <source>Libraries…</source>
-        <translation>Bibliothèques…</translation>
-    </message>
-    <message>
-        <source>Run Tests</source>
-        <translation>Exécuter les tests</translation>
-    </message>
-    <message>
-        <source>Watch</source>
-        <translation>Ajouter à la surveillance</translation>
-    </message>
-    <message>
-        <source>Arrange by file</source>
-        <translation>Classer par fichier</translation>
-    </message>
-    <message>
-        <source>Files</source>
-        <translation>Fichiers</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::SearchView</name>
-    <message>
-        <source>Find in all files</source>
-        <translation>Rechercher dans tous les fichiers</translation>
-    </message>
-    <message>
-        <source>Text to find in all files</source>
-        <translation>Texte à rechercher dans tous les fichiers</translation>
-    </message>
-    <message>
-        <source>Replace by</source>
-        <translation>Remplacer par</translation>
-    </message>
-    <message>
-        <source>Replacement in all files</source>
-        <translation>Texte de remplacement dans tous les fichiers</translation>
-    </message>
-    <message>
-        <source>Regular expression</source>
-        <translation>Expression régulière</translation>
-    </message>
-    <message>
-        <source>Match case</source>
-        <translation>Respecter la casse</translation>
-    </message>
-    <message>
-        <source>Find</source>
-        <translation>Rechercher</translation>
-    </message>
-    <message>
-        <source>Replace All</source>
-        <translation>Remplacer tout</translation>
-    </message>
-    <message>
-        <source>Place</source>
-        <translation>Emplacement</translation>
-    </message>
-    <message>
-        <source>Use</source>
-        <translation>Utilisation</translation>
-    </message>
-    <message>
-        <source>Line</source>
-        <translation>Ligne</translation>
-    </message>
-    <message>
-        <source>Search results</source>
-        <translation>Résultats de la recherche</translation>
-    </message>
-    <message>
-        <source>Not a pattern: %1</source>
-        <translation>Expression régulière incorrecte : %1</translation>
-    </message>
-    <message>
-        <source>%1 in %2</source>
-        <translation>%1 dans %2</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n place(s)</source>
-        <translation>
-            <numerusform>%n endroit</numerusform>
-            <numerusform>%n endroits</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n file(s)</source>
-        <translation>
-            <numerusform>%n fichier</numerusform>
-            <numerusform>%n fichiers</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n place(s) replaced</source>
-        <translation>
-            <numerusform>%n endroit remplacé</numerusform>
-            <numerusform>%n endroits remplacés</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>declared</source>
-        <translation>déclaré</translation>
-    </message>
-    <message>
-        <source>read, write</source>
-        <translation>lecture, écriture</translation>
-    </message>
-    <message>
-        <source>write</source>
-        <translation>écriture</translation>
-    </message>
-    <message>
-        <source>read</source>
-        <translation>lecture</translation>
-    </message>
-    <message>
-        <source>%1: %2 read, %3 written</source>
-        <translation>%1 : %2 lectures, %3 écritures</translation>
-    </message>
-    <message>
-        <source>Searching all files…</source>
-        <translation>Recherche dans tous les fichiers…</translation>
-    </message>
-    <message>
-        <source>Cancelled; so far: %1 in %2</source>
-        <translation>Annulé ; jusqu’ici : %1 dans %2</translation>
-    </message>
-    <message>
-        <source>Replacing in all files…</source>
-        <translation>Remplacement dans tous les fichiers…</translation>
-    </message>
-    <message>
-        <source>Cancelled; nothing was replaced</source>
-        <translation>Annulé ; rien n’a été remplacé</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::SettingsDialog</name>
-    <message>
-        <source>Settings</source>
-        <translation>Paramètres</translation>
-    </message>
-    <message>
-        <source>General</source>
-        <translation>Général</translation>
-    </message>
-    <message>
-        <source>Editor</source>
-        <translation>Éditeur</translation>
-    </message>
-    <message>
-        <source>Running</source>
-        <translation>Exécution</translation>
-    </message>
-    <message>
-        <source>Shortcuts</source>
-        <translation>Raccourcis</translation>
-    </message>
-    <message>
-        <source>As the system</source>
-        <translation>Comme le système</translation>
-    </message>
-    <message>
-        <source>Light</source>
-        <translation>Clair</translation>
-    </message>
-    <message>
-        <source>Dark</source>
-        <translation>Sombre</translation>
-    </message>
-    <message>
-        <source>Theme</source>
-        <translation>Thème</translation>
-    </message>
-    <message>
-        <source>Language of the studio</source>
-        <translation>Langue du studio</translation>
-    </message>
-    <message>
-        <source>Indentation</source>
-        <translation>Retrait</translation>
-    </message>
-    <message>
-        <source>Write keywords in capitals while typing</source>
-        <translation>Mettre les mots-clés en majuscules pendant la saisie</translation>
-    </message>
-    <message>
-        <source>Close blocks with Enter (IF … END_IF)</source>
-        <translation>Fermer les blocs avec Entrée (IF … END_IF)</translation>
-    </message>
-    <message>
-        <source>Show online values in the text</source>
-        <translation>Afficher les valeurs en ligne dans le texte</translation>
-    </message>
-    <message>
-        <source>Format when saving</source>
-        <translation>Mettre en forme à l’enregistrement</translation>
-    </message>
-    <message>
-        <source>Saving changes the running controller (online change)</source>
-        <translation>Appliquer une modification en ligne à l’enregistrement</translation>
-    </message>
-    <message>
-        <source>Memory for the recording of every scan</source>
-        <translation>Mémoire pour l’enregistrement de chaque cycle</translation>
-    </message>
-    <message>
-        <source>Filter</source>
-        <translation>Filtre</translation>
-    </message>
-    <message>
-        <source>Action</source>
-        <translation>Commande</translation>
-    </message>
-    <message>
-        <source>Shortcut</source>
-        <translation>Raccourci</translation>
-    </message>
-    <message>
-        <source>Another action has the same shortcut</source>
-        <translation>Une autre commande a le même raccourci</translation>
-    </message>
-    <message>
-        <source>Shortcut of %1</source>
-        <translation>Raccourci de %1</translation>
-    </message>
-    <message>
-        <source>Filter of the actions</source>
-        <translation>Filtre des commandes</translation>
-    </message>
-    <message>
-        <source>All Defaults</source>
-        <translation>Valeurs par défaut</translation>
-    </message>
-    <message>
-        <source>%1 now belongs to “%2”; “%3” loses it.</source>
-        <translation>%1 appartient maintenant à « %2 » ; « %3 » le perd.</translation>
-    </message>
-    <message>
-        <source>none is kept</source>
-        <translation>aucun n’est conservé</translation>
-    </message>
-    <message>
-        <source>Disk space for the recordings of earlier runs, per project</source>
-        <translation>Espace disque pour les enregistrements des exécutions précédentes, par projet</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::StPage</name>
-    <message>
-        <source>This file is read-only on disk. Saving asks before it replaces it.</source>
-        <translation>Ce fichier est en lecture seule sur le disque. L’enregistrement demande confirmation avant de le remplacer.</translation>
-    </message>
-    <message>
-        <source>Make Writable</source>
-        <translation>Rendre modifiable</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::StartPage</name>
-    <message>
-        <source>Write, run and watch PLC programs. Every scan is recorded; time runs backwards, too.</source>
-        <translation>Écrivez, exécutez et surveillez des programmes d’automate. Chaque cycle est enregistré ; le temps s’écoule aussi à rebours.</translation>
-    </message>
-    <message>
-        <source>Recent projects</source>
-        <translation>Projets récents</translation>
-    </message>
-    <message>
-        <source>Examples</source>
-        <translation>Exemples</translation>
-    </message>
-    <message>
-        <source>New Project…</source>
-        <translation>Nouveau projet…</translation>
-    </message>
-    <message>
-        <source>Open Project…</source>
-        <translation>Ouvrir un projet…</translation>
-    </message>
-    <message>
-        <source>Take the Tour</source>
-        <translation>Suivre la visite guidée</translation>
-    </message>
-    <message>
-        <source>Recent</source>
-        <translation>Récents</translation>
-    </message>
-    <message>
-        <source>Examples: open one and press Run</source>
-        <translation>Exemples : ouvrez-en un et lancez l’exécution</translation>
-    </message>
-    <message>
-        <source>Open</source>
-        <translation>Ouvrir</translation>
-    </message>
-    <message>
-        <source>Open a Fresh Copy</source>
-        <translation>Ouvrir une nouvelle copie</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::Tour</name>
-    <message>
-        <source>Back</source>
-        <translation>Précédent</translation>
-    </message>
-    <message>
-        <source>Next</source>
-        <translation>Suivant</translation>
-    </message>
-    <message>
-        <source>End the tour</source>
-        <translation>Terminer la visite</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 sur %2</translation>
-    </message>
-    <message>
-        <source>Done</source>
-        <translation>Terminé</translation>
-    </message>
-</context>
-<context>
-    <name>plc::editor::BreakpointView</name>
-    <message>
-        <source>Place</source>
-        <translation>Emplacement</translation>
-    </message>
-    <message>
-        <source>Condition</source>
-        <translation>Condition</translation>
-    </message>
-    <message>
-        <source>Hit count</source>
-        <translation>Nombre de passages</translation>
-    </message>
-    <message>
-        <source>Instance</source>
-        <translation>Instance</translation>
-    </message>
-    <message>
-        <source>Breakpoints</source>
-        <translation>Points d’arrêt</translation>
-    </message>
-    <message>
-        <source>Remove selected</source>
-        <translation>Supprimer la sélection</translation>
-    </message>
-    <message>
-        <source>Remove all</source>
-        <translation>Tout supprimer</translation>
-    </message>
-    <message>
-        <source>The program that runs has no code at this line or below it</source>
-        <translation>Le programme en cours n’a pas de code à cette ligne ni plus bas</translation>
-    </message>
-</context>
-<context>
-    <name>plc::editor::CallPathView</name>
-    <message>
-        <source>Unit</source>
-        <translation>POU</translation>
-    </message>
-    <message>
-        <source>Instance</source>
-        <translation>Instance</translation>
-    </message>
-    <message>
-        <source>Line</source>
-        <translation>Ligne</translation>
-    </message>
-    <message>
-        <source>Call path</source>
-        <translation>Pile d’appels</translation>
-    </message>
-    <message>
-        <source>Variable</source>
-        <translation>Variable</translation>
-    </message>
-    <message>
-        <source>Value</source>
-        <translation>Valeur</translation>
-    </message>
-    <message>
-        <source>Values of the frame</source>
-        <translation>Valeurs du niveau d’appel</translation>
-    </message>
-</context>
-<context>
-    <name>plc::editor::ChartView</name>
-    <message>
-        <source>Sequential function chart</source>
-        <translation>Grafcet (SFC)</translation>
-    </message>
-    <message>
-        <source>Insert a step behind (Ins)</source>
-        <translation>Insérer une étape après (Inser)</translation>
-    </message>
-    <message>
-        <source>Insert a branch beside</source>
-        <translation>Insérer une branche alternative</translation>
-    </message>
-    <message>
-        <source>Insert a simultaneous branch</source>
-        <translation>Insérer une divergence simultanée</translation>
-    </message>
-    <message>
-        <source>Add an action</source>
-        <translation>Ajouter une action</translation>
-    </message>
-    <message>
-        <source>Edit name or condition (F2)</source>
-        <translation>Modifier le nom ou la condition (F2)</translation>
-    </message>
-    <message>
-        <source>Delete (Del)</source>
-        <translation>Supprimer (Suppr)</translation>
-    </message>
-    <message>
-        <source>Show all</source>
-        <translation>Tout afficher</translation>
-    </message>
-    <message>
-        <source>Export the chart</source>
-        <translation>Exporter le grafcet</translation>
-    </message>
-    <message>
-        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
-        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <source>%1 can not be written</source>
-        <translation>%1 ne peut pas être écrit</translation>
-    </message>
-    <message>
-        <source>Print…</source>
-        <translation>Imprimer…</translation>
-    </message>
-    <message>
-        <source>The unit %1 is not in the text any more</source>
-        <translation>Le POU %1 n’est plus dans le texte</translation>
-    </message>
-    <message>
-        <source>The text has errors: this is the last good drawing</source>
-        <translation>Le texte contient des erreurs : ceci est le dernier tracé correct</translation>
-    </message>
-    <message>
-        <source>%1 is not a chart</source>
-        <translation>%1 n’est pas un grafcet</translation>
-    </message>
-    <message>
-        <source>Mend the text first: this is the last good drawing</source>
-        <translation>Corrigez d’abord le texte : ceci est le dernier tracé correct</translation>
-    </message>
-    <message>
-        <source>Select the step from which the branch goes out</source>
-        <translation>Sélectionnez l’étape d’où part la branche</translation>
-    </message>
-    <message>
-        <source>Select the transition behind which the steps run at the same time</source>
-        <translation>Sélectionnez la transition après laquelle les étapes sont simultanées</translation>
-    </message>
-    <message>
-        <source>Select the step that gets the action</source>
-        <translation>Sélectionnez l’étape qui reçoit l’action</translation>
-    </message>
-    <message>
-        <source>Insert a Step Behind</source>
-        <translation>Insérer une étape après</translation>
-    </message>
-    <message>
-        <source>Insert a Branch Beside</source>
-        <translation>Insérer une branche alternative</translation>
-    </message>
-    <message>
-        <source>Insert a Simultaneous Branch</source>
-        <translation>Insérer une divergence simultanée</translation>
-    </message>
-    <message>
-        <source>Add an Action</source>
-        <translation>Ajouter une action</translation>
-    </message>
-    <message>
-        <source>Make It the Initial Step</source>
-        <translation>Définir comme étape initiale</translation>
-    </message>
-    <message>
-        <source>Force the Step On</source>
-        <translation>Forcer l’étape active</translation>
-    </message>
-    <message>
-        <source>Release the Step</source>
-        <translation>Lever le forçage de l’étape</translation>
-    </message>
-    <message>
-        <source>Toggle Breakpoint</source>
-        <translation>Basculer le point d’arrêt</translation>
-    </message>
-    <message>
-        <source>Edit</source>
-        <translation>Édition</translation>
-    </message>
-    <message>
-        <source>Move Left</source>
-        <translation>Déplacer à gauche</translation>
-    </message>
-    <message>
-        <source>Move Right</source>
-        <translation>Déplacer à droite</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>Supprimer</translation>
-    </message>
-    <message>
-        <source>Branch to the left</source>
-        <translation>Branche à gauche</translation>
-    </message>
-    <message>
-        <source>Branch to the right</source>
-        <translation>Branche à droite</translation>
-    </message>
-    <message>
-        <source>%1 behind this transition</source>
-        <translation>%1 après cette transition</translation>
-    </message>
-    <message>
-        <source>leads to %1</source>
-        <translation>mène à %1</translation>
-    </message>
-    <message>
-        <source>further up</source>
-        <translation>plus haut</translation>
-    </message>
-    <message>
-        <source>further down</source>
-        <translation>plus bas</translation>
-    </message>
-    <message>
-        <source>%1 in step %2</source>
-        <translation>%1 dans l’étape %2</translation>
-    </message>
-    <message>
-        <source>A condition is a BOOL</source>
-        <translation>Une condition est un BOOL</translation>
-    </message>
-    <message>
-        <source>qualifier</source>
-        <translation>qualificatif</translation>
-    </message>
-    <message>
-        <source>action</source>
-        <translation>action</translation>
-    </message>
-    <message>
-        <source>To the chart around (Backspace)</source>
-        <translation>Vers le grafcet supérieur (Retour arrière)</translation>
-    </message>
-    <message>
-        <source>Breakpoint: stops when the step becomes active, when the transition is taken (F9)</source>
-        <translation>Point d’arrêt : arrêt quand l’étape devient active ou quand la transition est franchie (F9)</translation>
-    </message>
-    <message>
-        <source>Force the step on</source>
-        <translation>Forcer l’étape active</translation>
-    </message>
-    <message>
-        <source>Release the step</source>
-        <translation>Lever le forçage de l’étape</translation>
-    </message>
-    <message>
-        <source>Export as SVG, PNG or PDF…</source>
-        <translation>Exporter en SVG, PNG ou PDF…</translation>
-    </message>
-    <message>
-        <source>%1 is a variable: it has no body</source>
-        <translation>%1 est une variable : elle n’a pas de corps</translation>
-    </message>
-    <message>
-        <source>Select a step or a transition</source>
-        <translation>Sélectionnez une étape ou une transition</translation>
-    </message>
-    <message>
-        <source>Select a step</source>
-        <translation>Sélectionnez une étape</translation>
-    </message>
-    <message>
-        <source>Open Its Chart or Text</source>
-        <translation>Ouvrir son grafcet ou son texte</translation>
-    </message>
-    <message>
-        <source>Priority…</source>
-        <translation>Priorité…</translation>
-    </message>
-    <message>
-        <source>Move Up</source>
-        <translation>Déplacer vers le haut</translation>
-    </message>
-    <message>
-        <source>Move Down</source>
-        <translation>Déplacer vers le bas</translation>
-    </message>
-    <message>
-        <source>Delete the Whole Branch</source>
-        <translation>Supprimer toute la branche</translation>
-    </message>
-</context>
-<context>
-    <name>plc::editor::DeclarationTable</name>
-    <message>
-        <source>Section</source>
-        <translation>Section</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Nom</translation>
-    </message>
-    <message>
-        <source>Address</source>
-        <translation>Adresse</translation>
-    </message>
-    <message>
-        <source>Type</source>
-        <translation>Type</translation>
-    </message>
-    <message>
-        <source>Initial value</source>
-        <translation>Valeur initiale</translation>
-    </message>
-    <message>
-        <source>Comment</source>
-        <translation>Commentaire</translation>
-    </message>
-    <message>
-        <source>Value</source>
-        <translation>Valeur</translation>
-    </message>
-    <message>
-        <source>Declarations</source>
-        <translation>Déclarations</translation>
-    </message>
-    <message>
-        <source>Add a variable</source>
-        <translation>Ajouter une variable</translation>
-    </message>
-    <message>
-        <source>Remove the selected variables</source>
-        <translation>Supprimer les variables sélectionnées</translation>
-    </message>
-    <message>
-        <source>Move up</source>
-        <translation>Déplacer vers le haut</translation>
-    </message>
-    <message>
-        <source>Move down</source>
-        <translation>Déplacer vers le bas</translation>
-    </message>
-</context>
-<context>
-    <name>plc::editor::EventLog</name>
-    <message>
-        <source>Time</source>
-        <translation>Temps</translation>
-    </message>
-    <message>
-        <source>PLC time</source>
-        <translation>Temps API</translation>
-    </message>
-    <message>
-        <source>Scan</source>
-        <translation>Cycle</translation>
-    </message>
-    <message>
-        <source>Event</source>
-        <translation>Événement</translation>
-    </message>
-    <message>
-        <source>Events</source>
-        <translation>Événements</translation>
-    </message>
-    <message>
-        <source>Clear</source>
-        <translation>Effacer</translation>
-    </message>
-    <message>
-        <source>Copy the selected rows, else all</source>
-        <translation>Copier les lignes sélectionnées, sinon toutes</translation>
-    </message>
-    <message>
-        <source>Copy</source>
-        <translation>Copier</translation>
-    </message>
-    <message>
-        <source>Only faults and refusals</source>
-        <translation>Erreurs et refus seulement</translation>
-    </message>
-    <message>
-        <source>Filter</source>
-        <translation>Filtre</translation>
-    </message>
-    <message>
-        <source>Filter of the events</source>
-        <translation>Filtre des événements</translation>
-    </message>
-    <message>
-        <source>Step: %1</source>
-        <translation>Étape : %1</translation>
-    </message>
-    <message>
-        <source>%1 at %2</source>
-        <comment>event at file:line</comment>
-        <translation>%1 à %2</translation>
-    </message>
-</context>
-<context>
-    <name>plc::editor::FindBar</name>
-    <message>
-        <source>Find</source>
-        <translation>Rechercher</translation>
-    </message>
-    <message>
-        <source>Text to find</source>
-        <translation>Texte à rechercher</translation>
-    </message>
-    <message>
-        <source>Replace by</source>
-        <translation>Remplacer par</translation>
-    </message>
-    <message>
-        <source>Replacement</source>
-        <translation>Texte de remplacement</translation>
-    </message>
-    <message>
-        <source>Match case</source>
-        <translation>Respecter la casse</translation>
-    </message>
-    <message>
-        <source>Whole words</source>
-        <translation>Mots entiers</translation>
-    </message>
-    <message>
-        <source>Regular expression</source>
-        <translation>Expression régulière</translation>
-    </message>
-    <message>
-        <source>Previous (Shift+Enter)</source>
-        <translation>Précédent (Maj+Entrée)</translation>
-    </message>
-    <message>
-        <source>Next (Enter)</source>
-        <translation>Suivant (Entrée)</translation>
-    </message>
-    <message>
-        <source>Close (Esc)</source>
-        <translation>Fermer (Échap)</translation>
-    </message>
-    <message>
-        <source>Replace</source>
-        <translation>Remplacer</translation>
-    </message>
-    <message>
-        <source>Replace All</source>
-        <translation>Remplacer tout</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n replaced</source>
-        <translation>
-            <numerusform>%n remplacé</numerusform>
-            <numerusform>%n remplacés</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>not a pattern</source>
-        <translation>expression régulière incorrecte</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n found</source>
-        <translation>
-            <numerusform>%n trouvé</numerusform>
-            <numerusform>%n trouvés</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>not found</source>
-        <translation>introuvable</translation>
-    </message>
-</context>
-<context>
-    <name>plc::editor::ForceView</name>
-    <message>
-        <source>Variable</source>
-        <translation>Variable</translation>
-    </message>
-    <message>
-        <source>Forced value</source>
-        <translation>Valeur forcée</translation>
-    </message>
-    <message>
-        <source>Forced variables</source>
-        <translation>Variables forcées</translation>
-    </message>
-    <message>
-        <source>Release selected</source>
-        <translation>Lever le forçage de la sélection</translation>
-    </message>
-    <message>
-        <source>Release all</source>
-        <translation>Lever tous les forçages</translation>
-    </message>
-</context>
-<context>
-    <name>plc::editor::RunControl</name>
-    <message>
-        <source>Built in %1 ms</source>
-        <translation>Compilé en %1 ms</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n error(s): the program was not built</source>
-        <translation>
-            <numerusform>%n erreur : le programme n’a pas été compilé</numerusform>
-            <numerusform>%n erreurs : le programme n’a pas été compilé</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Online change: %1 kept, %2 new, %3 lost</source>
-        <translation>Modification en ligne : %1 variables conservées, %2 nouvelles, %3 supprimées</translation>
-    </message>
-    <message>
-        <source>The change waits for the end of the scan</source>
-        <translation>La modification attend la fin du cycle</translation>
-    </message>
-    <message>
-        <source>The program has errors; the controller goes on with the old one</source>
-        <translation>Le programme contient des erreurs ; l’automate continue avec l’ancien</translation>
-    </message>
-    <message>
-        <source>did not exist in this scan</source>
-        <translation>n’existait pas dans ce cycle</translation>
-    </message>
-    <message>
-        <source>Building</source>
-        <translation>Compilation</translation>
-    </message>
-    <message>
-        <source>Not optimised: the quick code goes on</source>
-        <translation>Non optimisé : le code compilé rapidement continue</translation>
-    </message>
-    <message>
-        <source>Optimising</source>
-        <translation>Optimisation</translation>
-    </message>
-    <message>
-        <source>There is no code at or below line %1 of %2</source>
-        <translation>Il n’y a pas de code à la ligne %1 de %2 ni plus bas</translation>
-    </message>
-    <message>
-        <source>The condition of the breakpoint: %1</source>
-        <translation>La condition du point d’arrêt : %1</translation>
-    </message>
-</context>
-<context>
-    <name>plc::editor::StEditor</name>
-    <message>
-        <source>Structured Text editor</source>
-        <translation>Éditeur de texte structuré</translation>
-    </message>
-    <message>
-        <source>Declare %1</source>
-        <translation>Déclarer %1</translation>
-    </message>
-    <message>
-        <source>There is no fix for this line</source>
-        <translation>Il n’y a pas de correction pour cette ligne</translation>
-    </message>
-    <message>
-        <source>Go to Definition</source>
-        <translation>Aller à la définition</translation>
-    </message>
-    <message>
-        <source>Find All Uses</source>
-        <translation>Rechercher les utilisations</translation>
-    </message>
-    <message>
-        <source>Rename…</source>
-        <translation>Renommer…</translation>
-    </message>
-    <message>
-        <source>Add to Watch</source>
-        <translation>Ajouter à la surveillance</translation>
-    </message>
-    <message>
-        <source>Toggle Breakpoint</source>
-        <translation>Basculer le point d’arrêt</translation>
-    </message>
-    <message>
-        <source>CR</source>
-        <comment>current result of an instruction list</comment>
-        <translation>RC</translation>
-    </message>
-    <message>
-        <source>Declare %1 as an input</source>
-        <translation>Déclarer %1 comme entrée</translation>
-    </message>
-    <message>
-        <source>Declare %1 as an output</source>
-        <translation>Déclarer %1 comme sortie</translation>
-    </message>
-    <message>
-        <source>Declare %1 as a global variable</source>
-        <translation>Déclarer %1 comme variable globale</translation>
-    </message>
-    <message>
-        <source>Declare %1 in %2</source>
-        <translation>Déclarer %1 dans %2</translation>
-    </message>
-    <message>
-        <source>Write a Value…</source>
-        <translation>Écrire une valeur…</translation>
-    </message>
-    <message>
-        <source>Force…</source>
-        <translation>Forcer…</translation>
-    </message>
-    <message>
-        <source>Release the Force</source>
-        <translation>Lever le forçage</translation>
-    </message>
-</context>
-<context>
-    <name>plc::editor::TaskMonitor</name>
-    <message>
-        <source>Histogram of execution times</source>
-        <translation>Histogramme des temps d’exécution</translation>
-    </message>
-    <message>
-        <source>Execution times appear here while the controller runs</source>
-        <translation>Les temps d’exécution s’affichent ici quand l’automate est en marche</translation>
-    </message>
-    <message>
-        <source>Task</source>
-        <translation>Tâche</translation>
-    </message>
-    <message>
-        <source>Runs</source>
-        <translation>Exécutions</translation>
-    </message>
-    <message>
-        <source>Last</source>
-        <translation>Dernier</translation>
-    </message>
-    <message>
-        <source>Min</source>
-        <translation>Min</translation>
-    </message>
-    <message>
-        <source>Mean</source>
-        <translation>Moyenne</translation>
-    </message>
-    <message>
-        <source>Max</source>
-        <translation>Max</translation>
-    </message>
-    <message>
-        <source>Jitter</source>
-        <translation>Gigue</translation>
-    </message>
-    <message>
-        <source>Overruns</source>
-        <translation>Dépassements</translation>
-    </message>
-    <message>
-        <source>Load</source>
-        <translation>Charge</translation>
-    </message>
-    <message>
-        <source>Tasks</source>
-        <translation>Tâches</translation>
-    </message>
-    <message>
-        <source>Reset the statistics</source>
-        <translation>Réinitialiser les statistiques</translation>
-    </message>
-</context>
-<context>
-    <name>plc::editor::WatchView</name>
-    <message>
-        <source>Expression</source>
-        <translation>Expression</translation>
-    </message>
-    <message>
-        <source>Value</source>
-        <translation>Valeur</translation>
-    </message>
-    <message>
-        <source>Type</source>
-        <translation>Type</translation>
-    </message>
-    <message>
-        <source>Prepared</source>
-        <translation>Préparée</translation>
-    </message>
-    <message>
-        <source>Comment</source>
-        <translation>Commentaire</translation>
-    </message>
-    <message>
-        <source>Watch list</source>
-        <translation>Liste de surveillance</translation>
-    </message>
-    <message>
-        <source>Add an expression: Main.x, a[i] * 2, fb.Q AND NOT done</source>
-        <translation>Ajouter une expression : Main.x, a[i] * 2, fb.Q AND NOT done</translation>
-    </message>
-    <message>
-        <source>New watch expression</source>
-        <translation>Nouvelle expression de surveillance</translation>
-    </message>
-    <message>
-        <source>Write prepared values</source>
-        <translation>Écrire les valeurs préparées</translation>
-    </message>
-    <message>
-        <source>Force prepared values</source>
-        <translation>Forcer les valeurs préparées</translation>
-    </message>
-    <message>
-        <source>Release the selected forces</source>
-        <translation>Lever les forçages sélectionnés</translation>
-    </message>
-    <message>
-        <source>Decimal</source>
-        <translation>Décimal</translation>
-    </message>
-    <message>
-        <source>Hexadecimal</source>
-        <translation>Hexadécimal</translation>
-    </message>
-    <message>
-        <source>Binary</source>
-        <translation>Binaire</translation>
-    </message>
-    <message>
-        <source>Number format</source>
-        <translation>Format des nombres</translation>
-    </message>
-    <message>
-        <source>Toggle</source>
-        <translation>Inverser</translation>
-    </message>
-    <message>
-        <source>Force to %1</source>
-        <translation>Forcer à %1</translation>
-    </message>
-    <message>
-        <source>Release force</source>
-        <translation>Lever le forçage</translation>
-    </message>
-    <message>
-        <source>Show in trace</source>
-        <translation>Afficher dans la trace</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Supprimer</translation>
-    </message>
-    <message>
-        <source>Remove all</source>
-        <translation>Tout supprimer</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <comment>number format</comment>
-        <translation>Temps</translation>
-    </message>
-    <message>
-        <source>Numbers as decimals, in hexadecimal or binary, or milliseconds as a time</source>
-        <translation>Nombres en décimal, en hexadécimal ou en binaire, ou millisecondes sous forme de temps</translation>
-    </message>
-    <message>
-        <source>%1 … %2</source>
-        <comment>stretch of an array</comment>
-        <translation>%1 … %2</translation>
-    </message>
-    <message>
-        <source>Watch</source>
-        <translation>Surveillance</translation>
-    </message>
-    <message>
-        <source>Add, rename or remove a list</source>
-        <translation>Ajouter, renommer ou supprimer une liste</translation>
-    </message>
-    <message>
-        <source>Name of the list:</source>
-        <translation>Nom de la liste :</translation>
-    </message>
-    <message>
-        <source>New List…</source>
-        <translation>Nouvelle liste…</translation>
-    </message>
-    <message>
-        <source>New List</source>
-        <translation>Nouvelle liste</translation>
-    </message>
-    <message>
-        <source>Rename the List…</source>
-        <translation>Renommer la liste…</translation>
-    </message>
-    <message>
-        <source>Rename the List</source>
-        <translation>Renommer la liste</translation>
-    </message>
-    <message>
-        <source>Remove the List</source>
-        <translation>Supprimer la liste</translation>
-    </message>
-    <message>
-        <source>Number Format</source>
-        <translation>Format des nombres</translation>
-    </message>
-    <message>
-        <source>As the list</source>
-        <translation>Comme la liste</translation>
-    </message>
-</context>
-<context>
-    <name>plc::hmi::AlarmEditor</name>
-    <message>
-        <source>Alarm</source>
-        <translation>Alarme</translation>
-    </message>
-    <message>
-        <source>Priority</source>
-        <translation>Priorité</translation>
-    </message>
-    <message>
-        <source>Condition</source>
-        <translation>Condition</translation>
-    </message>
-    <message>
-        <source>Text</source>
-        <translation>Texte</translation>
-    </message>
-    <message>
-        <source>Add an alarm</source>
-        <translation>Ajouter une alarme</translation>
-    </message>
-    <message>
-        <source>Add a class</source>
-        <translation>Ajouter une classe</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Supprimer</translation>
-    </message>
-    <message>
-        <source>Values</source>
-        <translation>Valeurs</translation>
-    </message>
-    <message>
-        <source>Alarms</source>
-        <translation>Alarmes</translation>
-    </message>
-    <message>
-        <source>Classes</source>
-        <translation>Classes</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>aucune</translation>
-    </message>
-    <message>
-        <source>Add alarm</source>
-        <translation>Ajouter une alarme</translation>
-    </message>
-    <message>
-        <source>Add class</source>
-        <translation>Ajouter une classe</translation>
-    </message>
-</context>
-<context>
-    <name>plc::hmi::ArrayDialog</name>
-    <message>
-        <source>Duplicate as array</source>
-        <translation>Dupliquer en tableau</translation>
-    </message>
-    <message>
-        <source>Number of elements</source>
-        <translation>Nombre d’éléments</translation>
-    </message>
-    <message>
-        <source>Columns</source>
-        <translation>Colonnes</translation>
-    </message>
-    <message>
-        <source>Gap across</source>
-        <translation>Écart horizontal</translation>
-        <source>The unit %1 is not in the text any more</source>
-        <translation>Écart horizontal</translation>
-    </message>
-    <message>
-        <source>Gap down</source>
-        <translation>Écart vertical</translation>
-    </message>
-    <message>
-        <source>Index step</source>
-        <translation>Pas d’indice</translation>
-    </message>
-</context>
-<context>
-    <name>plc::hmi::DesignCanvas</name>
-    <message>
-        <source>Move</source>
-        <translation>Déplacer</translation>
-    </message>
-    <message>
-        <source>Resize</source>
-        <translation>Redimensionner</translation>
-        <source>Select the step from which the branch goes out</source>
-        <translation>Redimensionner</translation>
-    </message>
-    <message>
-        <source>Move point</source>
-        <translation>Déplacer le point</translation>
-    </message>
-    <message>
-        <source>Points</source>
-        <translation>Points</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>Supprimer</translation>
-    </message>
-    <message>
-        <source>Insert</source>
-        <translation>Insérer</translation>
-    </message>
-</context>
-<context>
-    <name>plc::hmi::DesignContext</name>
-    <message>
-        <source>Text</source>
-        <translation>Texte</translation>
-    </message>
-    <message>
-        <source>Rename %1</source>
-        <translation>Renommer %1</translation>
-    </message>
-    <message>
-        <source>Alarms</source>
-        <translation>Alarmes</translation>
-    </message>
-</context>
-<context>
-    <name>plc::hmi::Outline</name>
-    <message>
-        <source>Lock</source>
-        <translation>Verrouiller</translation>
-    </message>
-    <message>
-        <source>Reorder</source>
-        <translation>Changer l’ordre</translation>
-    </message>
-</context>
-<context>
-    <name>plc::hmi::Palette</name>
-    <message>
-        <source>Search elements</source>
-        <translation>Rechercher des éléments</translation>
-    </message>
-</context>
-<context>
-    <name>plc::hmi::PanelDesigner</name>
-    <message>
-        <source>Finding</source>
-        <translation>Message</translation>
-    </message>
-    <message>
-        <source>Element</source>
-        <translation>Élément</translation>
-    </message>
-    <message>
-        <source>Language</source>
-        <translation>Langue</translation>
-    </message>
-    <message>
-        <source>Cut</source>
-        <translation>Couper</translation>
-    </message>
-    <message>
-        <source>Copy</source>
-        <translation>Copier</translation>
-    </message>
-    <message>
-        <source>Paste</source>
-        <translation>Coller</translation>
-    </message>
-    <message>
-        <source>Duplicate</source>
-        <translation>Dupliquer</translation>
-    </message>
-    <message>
-        <source>Duplicate as array…</source>
-        <translation>Dupliquer en tableau…</translation>
-    </message>
-    <message>
-        <source>Select all</source>
-        <translation>Tout sélectionner</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>Supprimer</translation>
-    </message>
-    <message>
-        <source>Align left</source>
-        <translation>Aligner à gauche</translation>
-    </message>
-    <message>
-        <source>Align centres</source>
-        <translation>Centrer verticalement l’alignement</translation>
-    </message>
-    <message>
-        <source>Align right</source>
-        <translation>Aligner à droite</translation>
-    </message>
-    <message>
-        <source>Align top</source>
-        <translation>Aligner en haut</translation>
-    </message>
-    <message>
-        <source>Align middles</source>
-        <translation>Aligner les milieux</translation>
-    </message>
-    <message>
-        <source>Align bottom</source>
-        <translation>Aligner en bas</translation>
-    </message>
-    <message>
-        <source>Equal gaps across</source>
-        <translation>Répartir horizontalement</translation>
-    </message>
-    <message>
-        <source>Equal gaps down</source>
-        <translation>Répartir verticalement</translation>
-    </message>
-    <message>
-        <source>Same width</source>
-        <translation>Même largeur</translation>
-    </message>
-    <message>
-        <source>Same height</source>
-        <translation>Même hauteur</translation>
-    </message>
-    <message>
-        <source>Same size</source>
-        <translation>Même taille</translation>
-        <source>%1 is a variable: it has no body</source>
-        <translation>Même taille</translation>
-    </message>
-    <message>
-        <source>Bring to front</source>
-        <translation>Mettre au premier plan</translation>
-    </message>
-    <message>
-        <source>Bring forward</source>
-        <translation>Avancer</translation>
-    </message>
-    <message>
-        <source>Send backward</source>
-        <translation>Reculer</translation>
-    </message>
-    <message>
-        <source>Send to back</source>
-        <translation>Mettre à l’arrière-plan</translation>
-    </message>
-    <message>
-        <source>Group</source>
-        <translation>Grouper</translation>
-    </message>
-    <message>
-        <source>Ungroup</source>
-        <translation>Dissocier</translation>
-    </message>
-    <message>
-        <source>Lock</source>
-        <translation>Verrouiller</translation>
-    </message>
-    <message>
-        <source>Show the grid</source>
-        <translation>Afficher la grille</translation>
-    </message>
-    <message>
-        <source>Snap (Alt: not now)</source>
-        <translation>Aimanter (Alt : pas maintenant)</translation>
-    </message>
-    <message>
-        <source>Live preview</source>
-        <translation>Aperçu en direct</translation>
-    </message>
-    <message>
-        <source>Zoom in</source>
-        <translation>Zoom avant</translation>
-    </message>
-    <message>
-        <source>Zoom out</source>
-        <translation>Zoom arrière</translation>
-    </message>
-    <message>
-        <source>Zoom 100 %</source>
-        <translation>Zoom 100 %</translation>
-    </message>
-    <message>
-        <source>Zoom to fit</source>
-        <translation>Ajuster à la fenêtre</translation>
-    </message>
-    <message>
-        <source>Language shown</source>
-        <translation>Langue affichée</translation>
-    </message>
-    <message>
-        <source>Theme of the panel</source>
-        <translation>Thème de la vue</translation>
-    </message>
-    <message>
-        <source>Light</source>
-        <translation>Clair</translation>
-    </message>
-    <message>
-        <source>Dark</source>
-        <translation>Sombre</translation>
-    </message>
-    <message>
-        <source>High contrast</source>
-        <translation>Contraste élevé</translation>
-    </message>
-    <message>
-        <source>Theme</source>
-        <translation>Thème</translation>
-    </message>
-    <message>
-        <source>Duplicate as array</source>
-        <translation>Dupliquer en tableau</translation>
-    </message>
-    <message>
-        <source>Elements</source>
-        <translation>Éléments</translation>
-    </message>
-    <message>
-        <source>Variables</source>
-        <translation>Variables</translation>
-    </message>
-</context>
-<context>
-    <name>plc::hmi::PropertySheet</name>
-    <message>
-        <source>Search properties</source>
-        <translation>Rechercher des propriétés</translation>
-    </message>
-    <message>
-        <source>Reset</source>
-        <translation>Réinitialiser</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n elements</source>
-        <translation>
-            <numerusform>%n élément</numerusform>
-            <numerusform>%n éléments</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>plc::hmi::RecordsDialog</name>
-    <message>
-        <source>Add</source>
-        <translation>Ajouter</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Supprimer</translation>
-    </message>
-    <message>
-        <source>Up</source>
-        <translation>Vers le haut</translation>
-    </message>
-    <message>
-        <source>Down</source>
-        <translation>Vers le bas</translation>
-    </message>
-</context>
-<context>
-    <name>plc::hmi::TextEditor</name>
-    <message>
-        <source>Only incomplete</source>
-        <translation>Incomplets seulement</translation>
-    </message>
-    <message>
-        <source>Search texts</source>
-        <translation>Rechercher des textes</translation>
-    </message>
-    <message>
-        <source>Add a key</source>
-        <translation>Ajouter une clé</translation>
-    </message>
-    <message>
-        <source>Key</source>
-        <translation>Clé</translation>
-    </message>
-    <message>
-        <source>Remove the selected keys</source>
-        <translation>Supprimer les clés sélectionnées</translation>
-    </message>
-    <message>
-        <source>Add a language</source>
-        <translation>Ajouter une langue</translation>
-    </message>
-    <message>
-        <source>Language tag, for example de or zh-CN</source>
-        <translation>Étiquette de langue, par exemple de ou zh-CN</translation>
-    </message>
-    <message>
-        <source>Import CSV</source>
-        <translation>Importer un CSV</translation>
-    </message>
-    <message>
-        <source>Text tables (*.csv *.txt)</source>
-        <translation>Tables de textes (*.csv *.txt)</translation>
-    </message>
-    <message>
-        <source>Export CSV</source>
-        <translation>Exporter en CSV</translation>
-    </message>
-    <message>
-        <source>Text tables (*.csv)</source>
-        <translation>Tables de textes (*.csv)</translation>
-    </message>
-    <message>
-        <source>Add key</source>
-        <translation>Ajouter une clé</translation>
-    </message>
-    <message>
-        <source>Remove keys</source>
-        <translation>Supprimer les clés</translation>
-    </message>
-    <message>
-        <source>Add language</source>
-        <translation>Ajouter une langue</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n text(s)</source>
-        <translation>
-            <numerusform>%n texte</numerusform>
-            <numerusform>%n textes</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 is not used.</source>
-        <translation>%1 n’est pas utilisé.</translation>
-    </message>
-    <message>
-        <source>%1 is used by %2</source>
-        <translation>%1 est utilisé par %2</translation>
-    </message>
-</context>
-<context>
-    <name>plc::hmi::TextModel</name>
-    <message>
-        <source>Key</source>
-        <translation>Clé</translation>
-    </message>
-    <message>
-        <source>Comment</source>
-        <translation>Commentaire</translation>
-    </message>
-    <message>
-        <source>Rename key</source>
-        <translation>Renommer la clé</translation>
-    </message>
-    <message>
-        <source>Text</source>
-        <translation>Texte</translation>
-    </message>
-</context>
-<context>
-    <name>plc::kit::Canvas</name>
-    <message>
-        <source>Overview</source>
-        <translation>Vue d’ensemble</translation>
-    </message>
-</context>
-<context>
-    <name>plc::kit::ColorPopup</name>
-    <message>
-        <source>Colours</source>
-        <translation>Couleurs</translation>
-    </message>
-    <message>
-        <source>More colours…</source>
-        <translation>Autres couleurs…</translation>
-    </message>
-    <message>
-        <source>No colour</source>
-        <translation>Aucune couleur</translation>
-    </message>
-</context>
-<context>
-    <name>plc::kit::CommandPalette</name>
-    <message>
-        <source>Command palette</source>
-        <translation>Palette de commandes</translation>
-    </message>
-    <message>
-        <source>Type to find a command</source>
-        <translation>Tapez pour trouver une commande</translation>
-    </message>
-    <message>
-        <source>Command</source>
-        <translation>Commande</translation>
-    </message>
-    <message>
-        <source>Commands</source>
-        <translation>Commandes</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <comment>menu and command</comment>
-        <translation>%1 : %2</translation>
-    </message>
-</context>
-<context>
-    <name>plc::kit::PlotView</name>
-    <message>
-        <source>Chart</source>
-        <translation>Courbe</translation>
-    </message>
-    <message>
-        <source>%1
-Click selects, Ctrl+click shows or hides.</source>
-        <translation>%1
-Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
-    </message>
-</context>
-<context>
-    <name>plc::kit::PropertyGrid</name>
-    <message>
-        <source>Choose a variable</source>
-        <translation>Choisir une variable</translation>
-    </message>
-    <message>
-        <source>Choose a file</source>
-        <translation>Choisir un fichier</translation>
-    </message>
-    <message>
-        <source>Edit in a window</source>
-        <translation>Modifier dans une fenêtre</translation>
-    </message>
-    <message>
-        <source>Yes</source>
-        <translation>Oui</translation>
-    </message>
-    <message>
-        <source>No</source>
-        <translation>Non</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>Aucun</translation>
-    </message>
-    <message>
-        <source>Property</source>
-        <translation>Propriété</translation>
-    </message>
-    <message>
-        <source>Value</source>
-        <translation>Valeur</translation>
-    </message>
-    <message>
-        <source>Properties</source>
-        <translation>Propriétés</translation>
-    </message>
-    <message>
-        <source>various</source>
-        <translation>différents</translation>
-    </message>
-    <message>
-        <source>Reset</source>
-        <translation>Réinitialiser</translation>
-    </message>
-</context>
-<context>
-    <name>plc::kit::VariablePicker</name>
-    <message>
-        <source>Name</source>
-        <translation>Nom</translation>
-    </message>
-    <message>
-        <source>Type</source>
-        <translation>Type</translation>
-    </message>
-    <message>
-        <source>Comment</source>
-        <translation>Commentaire</translation>
-    </message>
-    <message>
-        <source>Search variables</source>
-        <translation>Rechercher des variables</translation>
-    </message>
-    <message>
-        <source>Variables</source>
-        <translation>Variables</translation>
-    </message>
-    <message>
-        <source>Found variables</source>
-        <translation>Variables trouvées</translation>
-    </message>
-    <message>
-        <source>Choose a variable</source>
-        <translation>Choisir une variable</translation>
-    </message>
-</context>
-<context>
-    <name>plc::kit::WorkStrip</name>
-    <message>
-        <source>Cancel</source>
-        <translation>Annuler</translation>
-    </message>
-    <message>
-        <source>%1 is being cancelled…</source>
-        <translation>Annulation en cours : %1…</translation>
-    </message>
-    <message>
-        <source>Cancel: %1</source>
-        <translation>Annuler : %1</translation>
-    </message>
-</context>
-<context>
-    <name>plc::trace::ChannelPanel</name>
-    <message>
-        <source>Variable or expression</source>
-        <translation>Variable ou expression</translation>
-    </message>
-    <message>
-        <source>Add a channel</source>
-        <translation>Ajouter une voie</translation>
-    </message>
-    <message>
-        <source>Add as a channel</source>
-        <translation>Ajouter comme voie</translation>
-    </message>
-    <message>
-        <source>Channel</source>
-        <translation>Voie</translation>
-    </message>
-    <message>
-        <source>Value</source>
-        <translation>Valeur</translation>
-    </message>
-    <message>
-        <source>Channels</source>
-        <translation>Voies</translation>
-    </message>
-    <message>
-        <source>Show channel</source>
-        <translation>Afficher la voie</translation>
-    </message>
-    <message>
-        <source>Hide channel</source>
-        <translation>Masquer la voie</translation>
-    </message>
-    <message>
-        <source>Chart %1</source>
-        <translation>Graphique %1</translation>
-    </message>
-    <message>
-        <source>error</source>
-        <translation>erreur</translation>
-    </message>
-    <message>
-        <source>Expression</source>
-        <translation>Expression</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Nom</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>Unité</translation>
-    </message>
-    <message>
-        <source>Style</source>
-        <translation>Style</translation>
-    </message>
-    <message>
-        <source>Automatic</source>
-        <translation>Automatique</translation>
-    </message>
-    <message>
-        <source>Line</source>
-        <translation>Ligne</translation>
-    </message>
-    <message>
-        <source>Hold</source>
-        <translation>Palier</translation>
-    </message>
-    <message>
-        <source>Digital</source>
-        <translation>Numérique</translation>
-    </message>
-    <message>
-        <source>Colour</source>
-        <translation>Couleur</translation>
-    </message>
-    <message>
-        <source>Line width</source>
-        <translation>Épaisseur du trait</translation>
-    </message>
-    <message>
-        <source>Scale</source>
-        <translation>Facteur</translation>
-    </message>
-    <message>
-        <source>Offset</source>
-        <translation>Décalage</translation>
-    </message>
-    <message>
-        <source>Chart</source>
-        <translation>Courbe</translation>
-    </message>
-    <message>
-        <source>New chart</source>
-        <translation>Nouveau graphique</translation>
-    </message>
-    <message>
-        <source>Axis</source>
-        <translation>Axe</translation>
-    </message>
-    <message>
-        <source>Axis %1</source>
-        <translation>Axe %1</translation>
-    </message>
-    <message>
-        <source>New axis</source>
-        <translation>Nouvel axe</translation>
-    </message>
-    <message>
-        <source>Title</source>
-        <translation>Titre</translation>
-    </message>
-    <message>
-        <source>Share of height</source>
-        <translation>Part de la hauteur</translation>
-    </message>
-    <message>
-        <source>Scaling</source>
-        <translation>Échelle</translation>
-    </message>
-    <message>
-        <source>Fit to view</source>
-        <translation>Ajuster à l’affichage</translation>
-    </message>
-    <message>
-        <source>Fixed</source>
-        <translation>Fixe</translation>
-    </message>
-    <message>
-        <source>Minimum</source>
-        <translation>Minimum</translation>
-    </message>
-    <message>
-        <source>Maximum</source>
-        <translation>Maximum</translation>
-    </message>
-    <message>
-        <source>On the right</source>
-        <translation>À droite</translation>
-    </message>
-    <message>
-        <source>Trace</source>
-        <translation>Trace</translation>
-    </message>
-    <message>
-        <source>Every n-th scan</source>
-        <translation>Tous les n cycles</translation>
-    </message>
-    <message>
-        <source>Record while</source>
-        <translation>Condition d’enregistrement</translation>
-    </message>
-    <message>
-        <source>Trigger</source>
-        <translation>Déclencheur</translation>
-    </message>
-    <message>
-        <source>Edge</source>
-        <translation>Front</translation>
-    </message>
-    <message>
-        <source>Rising</source>
-        <translation>Montant</translation>
-    </message>
-    <message>
-        <source>Falling</source>
-        <translation>Descendant</translation>
-    </message>
-    <message>
-        <source>Both</source>
-        <translation>Les deux</translation>
-    </message>
-    <message>
-        <source>Level</source>
-        <translation>Niveau</translation>
-    </message>
-    <message>
-        <source>Mode</source>
-        <translation>Mode</translation>
-    </message>
-    <message>
-        <source>Off</source>
-        <translation>Désactivé</translation>
-    </message>
-    <message>
-        <source>Single</source>
-        <translation>Unique</translation>
-    </message>
-    <message>
-        <source>Repeated</source>
-        <translation>Répété</translation>
-    </message>
-    <message>
-        <source>Shown before</source>
-        <translation>Affiché avant le déclenchement</translation>
-    </message>
-    <message>
-        <source>Shown after</source>
-        <translation>Affiché après le déclenchement</translation>
-    </message>
-    <message>
-        <source>Change channel</source>
-        <translation>Modifier la voie</translation>
-    </message>
-    <message>
-        <source>Change chart</source>
-        <translation>Modifier le graphique</translation>
-    </message>
-    <message>
-        <source>Change trace</source>
-        <translation>Modifier la trace</translation>
-    </message>
-    <message>
-        <source>Remove channel</source>
-        <translation>Supprimer la voie</translation>
-    </message>
-    <message>
-        <source>Remove chart</source>
-        <translation>Supprimer le graphique</translation>
-    </message>
-    <message>
-        <source>Move channel</source>
-        <translation>Déplacer la voie</translation>
-    </message>
-</context>
-<context>
-    <name>plc::trace::TimeBar</name>
-    <message>
-        <source>Time</source>
-        <translation>Temps</translation>
-    </message>
-    <message>
-        <source>Resumed from here
-%1</source>
-        <translation>Repris ici
-%1</translation>
-    </message>
-</context>
-<context>
-    <name>plc::trace::TimeSlider</name>
-    <message>
-        <source>Time slider</source>
-        <translation>Curseur temporel</translation>
-    </message>
-    <message>
-        <source>Variable</source>
-        <translation>Variable</translation>
-    </message>
-    <message>
-        <source>Variable whose changes to step to</source>
-        <translation>Variable dont on parcourt les changements</translation>
-    </message>
-    <message>
-        <source>The arrows beside step to its previous and next change</source>
-        <translation>Les flèches à côté vont à son changement précédent et suivant</translation>
-    </message>
-    <message>
-        <source>One scan back (Left)</source>
-        <translation>Un cycle en arrière (Gauche)</translation>
-    </message>
-    <message>
-        <source>One scan forth (Right)</source>
-        <translation>Un cycle en avant (Droite)</translation>
-    </message>
-    <message>
-        <source>Previous change of the variable (Ctrl+Left)</source>
-        <translation>Changement précédent de la variable (Ctrl+Gauche)</translation>
-    </message>
-    <message>
-        <source>Next change of the variable (Ctrl+Right)</source>
-        <translation>Changement suivant de la variable (Ctrl+Droite)</translation>
-    </message>
-    <message>
-        <source>Resume the controller from this scan</source>
-        <translation>Reprendre l’automate à partir de ce cycle</translation>
-    </message>
-    <message>
-        <source>Back to the newest scan (End)</source>
-        <translation>Retour au cycle le plus récent (Fin)</translation>
-    </message>
-    <message>
-        <source>Older scans are no longer kept.</source>
-        <translation>Les cycles plus anciens ne sont plus conservés.</translation>
-    </message>
-    <message>
-        <source>%1 does not change before this scan.</source>
-        <translation>%1 ne change pas avant ce cycle.</translation>
-    </message>
-    <message>
-        <source>%1 does not change after this scan.</source>
-        <translation>%1 ne change pas après ce cycle.</translation>
-    </message>
-    <message>
-        <source>No recording</source>
-        <translation>Pas d’enregistrement</translation>
-    </message>
-    <message>
-        <source>no longer kept</source>
-        <translation>n’est plus conservé</translation>
-    </message>
-    <message>
-        <source>scan %1  %2</source>
-        <translation>cycle %1  %2</translation>
-    </message>
-</context>
-<context>
-    <name>plc::trace::TraceView</name>
-    <message>
-        <source>Trace</source>
-        <translation>Trace</translation>
-    </message>
-    <message>
-        <source>Measurements</source>
-        <translation>Mesures</translation>
-    </message>
-    <message>
-        <source>Show channel</source>
-        <translation>Afficher la voie</translation>
-    </message>
-    <message>
-        <source>Hide channel</source>
-        <translation>Masquer la voie</translation>
-    </message>
-    <message>
-        <source>Follow</source>
-        <translation>Suivre</translation>
-    </message>
-    <message>
-        <source>Follow the newest scan (End)</source>
-        <translation>Suivre le cycle le plus récent (Fin)</translation>
-    </message>
-    <message>
-        <source>Fit</source>
-        <translation>Ajuster</translation>
-    </message>
-    <message>
-        <source>Show everything recorded (Home)</source>
-        <translation>Afficher tout ce qui est enregistré (Début)</translation>
-    </message>
-    <message>
-        <source>Fit values</source>
-        <translation>Ajuster les valeurs</translation>
-    </message>
-    <message>
-        <source>Let the value axes fit again</source>
-        <translation>Réajuster les axes des valeurs</translation>
-    </message>
-    <message>
-        <source>Zoom back</source>
-        <translation>Zoom précédent</translation>
-    </message>
-    <message>
-        <source>Back to the view before (Backspace)</source>
-        <translation>Revenir à l’affichage précédent (Retour arrière)</translation>
-    </message>
-    <message>
-        <source>Zoom</source>
-        <translation>Zoom</translation>
-    </message>
-    <message>
-        <source>Drag a box to zoom: flat for time, upright for values</source>
-        <translation>Tracez un cadre pour zoomer : plat pour le temps, haut pour les valeurs</translation>
-    </message>
-    <message>
-        <source>Pan</source>
-        <translation>Déplacer l’affichage</translation>
-    </message>
-    <message>
-        <source>Drag to pan (middle button always does)</source>
-        <translation>Faites glisser pour déplacer l’affichage (toujours avec le bouton central)</translation>
-    </message>
-    <message>
-        <source>Cursors</source>
-        <translation>Curseurs</translation>
-    </message>
-    <message>
-        <source>Two cursors (Ctrl+click sets A, Shift+click sets B)</source>
-        <translation>Deux curseurs (Ctrl+clic place A, Maj+clic place B)</translation>
-    </message>
-    <message>
-        <source>Measure</source>
-        <translation>Mesurer</translation>
-    </message>
-    <message>
-        <source>Table of values and statistics between the cursors</source>
-        <translation>Tableau des valeurs et statistiques entre les curseurs</translation>
-    </message>
-    <message>
-        <source>Measuring table</source>
-        <translation>Tableau de mesure</translation>
-    </message>
-    <message>
-        <source>Trigger</source>
-        <translation>Déclencheur</translation>
-    </message>
-    <message>
-        <source>Arm the trigger set in the properties of the trace</source>
-        <translation>Armer le déclencheur défini dans les propriétés de la trace</translation>
-    </message>
-    <message>
-        <source>Previous trigger</source>
-        <translation>Déclenchement précédent</translation>
-    </message>
-    <message>
-        <source>Where the trigger would have fired before</source>
-        <translation>Où le déclencheur aurait agi auparavant</translation>
-    </message>
-    <message>
-        <source>Next trigger</source>
-        <translation>Déclenchement suivant</translation>
-    </message>
-    <message>
-        <source>Where the trigger would have fired next</source>
-        <translation>Où le déclencheur aurait agi ensuite</translation>
-    </message>
-    <message>
-        <source>Add chart</source>
-        <translation>Ajouter un graphique</translation>
-    </message>
-    <message>
-        <source>Another chart over the same time</source>
-        <translation>Un autre graphique sur la même durée</translation>
-    </message>
-    <message>
-        <source>Compare</source>
-        <translation>Comparer</translation>
-    </message>
-    <message>
-        <source>Load an older recording beneath the present one</source>
-        <translation>Charger un enregistrement plus ancien sous l’actuel</translation>
-    </message>
-    <message>
-        <source>Recording to draw beneath</source>
-        <translation>Enregistrement à tracer en dessous</translation>
-    </message>
-    <message>
-        <source>Recordings (*.rec);;All files (*)</source>
-        <translation>Enregistrements (*.rec);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
-        <source>Trace set-up</source>
-        <translation>Configuration de trace</translation>
-    </message>
-    <message>
-        <source>Open set-up…</source>
-        <translation>Ouvrir une configuration…</translation>
-    </message>
-    <message>
-        <source>Open trace set-up</source>
-        <translation>Ouvrir une configuration de trace</translation>
-    </message>
-    <message>
-        <source>Trace set-ups (*.trace.json)</source>
-        <translation>Configurations de trace (*.trace.json)</translation>
-    </message>
-    <message>
-        <source>Save trace set-up</source>
-        <translation>Enregistrer la configuration de trace</translation>
-    </message>
-    <message>
-        <source>Save set-up</source>
-        <translation>Enregistrer la configuration</translation>
-    </message>
-    <message>
-        <source>Save set-up as…</source>
-        <translation>Enregistrer la configuration sous…</translation>
-    </message>
-    <message>
-        <source>Open recording…</source>
-        <translation>Ouvrir un enregistrement…</translation>
-    </message>
-    <message>
-        <source>Open recording</source>
-        <translation>Ouvrir un enregistrement</translation>
-    </message>
-    <message>
-        <source>Back to the running PLC</source>
-        <translation>Retour au direct de l’automate</translation>
-    </message>
-    <message>
-        <source>Save recording…</source>
-        <translation>Sauvegarder l’enregistrement…</translation>
-    </message>
-    <message>
-        <source>Save recording</source>
-        <translation>Sauvegarder l’enregistrement</translation>
-    </message>
-    <message>
-        <source>Recordings (*.rec)</source>
-        <translation>Enregistrements (*.rec)</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Exporter</translation>
-    </message>
-    <message>
-        <source>Copy as picture</source>
-        <translation>Copier comme image</translation>
-    </message>
-    <message>
-        <source>Save samples in view as CSV…</source>
-        <translation>Enregistrer les valeurs visibles en CSV…</translation>
-    </message>
-    <message>
-        <source>Save as %1…</source>
-        <translation>Enregistrer en %1…</translation>
-    </message>
-    <message>
-        <source>Print…</source>
-        <translation>Imprimer…</translation>
-    </message>
-    <message>
-        <source>Save as %1</source>
-        <translation>Enregistrer en %1</translation>
-    </message>
-    <message>
-        <source>Add channel</source>
-        <translation>Ajouter une voie</translation>
-    </message>
-    <message>
-        <source>Arm trigger</source>
-        <translation>Armer le déclencheur</translation>
-    </message>
-    <message>
-        <source>The trigger has no expression yet: enter one in the properties of the trace.</source>
-        <translation>Le déclencheur n’a pas encore d’expression : saisissez-en une dans les propriétés de la trace.</translation>
-    </message>
-    <message>
-        <source>Trigger armed</source>
-        <translation>Déclencheur armé</translation>
-    </message>
-    <message>
-        <source>Triggered, collecting</source>
-        <translation>Déclenché, acquisition en cours</translation>
-    </message>
-    <message>
-        <source>Triggered</source>
-        <translation>Déclenché</translation>
-    </message>
-    <message numerus="yes">
-        <source>(%n shot(s))</source>
-        <translation>
-            <numerusform>(%n déclenchement)</numerusform>
-            <numerusform>(%n déclenchements)</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Not running</source>
-        <translation>Arrêté</translation>
-    </message>
-    <message>
-        <source>%L1 scans kept  ·  history %2 of %3 MB  ·  channels %4 of %5 MB</source>
-        <translation>%L1 cycles conservés  ·  historique %2 sur %3 Mo  ·  voies %4 sur %5 Mo</translation>
-    </message>
-    <message>
-        <source>Properties</source>
-        <translation>Propriétés</translation>
-    </message>
-    <message>
-        <source>Remove channel</source>
-        <translation>Supprimer la voie</translation>
-    </message>
-    <message>
-        <source>Add channel…</source>
-        <translation>Ajouter une voie…</translation>
-    </message>
-    <message>
-        <source>Trigger off</source>
-        <translation>Désactiver le déclencheur</translation>
-    </message>
-    <message>
-        <source>Saving the samples…</source>
-        <translation>Enregistrement des valeurs…</translation>
-    </message>
-    <message>
-        <source>Opening %1…</source>
-        <translation>Ouverture de %1…</translation>
-    </message>
-    <message>
-        <source>Saving the recording…</source>
-        <translation>Écriture de l’enregistrement…</translation>
+        <source>by this transition, while it is active</source>
+        <translation>par cette transition, tant qu’elle est active</translation>
     </message>
 </context>
 <context>
@@ -6731,7 +4587,7 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
     </message>
     <message>
         <source>{0} (an input; the next scan overwrites it)</source>
-        <translation>{0} (une entrée ; le prochain cycle l’écrase)</translation>
+        <translation>{0} (une entrée&#x202f;; le prochain cycle l’écrase)</translation>
     </message>
     <message>
         <source>{0} (a property without SET)</source>
@@ -6743,7 +4599,7 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
     </message>
     <message>
         <source>{0} (a type; declare an instance of it)</source>
-        <translation>{0} (un type ; en déclarer une instance)</translation>
+        <translation>{0} (un type&#x202f;; en déclarer une instance)</translation>
     </message>
     <message>
         <source>{0} (a variable, which hides the function of this name)</source>
@@ -6827,280 +4683,501 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
     </message>
 </context>
 <context>
-    <name>Fixes</name>
+    <name>PlotText</name>
     <message>
-        <source>Replace with {0}</source>
-        <translation>Remplacer par {0}</translation>
+        <source>no longer kept</source>
+        <translation>n’est plus conservé</translation>
     </message>
     <message>
-        <source>Insert {0}</source>
-        <translation>Insérer {0}</translation>
+        <source>did not exist</source>
+        <translation>n’existait pas</translation>
     </message>
     <message>
-        <source>Did you mean {0}?</source>
-        <translation>Vouliez-vous dire {0} ?</translation>
+        <source>scans skipped</source>
+        <translation>cycles sautés</translation>
     </message>
     <message>
-        <source>Convert with {0}</source>
-        <translation>Convertir avec {0}</translation>
+        <source>not recorded</source>
+        <translation>non enregistré</translation>
     </message>
     <message>
-        <source>Move {0} to {1}</source>
-        <translation>Déplacer {0} vers {1}</translation>
+        <source>Time [%1]</source>
+        <translation>Temps [%1]</translation>
     </message>
     <message>
-        <source>Add the property {0}</source>
-        <translation>Ajouter la propriété {0}</translation>
+        <source>Time from the trigger [%1]</source>
+        <translation>Temps depuis le déclenchement [%1]</translation>
     </message>
     <message>
-        <source>Add the method {0}</source>
-        <translation>Ajouter la méthode {0}</translation>
+        <source>Channel</source>
+        <translation>Voie</translation>
     </message>
     <message>
-        <source>Add the missing branches</source>
-        <translation>Ajouter les branches manquantes</translation>
+        <source>At A</source>
+        <translation>En A</translation>
     </message>
     <message>
-        <source>Add ELSE</source>
-        <translation>Ajouter ELSE</translation>
+        <source>At B</source>
+        <translation>En B</translation>
     </message>
     <message>
-        <source>Add () to call it</source>
-        <translation>Ajouter () pour l’appeler</translation>
+        <source>Min</source>
+        <translation>Min</translation>
     </message>
     <message>
-        <source>Compare with 0</source>
-        <translation>Comparer avec 0</translation>
+        <source>Max</source>
+        <translation>Max</translation>
     </message>
     <message>
-        <source>Remove the unused declaration</source>
-        <translation>Supprimer la déclaration inutilisée</translation>
+        <source>Mean</source>
+        <translation>Moyenne</translation>
     </message>
     <message>
-        <source>Replace with IF and ELSIF</source>
-        <translation>Remplacer par IF et ELSIF</translation>
+        <source>RMS</source>
+        <translation>Valeur efficace</translation>
     </message>
     <message>
-        <source>Change to a WSTRING literal</source>
-        <translation>Transformer en littéral WSTRING</translation>
+        <source>Rise time</source>
+        <translation>Temps de montée</translation>
     </message>
     <message>
-        <source>Replace with straight quotes</source>
-        <translation>Remplacer par des guillemets droits</translation>
+        <source>Overshoot</source>
+        <translation>Dépassement</translation>
     </message>
     <message>
-        <source>Make {0} the initial step</source>
-        <translation>Faire de {0} l’étape initiale</translation>
-    </message>
-    <message>
-        <source>Dereference the pointer with ^</source>
-        <translation>Déréférencer le pointeur avec ^</translation>
+        <source>Settling</source>
+        <translation>Temps de stabilisation</translation>
     </message>
 </context>
 <context>
-    <name>Notes</name>
+    <name>TraceText</name>
     <message>
-        <source>first declared here</source>
-        <translation>première déclaration ici</translation>
+        <source>Triggered at %1.</source>
+        <translation>Déclenchement à %1.</translation>
     </message>
     <message>
-        <source>declared here</source>
-        <translation>déclaré ici</translation>
-    </message>
-    <message>
-        <source>the variable</source>
-        <translation>la variable</translation>
-    </message>
-    <message>
-        <source>the first program</source>
-        <translation>le premier programme</translation>
-    </message>
-    <message>
-        <source>overridden here</source>
-        <translation>redéfini ici</translation>
-    </message>
-    <message>
-        <source>the first one</source>
-        <translation>le premier</translation>
-    </message>
-    <message>
-        <source>by this transition, while it is active</source>
-        <translation>par cette transition, tant qu’elle est active</translation>
+        <source>The trigger did not fire.</source>
+        <translation>Le déclenchement n’a pas eu lieu.</translation>
     </message>
 </context>
 <context>
-    <name>Exchange</name>
+    <name>Tuning</name>
     <message>
-        <source>The file is written in {0}</source>
-        <translation>Le fichier est codé en {0}</translation>
+        <source>The table has no column of times; name one time_s (seconds) or time_ms</source>
+        <translation>Le tableau n’a pas de colonne de temps&#x202f;; nommez-en une time_s (secondes) ou time_ms</translation>
     </message>
     <message>
-        <source>The file was not read: {0}</source>
-        <translation>Le fichier n’a pas été lu : {0}</translation>
+        <source>The table has no column {0}; it has {1}</source>
+        <translation>Le tableau n’a pas de colonne {0}&#x202f;; il a {1}</translation>
     </message>
     <message>
-        <source>The element {0} was not read</source>
-        <translation>L’élément {0} n’a pas été lu</translation>
+        <source>The table has no column {0}; did you mean {1}?</source>
+        <translation>Le tableau n’a pas de colonne {0}&#x202f;; vouliez-vous dire {1}&#x202f;?</translation>
     </message>
     <message>
-        <source>The vendor&apos;s data {0} is kept in exchange.json</source>
-        <translation>Les données {0} de l’éditeur d’origine sont conservées dans exchange.json</translation>
+        <source>Line {0} has no number in column {1}</source>
+        <translation>La ligne {0} n’a pas de nombre dans la colonne {1}</translation>
     </message>
     <message>
-        <source>The body in {0} became structured text; the diagram is kept in exchange.json</source>
-        <translation>Le corps dans {0} est devenu du texte structuré ; le schéma est conservé dans exchange.json</translation>
+        <source>The time in line {0} is before that of the line above</source>
+        <translation>Le temps de la ligne {0} est antérieur à celui de la ligne précédente</translation>
     </message>
     <message>
-        <source>The body in {0} is stored in a form that only its own editor reads; export it there as PLCopen XML</source>
-        <translation>Le corps dans {0} est stocké sous une forme que seul son propre éditeur lit ; exportez-le là-bas en PLCopen XML</translation>
+        <source>{0} {0:sample is|samples are} too few for a model; record for longer</source>
+        <translation>{0} {0:échantillon ne suffit|échantillons ne suffisent} pas pour un modèle&#x202f;; enregistrez plus longtemps</translation>
     </message>
     <message>
-        <source>A jump leads to the step {0}, which does not exist</source>
-        <translation>Un saut mène à l’étape {0}, qui n’existe pas</translation>
+        <source>usable</source>
+        <translation>utilisable</translation>
     </message>
     <message>
-        <source>The element {0} of the chart is not connected and was left out</source>
-        <translation>L’élément {0} du grafcet n’est pas relié et a été omis</translation>
+        <source>the input is at a limit for {0} % of the time</source>
+        <translation>l’entrée est à une limite pendant {0}&#xa0;% du temps</translation>
     </message>
     <message>
-        <source>The transition from {0} has no condition; it is written as FALSE</source>
-        <translation>La transition depuis {0} n’a pas de condition ; elle est écrite comme FALSE</translation>
+        <source>the output moves by only {0} times its noise</source>
+        <translation>la sortie ne bouge que de {0} fois son bruit</translation>
     </message>
     <message>
-        <source>The element {0} takes part in a loop without a block that stores a value; its last value is not kept</source>
-        <translation>L’élément {0} fait partie d’une boucle sans bloc qui mémorise une valeur ; sa dernière valeur n’est pas conservée</translation>
+        <source>too short: {0} samples until the next change</source>
+        <translation>trop court&#xa0;: {0} échantillons jusqu’au changement suivant</translation>
     </message>
     <message>
-        <source>The element {0} is not connected and was left out</source>
-        <translation>L’élément {0} n’est pas relié et a été omis</translation>
+        <source>disturbed: no model explains more than {0} % of it</source>
+        <translation>perturbé&#xa0;: aucun modèle n’en explique plus de {0}&#xa0;%</translation>
     </message>
     <message>
-        <source>An edge in a function needs the value of the last call, which a function does not store</source>
-        <translation>Un front dans une fonction demande la valeur du dernier appel, qu’une fonction ne mémorise pas</translation>
+        <source>usable; it was still moving before</source>
+        <translation>utilisable&#x202f;; elle bougeait encore avant</translation>
     </message>
     <message>
-        <source>The result of {0} is used in several places and is computed in each</source>
-        <translation>Le résultat de {0} est utilisé à plusieurs endroits et est calculé à chacun</translation>
+        <source>There is no step or disturbance in the recording; change the set point or the output by hand once and record that</source>
+        <translation>Il n’y a ni échelon ni perturbation dans l’enregistrement&#x202f;; changez une fois la consigne ou la sortie en manuel et enregistrez cela</translation>
     </message>
     <message>
-        <source>The type of the result of {0} is not known; it is computed although EN is FALSE</source>
-        <translation>Le type du résultat de {0} est inconnu ; il est calculé même si EN est FALSE</translation>
+        <source>None of the {0} changes found is usable: {1}</source>
+        <translation>Aucun des {0} changements trouvés n’est utilisable&#xa0;: {1}</translation>
     </message>
     <message>
-        <source>The library {0} is not part of Stepwise; uses of it are reported by the check</source>
-        <translation>La bibliothèque {0} ne fait pas partie de Stepwise ; ses utilisations sont signalées par la vérification</translation>
+        <source>No model explains what the output does; something else moves it</source>
+        <translation>Aucun modèle n’explique le comportement de la sortie&#x202f;; autre chose la fait bouger</translation>
     </message>
     <message>
-        <source>Code in C is kept as a comment and is not executed</source>
-        <translation>Le code en C est conservé en commentaire et n’est pas exécuté</translation>
+        <source>The rule {0} has no answer for this process</source>
+        <translation>La règle {0} n’a pas de réponse pour ce procédé</translation>
     </message>
     <message>
-        <source>There are two units named {0}; the second is in {1}</source>
-        <translation>Deux POU s’appellent {0} ; le second est dans {1}</translation>
+        <source>Unstable: the loop would swing up. Do not use this.</source>
+        <translation>Instable&#xa0;: la boucle entrerait en oscillation croissante. À ne pas utiliser.</translation>
     </message>
     <message>
-        <source>The configuration of the devices was not read; assign the inputs and outputs again</source>
-        <translation>La configuration des appareils n’a pas été lue ; affectez de nouveau les entrées et les sorties</translation>
+        <source>Fragile: a small change of the process makes it swing.</source>
+        <translation>Fragile&#xa0;: un petit changement du procédé la fait osciller.</translation>
     </message>
     <message>
-        <source>The task {0} is started by the event {1}, which does not exist here; give it an INTERVAL or a SINGLE</source>
-        <translation>La tâche {0} est lancée par l’événement {1}, qui n’existe pas ici ; donnez-lui un INTERVAL ou un SINGLE</translation>
+        <source>Brisk: quick, and it swings a little; the process should not change much.</source>
+        <translation>Vif&#xa0;: rapide, avec une légère oscillation&#x202f;; le procédé ne doit pas beaucoup changer.</translation>
     </message>
     <message>
-        <source>{0} counts %MW1 in words, here it is counted in bytes; check that the addresses do not overlap</source>
-        <translation>{0} compte %MW1 en mots, ici le compte est en octets ; vérifiez que les adresses ne se chevauchent pas</translation>
+        <source>Good: quick enough, and it tolerates the usual changes of a process.</source>
+        <translation>Bon&#xa0;: assez rapide, et tolère les changements habituels d’un procédé.</translation>
     </message>
     <message>
-        <source>A comment outside of the elements was left out: {0}</source>
-        <translation>Un commentaire hors des éléments a été omis : {0}</translation>
+        <source>Calm: slow, and it tolerates a process that changes a lot.</source>
+        <translation>Calme&#xa0;: lent, et tolère un procédé qui change beaucoup.</translation>
     </message>
     <message>
-        <source>The diagram in {0} was not read: an expression repeats itself without end</source>
-        <translation>Le schéma dans {0} n’a pas été lu : une expression se répète sans fin</translation>
+        <source>A step of the set point does not overshoot.</source>
+        <translation>Un échelon de consigne ne provoque pas de dépassement.</translation>
     </message>
     <message>
-        <source>A condition in {0} needs the call of a block, which a condition cannot make</source>
-        <translation>Une condition dans {0} demande l’appel d’un bloc, ce qu’une condition ne peut pas faire</translation>
+        <source>A step of the set point overshoots by {0} %.</source>
+        <translation>Un échelon de consigne provoque un dépassement de {0}&#xa0;%.</translation>
     </message>
     <message>
-        <source>The transition {0} is not a single expression and was not read</source>
-        <translation>La transition {0} n’est pas une expression unique et n’a pas été lue</translation>
+        <source>Ziegler-Nichols is here to compare with: it swings and tolerates little. Take SIMC or the optimum instead.</source>
+        <translation>Ziegler-Nichols sert ici à comparer&#xa0;: il oscille et tolère peu. Prenez plutôt SIMC ou l’optimum.</translation>
     </message>
     <message>
-        <source>PLCopen XML has no place for panels; they were left out</source>
-        <translation>PLCopen XML n’a pas de place pour les vues ; elles ont été omises</translation>
+        <source>The rule looks at one lag only; check the margins.</source>
+        <translation>La règle ne tient compte que d’un seul retard&#x202f;; vérifiez les marges.</translation>
     </message>
     <message>
-        <source>PLCopen XML has no place for traces; they were left out</source>
-        <translation>PLCopen XML n’a pas de place pour les traces ; elles ont été omises</translation>
+        <source>gain and dead time</source>
+        <translation>gain et temps mort</translation>
     </message>
     <message>
-        <source>PLCopen XML has no place for tests; they were left out</source>
-        <translation>PLCopen XML n’a pas de place pour les tests ; ils ont été omis</translation>
+        <source>first order</source>
+        <translation>premier ordre</translation>
     </message>
     <message>
-        <source>PLCopen XML has no place for tests; the TEST &apos;{0}&apos; was left out</source>
-        <translation>PLCopen XML n’a pas de place pour les tests ; le TEST « {0} » a été omis</translation>
+        <source>first order with dead time</source>
+        <translation>premier ordre avec temps mort</translation>
     </message>
     <message>
-        <source>PLCopen XML has no place for namespaces; a NAMESPACE was left out with its units</source>
-        <translation>PLCopen XML n’a pas de place pour les espaces de noms ; un NAMESPACE a été omis avec ses POU</translation>
+        <source>second order</source>
+        <translation>deuxième ordre</translation>
     </message>
     <message>
-        <source>PLCopen XML has no place for USING; it was left out</source>
-        <translation>PLCopen XML n’a pas de place pour USING ; il a été omis</translation>
+        <source>second order with dead time</source>
+        <translation>deuxième ordre avec temps mort</translation>
     </message>
     <message>
-        <source>PLCopen XML has no place for the name of the transition {0}; it was left out</source>
-        <translation>PLCopen XML n’a pas de place pour le nom de la transition {0} ; il a été omis</translation>
+        <source>two equal lags</source>
+        <translation>deux retards égaux</translation>
     </message>
     <message>
-        <source>PLCopen XML has one indicator per action; {0} was left out</source>
-        <translation>PLCopen XML a un indicateur par action ; {0} a été omis</translation>
+        <source>two equal lags with dead time</source>
+        <translation>deux retards égaux avec temps mort</translation>
     </message>
     <message>
-        <source>Version 0201 has no methods; {0} was left out</source>
-        <translation>La version 0201 n’a pas de méthodes ; {0} a été omis</translation>
+        <source>oscillating</source>
+        <translation>oscillant</translation>
     </message>
     <message>
-        <source>Version 0201 has no properties; {0} was left out</source>
-        <translation>La version 0201 n’a pas de propriétés ; {0} a été omis</translation>
+        <source>oscillating with dead time</source>
+        <translation>oscillant avec temps mort</translation>
     </message>
     <message>
-        <source>Version 0201 has no interfaces; {0} was left out</source>
-        <translation>La version 0201 n’a pas d’interfaces ; {0} a été omis</translation>
+        <source>oscillating with a lag</source>
+        <translation>oscillant avec un retard</translation>
     </message>
     <message>
-        <source>Version 0201 has no unions; {0} was left out</source>
-        <translation>La version 0201 n’a pas d’unions ; {0} a été omis</translation>
+        <source>second order with a zero</source>
+        <translation>deuxième ordre avec un zéro</translation>
     </message>
     <message>
-        <source>Version 0201 has no inheritance; EXTENDS or IMPLEMENTS of {0} was left out</source>
-        <translation>La version 0201 n’a pas d’héritage ; EXTENDS ou IMPLEMENTS de {0} a été omis</translation>
+        <source>second order with a zero and dead time</source>
+        <translation>deuxième ordre avec un zéro et temps mort</translation>
     </message>
     <message>
-        <source>Version 0201 does not have the type {0}; other tools will not know it</source>
-        <translation>La version 0201 n’a pas le type {0} ; les autres outils ne le connaîtront pas</translation>
+        <source>three equal lags</source>
+        <translation>trois retards égaux</translation>
     </message>
     <message>
-        <source>Version 0201 has no place for the pragma {0} of a step; it was left out</source>
-        <translation>La version 0201 n’a pas de place pour le pragma {0} d’une étape ; il a été omis</translation>
+        <source>three equal lags with a zero</source>
+        <translation>trois retards égaux avec un zéro</translation>
     </message>
     <message>
-        <source>Version 0201 has no place for {0} of a task; it was left out</source>
-        <translation>La version 0201 n’a pas de place pour {0} d’une tâche ; il a été omis</translation>
+        <source>four equal lags</source>
+        <translation>quatre retards égaux</translation>
     </message>
     <message>
-        <source>Version 0201 has no place for the connections of the program {0}; they were left out</source>
-        <translation>La version 0201 n’a pas de place pour les connexions du programme {0} ; elles ont été omises</translation>
+        <source>five equal lags</source>
+        <translation>cinq retards égaux</translation>
     </message>
     <message>
-        <source>Version 0201 has no place for libraries; {0} was left out</source>
-        <translation>La version 0201 n’a pas de place pour les bibliothèques ; {0} a été omis</translation>
+        <source>six equal lags</source>
+        <translation>six retards égaux</translation>
     </message>
     <message>
-        <source>The file is no program source and was left out</source>
-        <translation>Le fichier n’est pas une source de programme et a été omis</translation>
+        <source>seven equal lags</source>
+        <translation>sept retards égaux</translation>
+    </message>
+    <message>
+        <source>eight equal lags</source>
+        <translation>huit retards égaux</translation>
+    </message>
+    <message>
+        <source>three equal lags with dead time</source>
+        <translation>trois retards égaux avec temps mort</translation>
+    </message>
+    <message>
+        <source>three lags</source>
+        <translation>trois retards</translation>
+    </message>
+    <message>
+        <source>three lags with dead time</source>
+        <translation>trois retards avec temps mort</translation>
+    </message>
+    <message>
+        <source>four lags</source>
+        <translation>quatre retards</translation>
+    </message>
+    <message>
+        <source>integrating</source>
+        <translation>intégrateur</translation>
+    </message>
+    <message>
+        <source>integrating with dead time</source>
+        <translation>intégrateur avec temps mort</translation>
+    </message>
+    <message>
+        <source>integrating with a lag</source>
+        <translation>intégrateur avec un retard</translation>
+    </message>
+    <message>
+        <source>integrating with a lag and dead time</source>
+        <translation>intégrateur avec un retard et temps mort</translation>
+    </message>
+    <message>
+        <source>integrating with two equal lags</source>
+        <translation>intégrateur avec deux retards égaux</translation>
+    </message>
+    <message>
+        <source>SIMC</source>
+        <translation>SIMC</translation>
+    </message>
+    <message>
+        <source>AMIGO</source>
+        <translation>AMIGO</translation>
+    </message>
+    <message>
+        <source>Optimum</source>
+        <translation>Optimum</translation>
+    </message>
+    <message>
+        <source>Chien-Hrones-Reswick</source>
+        <translation>Chien-Hrones-Reswick</translation>
+    </message>
+    <message>
+        <source>Ziegler-Nichols</source>
+        <translation>Ziegler-Nichols</translation>
+    </message>
+    <message>
+        <source>the recording has a gap in it</source>
+        <translation>l’enregistrement y présente une lacune</translation>
+    </message>
+    <message>
+        <source>It oscillates with a period of {0} s and an amplitude of {1}, for {2} cycles in a row.</source>
+        <translation>Oscille avec une période de {0} s et une amplitude de {1}, pendant {2} périodes de suite.</translation>
+    </message>
+    <message>
+        <source>It does not oscillate.</source>
+        <translation>N’oscille pas.</translation>
+    </message>
+    <message>
+        <source>The settings are the likely cause: with the model the loop swings at this period.</source>
+        <translation>Les paramètres sont la cause probable&#xa0;: avec le modèle, la boucle oscille à cette période.</translation>
+    </message>
+    <message>
+        <source>A valve that sticks is the likely cause: the output moves evenly, the process answers in jumps.</source>
+        <translation>Une vanne qui colle est la cause probable&#xa0;: la sortie bouge régulièrement, le procédé répond par à-coups.</translation>
+    </message>
+    <message>
+        <source>The likely cause is outside: neither the settings nor a valve that sticks explain it.</source>
+        <translation>La cause probable est extérieure&#xa0;: ni les paramètres ni une vanne qui colle ne l’expliquent.</translation>
+    </message>
+    <message>
+        <source>The output is at a limit for {0} % of the time.</source>
+        <translation>La sortie est à une limite pendant {0}&#xa0;% du temps.</translation>
+    </message>
+    <message>
+        <source>{0} % of what the measured value does is noise.</source>
+        <translation>{0}&#xa0;% du comportement de la valeur mesurée est du bruit.</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::ConversionDialog</name>
+    <message>
+        <source>%1 as ST</source>
+        <translation>%1 en ST</translation>
+    </message>
+    <message>
+        <source>%1 as an Instruction List</source>
+        <translation>%1 en liste d’instructions</translation>
+    </message>
+    <message>
+        <source>Instruction list (current text)</source>
+        <translation>Liste d’instructions (texte actuel)</translation>
+    </message>
+    <message>
+        <source>ST (current text)</source>
+        <translation>ST (texte actuel)</translation>
+    </message>
+    <message>
+        <source>The same as ST</source>
+        <translation>La même chose en ST</translation>
+    </message>
+    <message>
+        <source>The same as an instruction list</source>
+        <translation>La même chose en liste d’instructions</translation>
+    </message>
+    <message>
+        <source>Both give the same results. Replacing is one step of undo; comments stay, each above its statement.</source>
+        <translation>Les deux donnent les mêmes résultats. Le remplacement peut être annulé en une seule étape&#x202f;; les commentaires restent, chacun au-dessus de son instruction.</translation>
+    </message>
+    <message>
+        <source>Replace the Text</source>
+        <translation>Remplacer le texte</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copier</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::EditorTabs</name>
+    <message>
+        <source>Documents</source>
+        <translation>Documents</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Close Others</source>
+        <translation>Fermer les autres</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Modifications non enregistrées</translation>
+    </message>
+    <message>
+        <source>%1 was changed. Save it?</source>
+        <translation>%1 a été modifié. L’enregistrer&#x202f;?</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) were changed: %1. Save them?</source>
+        <translation>
+            <numerusform>%n fichier a été modifié&#xa0;: %1. L’enregistrer&#x202f;?</numerusform>
+            <numerusform>%n fichiers ont été modifiés&#xa0;: %1. Les enregistrer&#x202f;?</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Changed in %n file(s); those edited since stay as they are</source>
+        <translation>
+            <numerusform>Modifié dans %n fichier&#x202f;; ceux modifiés depuis restent tels quels</numerusform>
+            <numerusform>Modifié dans %n fichiers&#x202f;; ceux modifiés depuis restent tels quels</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Changed in %n file(s)</source>
+        <translation>
+            <numerusform>Modifié dans %n fichier</numerusform>
+            <numerusform>Modifié dans %n fichiers</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Read-only file</source>
+        <translation>Fichier en lecture seule</translation>
+    </message>
+    <message>
+        <source>%1 is read-only. Replace it all the same? It stays read-only.</source>
+        <translation>%1 est en lecture seule. Le remplacer quand même&#x202f;? Il reste en lecture seule.</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Remplacer</translation>
+    </message>
+    <message>
+        <source>%1 was not saved</source>
+        <translation>%1 n’a pas été enregistré</translation>
+    </message>
+    <message>
+        <source>%1 is no variable of the running program</source>
+        <translation>%1 n’est pas une variable du programme en cours</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Forcer</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>Écrire</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::ExportDialog</name>
+    <message>
+        <source>Export the Project</source>
+        <translation>Exporter le projet</translation>
+    </message>
+    <message>
+        <source>PLCopen XML 0200, for CODESYS and TwinCAT</source>
+        <translation>PLCopen XML 0200, pour CODESYS et TwinCAT</translation>
+    </message>
+    <message>
+        <source>PLCopen XML 0201, for Beremiz and OpenPLC</source>
+        <translation>PLCopen XML 0201, pour Beremiz et OpenPLC</translation>
+    </message>
+    <message>
+        <source>File…</source>
+        <translation>Fichier…</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exporter</translation>
+    </message>
+    <message>
+        <source>Format:</source>
+        <translation>Format&#xa0;:</translation>
+    </message>
+    <message>
+        <source>To:</source>
+        <translation>Vers&#xa0;:</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::GuideView</name>
+    <message>
+        <source>About this project</source>
+        <translation>À propos de ce projet</translation>
+    </message>
+    <message>
+        <source>A README.md in the project&apos;s folder is shown here.</source>
+        <translation>Un README.md dans le dossier du projet est affiché ici.</translation>
     </message>
 </context>
 <context>
@@ -7121,9 +5198,9 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
         <source>Units: %1
 Bodies: %2
 Not kept: %3</source>
-        <translation>POU : %1
-Corps : %2
-Non conservés : %3</translation>
+        <translation>POU&#xa0;: %1
+Corps&#xa0;: %2
+Non conservés&#xa0;: %3</translation>
     </message>
     <message>
         <source>Import a Project</source>
@@ -7155,11 +5232,11 @@ Non conservés : %3</translation>
     </message>
     <message>
         <source>From:</source>
-        <translation>Depuis :</translation>
+        <translation>Depuis&#xa0;:</translation>
     </message>
     <message>
         <source>New project in:</source>
-        <translation>Nouveau projet dans :</translation>
+        <translation>Nouveau projet dans&#xa0;:</translation>
     </message>
     <message>
         <source>Projects of other tools (%1)</source>
@@ -7171,126 +5248,7 @@ Non conservés : %3</translation>
     </message>
     <message>
         <source>This folder is not empty; name a new one</source>
-        <translation>Ce dossier n’est pas vide ; indiquez-en un nouveau</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::ExportDialog</name>
-    <message>
-        <source>Export the Project</source>
-        <translation>Exporter le projet</translation>
-    </message>
-    <message>
-        <source>PLCopen XML 0200, for CODESYS and TwinCAT</source>
-        <translation>PLCopen XML 0200, pour CODESYS et TwinCAT</translation>
-    </message>
-    <message>
-        <source>PLCopen XML 0201, for Beremiz and OpenPLC</source>
-        <translation>PLCopen XML 0201, pour Beremiz et OpenPLC</translation>
-    </message>
-    <message>
-        <source>File…</source>
-        <translation>Fichier…</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Exporter</translation>
-    </message>
-    <message>
-        <source>Format:</source>
-        <translation>Format :</translation>
-    </message>
-    <message>
-        <source>To:</source>
-        <translation>Vers :</translation>
-    </message>
-</context>
-<context>
-    <name>plc::editor::GraphView</name>
-    <message>
-        <source>Show all</source>
-        <translation>Tout afficher</translation>
-    </message>
-    <message>
-        <source>Export as SVG, PNG or PDF…</source>
-        <translation>Exporter en SVG, PNG ou PDF…</translation>
-    </message>
-    <message>
-        <source>Export the Drawing</source>
-        <translation>Exporter le tracé</translation>
-    </message>
-    <message>
-        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
-        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written</source>
-        <translation>%1 ne peut pas être écrit</translation>
-    </message>
-    <message>
-        <source>Print…</source>
-        <translation>Imprimer…</translation>
-    </message>
-    <message>
-        <source>Fix the text first: this is the last good drawing</source>
-        <translation>Corrigez d’abord le texte : ceci est le dernier tracé correct</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::RenameDialog</name>
-    <message>
-        <source>Rename</source>
-        <translation>Renommer</translation>
-    </message>
-    <message>
-        <source>New name of %1, in the whole project:</source>
-        <translation>Nouveau nom de %1, dans tout le projet :</translation>
-    </message>
-    <message>
-        <source>Place</source>
-        <translation>Emplacement</translation>
-    </message>
-    <message>
-        <source>Text</source>
-        <translation>Texte</translation>
-    </message>
-    <message>
-        <source>Places that change</source>
-        <translation>Endroits modifiés</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n place(s) change:</source>
-        <translation>
-            <numerusform>%n endroit change :</numerusform>
-            <numerusform>%n endroits changent :</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>DiskChange</name>
-    <message>
-        <source>Changed outside</source>
-        <translation>Modifié à l’extérieur</translation>
-    </message>
-    <message>
-        <source>%1 was changed by another program, and here too.</source>
-        <translation>%1 a été modifié par un autre programme, et ici aussi.</translation>
-    </message>
-    <message>
-        <source>Compare both side by side, load the file from disk and lose the changes made here, or keep what is here and replace the file with the next save?</source>
-        <translation>Comparer les deux côte à côte, charger le fichier du disque et perdre les modifications faites ici, ou garder ce qui est ici et remplacer le fichier au prochain enregistrement ?</translation>
-    </message>
-    <message>
-        <source>Compare…</source>
-        <translation>Comparer…</translation>
-    </message>
-    <message>
-        <source>Load from Disk</source>
-        <translation>Charger du disque</translation>
-    </message>
-    <message>
-        <source>Keep Mine</source>
-        <translation>Garder ma version</translation>
+        <translation>Ce dossier n’est pas vide&#x202f;; indiquez-en un nouveau</translation>
     </message>
 </context>
 <context>
@@ -7301,7 +5259,929 @@ Non conservés : %3</translation>
     </message>
     <message>
         <source>Values of the instance of %1:</source>
-        <translation>Valeurs de l’instance de %1 :</translation>
+        <translation>Valeurs de l’instance de %1&#xa0;:</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::LiveViews</name>
+    <message>
+        <source>Panel shown</source>
+        <translation>Vue affichée</translation>
+    </message>
+    <message>
+        <source>Full screen (Esc ends it)</source>
+        <translation>Plein écran (Échap pour quitter)</translation>
+    </message>
+    <message>
+        <source>This project has no panel yet.
+New panels are drawn in the designer: Project, Panels, New…</source>
+        <translation>Ce projet n’a pas encore de vue.
+Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, Nouveau…</translation>
+    </message>
+    <message>
+        <source>The alarm history is kept in memory only: %1</source>
+        <translation>L’historique des alarmes n’est conservé qu’en mémoire&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Saving the recording…</source>
+        <translation>Écriture de l’enregistrement…</translation>
+    </message>
+    <message>
+        <source>Export the alarm history…</source>
+        <translation>Exporter l’historique des alarmes…</translation>
+    </message>
+    <message>
+        <source>Export the Alarm History</source>
+        <translation>Exporter l’historique des alarmes</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tableaux (*.csv)</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::MainWindow</name>
+    <message>
+        <source>A panel&apos;s name cannot contain / or \</source>
+        <translation>Le nom d’une vue est un nom de fichier&#xa0;: ni / ni \</translation>
+    </message>
+    <message>
+        <source>Name of the panel:</source>
+        <translation>Nom de la vue&#xa0;:</translation>
+    </message>
+    <message>
+        <source>New Panel</source>
+        <translation>Nouvelle vue</translation>
+    </message>
+    <message>
+        <source>overview</source>
+        <translation>vue_generale</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>Projet</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>Surveillance</translation>
+    </message>
+    <message>
+        <source>Forces</source>
+        <translation>Forçages</translation>
+    </message>
+    <message>
+        <source>Call Stack</source>
+        <translation>Pile d’appels</translation>
+    </message>
+    <message>
+        <source>Breakpoints</source>
+        <translation>Points d’arrêt</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Problèmes</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Recherche</translation>
+    </message>
+    <message>
+        <source>Tasks</source>
+        <translation>Tâches</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Journal</translation>
+    </message>
+    <message>
+        <source>Trace</source>
+        <translation>Trace</translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation>Vue</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Recent Projects</source>
+        <translation>Projets récents</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Affichage</translation>
+    </message>
+    <message>
+        <source>Main</source>
+        <translation>Barre d’outils</translation>
+    </message>
+    <message>
+        <source>State of the controller</source>
+        <translation>État de l’automate</translation>
+    </message>
+    <message>
+        <source>%1 : %2</source>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>OFFLINE</source>
+        <translation>HORS LIGNE</translation>
+    </message>
+    <message>
+        <source>RUN</source>
+        <translation>RUN</translation>
+    </message>
+    <message>
+        <source>PAUSE</source>
+        <translation>PAUSE</translation>
+    </message>
+    <message>
+        <source>HALT</source>
+        <translation>HALTE</translation>
+    </message>
+    <message>
+        <source>FAULT</source>
+        <translation>ERREUR</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>STOP</translation>
+    </message>
+    <message>
+        <source>PAST</source>
+        <translation>PASSÉ</translation>
+    </message>
+    <message>
+        <source>%1 · scan %2</source>
+        <translation>%1 · cycle %2</translation>
+    </message>
+    <message>
+        <source>%1 µs · %2 % load</source>
+        <translation>%1&#xa0;µs · charge %2&#xa0;%</translation>
+    </message>
+    <message>
+        <source>%1 MB recorded</source>
+        <translation>%1&#xa0;Mo enregistrés</translation>
+    </message>
+    <message>
+        <source>%1 scans of %2 MB at most</source>
+        <translation>%1 cycles, %2&#xa0;Mo au maximum</translation>
+    </message>
+    <message>
+        <source>Go to the line</source>
+        <translation>Aller à la ligne</translation>
+    </message>
+    <message>
+        <source>no problems</source>
+        <translation>aucun problème</translation>
+    </message>
+    <message>
+        <source>Open Project</source>
+        <translation>Ouvrir un projet</translation>
+    </message>
+    <message>
+        <source>%1 – Stepwise</source>
+        <translation>%1 – Stepwise</translation>
+    </message>
+    <message>
+        <source>Recovery</source>
+        <translation>Récupération</translation>
+    </message>
+    <message>
+        <source>The studio ended without saving. Unsaved changes of %1 were kept. Restore them?</source>
+        <translation>Le studio s’est terminé sans enregistrer. Les modifications non enregistrées de %1 ont été conservées. Les restaurer&#x202f;?</translation>
+    </message>
+    <message>
+        <source>Go to Line</source>
+        <translation>Aller à la ligne</translation>
+    </message>
+    <message>
+        <source>Line (1 to %1)</source>
+        <translation>Ligne (1 à %1)</translation>
+    </message>
+    <message>
+        <source>Nothing is declared under this name</source>
+        <translation>Rien n’est déclaré sous ce nom</translation>
+    </message>
+    <message>
+        <source>There is no name at the cursor</source>
+        <translation>Il n’y a pas de nom sous le curseur</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Renommer</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 is now %2 in %n place(s)</source>
+        <translation>
+            <numerusform>%1 s’appelle maintenant %2, à %n endroit</numerusform>
+            <numerusform>%1 s’appelle maintenant %2, à %n endroits</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Delete %1?</source>
+        <translation>Supprimer %1&#x202f;?</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Libraries</source>
+        <translation>Bibliothèques</translation>
+    </message>
+    <message>
+        <source>Running tests…</source>
+        <translation>Les tests sont en cours…</translation>
+    </message>
+    <message>
+        <source>passed: %1</source>
+        <translation>réussi&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>FAILED: %1</source>
+        <translation>ÉCHEC&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>%1 passed, %2 failed</source>
+        <translation>%1 réussis, %2 en échec</translation>
+    </message>
+    <message>
+        <source>Real time</source>
+        <translation>Temps réel</translation>
+    </message>
+    <message>
+        <source>As fast as possible</source>
+        <translation>Aussi vite que possible</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Enregistrement</translation>
+    </message>
+    <message>
+        <source>Memory for the recording of every scan [MB]:</source>
+        <translation>Mémoire pour l’enregistrement de chaque cycle [Mo]&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Save the Recording</source>
+        <translation>Sauvegarder l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Recordings (*.rec)</source>
+        <translation>Enregistrements (*.rec)</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Enregistré&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>About Stepwise</source>
+        <translation>À propos de Stepwise</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Stepwise 0.1&lt;/h3&gt;&lt;p&gt;An open PLC studio: IEC 61131-3 programs as native code, every scan recorded, operator panels in many languages.&lt;/p&gt;&lt;p&gt;Licence: GPL-3.0&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Stepwise 0.1&lt;/h3&gt;&lt;p&gt;Un studio ouvert pour automates (API)&#xa0;: programmes CEI 61131-3 en code natif, chaque cycle enregistré, vues opérateur en plusieurs langues.&lt;/p&gt;&lt;p&gt;Licence&#xa0;: GPL-3.0&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Welcome</source>
+        <translation>Bienvenue</translation>
+    </message>
+    <message>
+        <source>The project</source>
+        <translation>Le projet</translation>
+    </message>
+    <message>
+        <source>Programs, blocks, tasks, panels, traces and tests, made from the text files in the folder.</source>
+        <translation>Programmes, blocs, tâches, vues, traces et tests, issus des fichiers texte du dossier.</translation>
+    </message>
+    <message>
+        <source>The program</source>
+        <translation>Le programme</translation>
+    </message>
+    <message>
+        <source>Structured Text with colours by meaning. Errors are underlined while you type; Alt+Enter offers quick fixes; Ctrl+Space completes.</source>
+        <translation>Texte structuré coloré selon le sens. Les erreurs sont soulignées pendant la saisie&#x202f;; Alt+Entrée propose des corrections rapides&#x202f;; Ctrl+Espace complète.</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Exécution</translation>
+    </message>
+    <message>
+        <source>F5 compiles to native code and runs it. Values then appear next to each line.</source>
+        <translation>F5 compile en code natif et exécute. Les valeurs s’affichent alors à côté de chaque ligne.</translation>
+    </message>
+    <message>
+        <source>Any expression, at any moment. Prepare a value and write or force it with one click.</source>
+        <translation>N’importe quelle expression, à tout moment. Préparez une valeur, puis écrivez-la ou forcez-la d’un clic.</translation>
+    </message>
+    <message>
+        <source>The trace</source>
+        <translation>La trace</translation>
+    </message>
+    <message>
+        <source>Nothing had to be chosen before it happened: every scan is recorded, and a chart can be made of any expression afterwards.</source>
+        <translation>Rien n’était à choisir à l’avance&#xa0;: chaque cycle est enregistré, et une courbe de n’importe quelle expression peut être tracée après coup.</translation>
+    </message>
+    <message>
+        <source>The panel</source>
+        <translation>La vue</translation>
+    </message>
+    <message>
+        <source>What the operator sees, in the languages of the machine. It works here as it will on the machine.</source>
+        <translation>Ce que voit l’opérateur, dans les langues de la machine. Elle fonctionne ici comme sur la machine.</translation>
+    </message>
+    <message>
+        <source>Time runs backwards, too</source>
+        <translation>Le temps s’écoule aussi à rebours</translation>
+    </message>
+    <message>
+        <source>That’s it</source>
+        <translation>C’est tout</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+P finds every command. The start page has more machines to play with.</source>
+        <translation>Ctrl+Maj+P trouve chaque commande. La page de démarrage propose d’autres machines à essayer.</translation>
+    </message>
+    <message>
+        <source>Texts</source>
+        <translation>Textes</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmes</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>New Project…</source>
+        <translation>Nouveau projet…</translation>
+    </message>
+    <message>
+        <source>Open Project…</source>
+        <translation>Ouvrir un projet…</translation>
+    </message>
+    <message>
+        <source>Close Project</source>
+        <translation>Fermer le projet</translation>
+    </message>
+    <message>
+        <source>New Program, Block, Type…</source>
+        <translation>Ajouter un programme, un bloc, un type…</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>New Panel…</source>
+        <translation>Nouvelle vue…</translation>
+    </message>
+    <message>
+        <source>Panel Texts</source>
+        <translation>Textes des vues</translation>
+    </message>
+    <message>
+        <source>Save All</source>
+        <translation>Enregistrer tout</translation>
+    </message>
+    <message>
+        <source>Close Document</source>
+        <translation>Fermer le document</translation>
+    </message>
+    <message>
+        <source>Libraries…</source>
+        <translation>Bibliothèques…</translation>
+    </message>
+    <message>
+        <source>Settings…</source>
+        <translation>Paramètres…</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Quitter</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Édition</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rétablir</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Couper</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copier</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Coller</translation>
+    </message>
+    <message>
+        <source>Find…</source>
+        <translation>Rechercher…</translation>
+    </message>
+    <message>
+        <source>Replace…</source>
+        <translation>Remplacer…</translation>
+    </message>
+    <message>
+        <source>Find Next</source>
+        <translation>Rechercher le suivant</translation>
+    </message>
+    <message>
+        <source>Find Previous</source>
+        <translation>Rechercher le précédent</translation>
+    </message>
+    <message>
+        <source>Find in All Files…</source>
+        <translation>Rechercher dans tous les fichiers…</translation>
+    </message>
+    <message>
+        <source>Go to Line…</source>
+        <translation>Aller à la ligne…</translation>
+    </message>
+    <message>
+        <source>Go to Definition</source>
+        <translation>Aller à la définition</translation>
+    </message>
+    <message>
+        <source>Find References</source>
+        <translation>Rechercher les références</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Renommer…</translation>
+    </message>
+    <message>
+        <source>Complete</source>
+        <translation>Compléter</translation>
+    </message>
+    <message>
+        <source>Quick Fix (Alt+Enter)</source>
+        <translation>Correction rapide (Alt+Entrée)</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Mettre en forme</translation>
+    </message>
+    <message>
+        <source>Toggle Comment (Ctrl+/)</source>
+        <translation>Commenter ou décommenter (Ctrl+/)</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Dupliquer la ligne</translation>
+    </message>
+    <message>
+        <source>Select Enclosing Block</source>
+        <translation>Sélectionner le bloc englobant</translation>
+    </message>
+    <message>
+        <source>Go to Matching Keyword</source>
+        <translation>Aller au mot-clé correspondant</translation>
+    </message>
+    <message>
+        <source>Next Problem</source>
+        <translation>Problème suivant</translation>
+    </message>
+    <message>
+        <source>Previous Problem</source>
+        <translation>Problème précédent</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Précédent</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Suivant</translation>
+    </message>
+    <message>
+        <source>Build</source>
+        <translation>Compiler</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêter</translation>
+    </message>
+    <message>
+        <source>Single Scan</source>
+        <translation>Un seul cycle</translation>
+    </message>
+    <message>
+        <source>Step Into</source>
+        <translation>Pas à pas détaillé</translation>
+    </message>
+    <message>
+        <source>Step Over</source>
+        <translation>Pas à pas principal</translation>
+    </message>
+    <message>
+        <source>Step Out</source>
+        <translation>Pas à pas sortant</translation>
+    </message>
+    <message>
+        <source>Run to Cursor</source>
+        <translation>Exécuter jusqu’au curseur</translation>
+    </message>
+    <message>
+        <source>Toggle Breakpoint</source>
+        <translation>Basculer le point d’arrêt</translation>
+    </message>
+    <message>
+        <source>Reset Warm</source>
+        <translation>Reset à chaud</translation>
+    </message>
+    <message>
+        <source>Reset Cold</source>
+        <translation>Reset à froid</translation>
+    </message>
+    <message>
+        <source>Reset Origin</source>
+        <translation>Reset d’origine</translation>
+    </message>
+    <message>
+        <source>Online Change</source>
+        <translation>Modification en ligne</translation>
+    </message>
+    <message>
+        <source>Speed…</source>
+        <translation>Vitesse…</translation>
+    </message>
+    <message>
+        <source>Memory for the Recording…</source>
+        <translation>Mémoire pour l’enregistrement…</translation>
+    </message>
+    <message>
+        <source>Save the Recording…</source>
+        <translation>Sauvegarder l’enregistrement…</translation>
+    </message>
+    <message>
+        <source>Write Prepared Values</source>
+        <translation>Écrire les valeurs préparées</translation>
+    </message>
+    <message>
+        <source>Force Prepared Values</source>
+        <translation>Forcer les valeurs préparées</translation>
+    </message>
+    <message>
+        <source>Release All Forces</source>
+        <translation>Lever tous les forçages</translation>
+    </message>
+    <message>
+        <source>Run the Tests</source>
+        <translation>Exécuter les tests</translation>
+    </message>
+    <message>
+        <source>One Scan Back</source>
+        <translation>Un cycle en arrière</translation>
+    </message>
+    <message>
+        <source>One Scan Forward</source>
+        <translation>Un cycle en avant</translation>
+    </message>
+    <message>
+        <source>Back to Live</source>
+        <translation>Retour au direct</translation>
+    </message>
+    <message>
+        <source>Resume from Here</source>
+        <translation>Reprendre ici</translation>
+    </message>
+    <message>
+        <source>Command Palette</source>
+        <translation>Palette de commandes</translation>
+    </message>
+    <message>
+        <source>Split the Editor</source>
+        <translation>Fractionner l’éditeur</translation>
+    </message>
+    <message>
+        <source>Declarations as a Table</source>
+        <translation>Déclarations en tableau</translation>
+    </message>
+    <message>
+        <source>Online Values in the Text</source>
+        <translation>Valeurs en ligne dans le texte</translation>
+    </message>
+    <message>
+        <source>Larger</source>
+        <translation>Agrandir</translation>
+    </message>
+    <message>
+        <source>Smaller</source>
+        <translation>Réduire</translation>
+    </message>
+    <message>
+        <source>Light Theme</source>
+        <translation>Thème clair</translation>
+    </message>
+    <message>
+        <source>Dark Theme</source>
+        <translation>Thème sombre</translation>
+    </message>
+    <message>
+        <source>System Theme</source>
+        <translation>Thème du système</translation>
+    </message>
+    <message>
+        <source>Reset the Layout</source>
+        <translation>Réinitialiser la disposition</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Aide</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Visite guidée</translation>
+    </message>
+    <message>
+        <source>Open a Recording…</source>
+        <translation>Ouvrir un enregistrement…</translation>
+    </message>
+    <message>
+        <source>All values are of a recording from a file. A click goes back to the controller.</source>
+        <translation>Toutes les valeurs proviennent d’un enregistrement dans un fichier. Un clic ramène à l’automate.</translation>
+    </message>
+    <message>
+        <source>RECORDING</source>
+        <translation>ENREGISTREMENT</translation>
+    </message>
+    <message>
+        <source>%1 – back to live</source>
+        <translation>%1 – retour au direct</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Modifications non enregistrées</translation>
+    </message>
+    <message>
+        <source>%1 was changed. Save it?</source>
+        <translation>%1 a été modifié. L’enregistrer&#x202f;?</translation>
+    </message>
+    <message>
+        <source>Open a Recording</source>
+        <translation>Ouvrir un enregistrement</translation>
+    </message>
+    <message>
+        <source>Show as ST…</source>
+        <translation>Afficher en ST…</translation>
+    </message>
+    <message>
+        <source>Show as an Instruction List…</source>
+        <translation>Afficher en liste d’instructions…</translation>
+    </message>
+    <message>
+        <source>Put the cursor into a unit that is written in ST or IL</source>
+        <translation>Placez le curseur dans un POU écrit en ST ou en IL</translation>
+    </message>
+    <message>
+        <source>The text has changed meanwhile</source>
+        <translation>Le texte a changé entre-temps</translation>
+    </message>
+    <message>
+        <source>New Trace…</source>
+        <translation>Nouvelle trace…</translation>
+    </message>
+    <message numerus="yes">
+        <source>It is used in %n other place(s).</source>
+        <translation>
+            <numerusform>Utilisé à %n autre endroit.</numerusform>
+            <numerusform>Utilisé à %n autres endroits.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Delete and Comment Out the Uses</source>
+        <translation>Supprimer et commenter les utilisations</translation>
+    </message>
+    <message>
+        <source>Show the Uses</source>
+        <translation>Afficher les utilisations</translation>
+    </message>
+    <message>
+        <source>New Trace</source>
+        <translation>Nouvelle trace</translation>
+    </message>
+    <message>
+        <source>Name of the trace:</source>
+        <translation>Nom de la trace&#xa0;:</translation>
+    </message>
+    <message>
+        <source>trace</source>
+        <translation>trace</translation>
+    </message>
+    <message>
+        <source>A file name cannot contain / or \</source>
+        <translation>Un nom de fichier ne contient ni / ni \</translation>
+    </message>
+    <message>
+        <source>A trace %1 already exists</source>
+        <translation>Une trace %1 existe déjà</translation>
+    </message>
+    <message>
+        <source>New name of %1:</source>
+        <translation>Nouveau nom de %1&#xa0;:</translation>
+    </message>
+    <message>
+        <source>A file %1 already exists</source>
+        <translation>Un fichier %1 existe déjà</translation>
+    </message>
+    <message>
+        <source>The file cannot be renamed; check the permissions of the folder</source>
+        <translation>Le fichier ne peut pas être renommé&#x202f;; vérifiez les droits du dossier</translation>
+    </message>
+    <message>
+        <source>These panels link to it; their buttons will be reported as errors: %1</source>
+        <translation>Ces vues y renvoient&#x202f;; leurs boutons seront signalés comme problèmes&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>The file cannot be removed; check the permissions of the folder</source>
+        <translation>Le fichier ne peut pas être supprimé&#x202f;; vérifiez les droits du dossier</translation>
+    </message>
+    <message>
+        <source>The build was cancelled; everything is as it was</source>
+        <translation>La compilation a été annulée&#x202f;; tout est comme avant</translation>
+    </message>
+    <message>
+        <source>Tests</source>
+        <translation>Tests</translation>
+    </message>
+    <message>
+        <source>The tests were cancelled</source>
+        <translation>Les tests ont été annulés</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing was saved</source>
+        <translation>Annulé&#xa0;: rien n’a été enregistré</translation>
+    </message>
+    <message>
+        <source>%1 is written in %2 and is saved as it was found</source>
+        <translation>%1 est écrit en %2 et sera enregistré tel quel</translation>
+    </message>
+    <message>
+        <source>This is a copy of the example, in %1: change what you like</source>
+        <translation>Ceci est une copie de l’exemple, dans %1&#xa0;: modifiez ce que vous voulez</translation>
+    </message>
+    <message>
+        <source>This is your copy of the example, in %1</source>
+        <translation>Ceci est votre copie de l’exemple, dans %1</translation>
+    </message>
+    <message>
+        <source>The project is still being checked; try again in a moment</source>
+        <translation>Le projet est encore en cours de vérification&#x202f;; réessayez dans un instant</translation>
+    </message>
+    <message>
+        <source>It contains %1.</source>
+        <translation>Il contient %1.</translation>
+    </message>
+    <message>
+        <source>The language changes when the tests have ended</source>
+        <translation>La langue change quand les tests sont terminés</translation>
+    </message>
+    <message>
+        <source>Controller fault</source>
+        <translation>Erreur de l’automate</translation>
+    </message>
+    <message>
+        <source>RUN %1</source>
+        <translation>RUN %1</translation>
+    </message>
+    <message>
+        <source>at full speed</source>
+        <translation>à pleine vitesse</translation>
+    </message>
+    <message>
+        <source>%1 ×</source>
+        <translation>%1 ×</translation>
+    </message>
+    <message>
+        <source>Speed of the controller; any factor can be typed:</source>
+        <translation>Vitesse de l’automate&#x202f;; tout facteur peut être saisi&#xa0;:</translation>
+    </message>
+    <message>
+        <source>The speed is a factor from 0.001 to 10000</source>
+        <translation>La vitesse est un facteur de 0.001 à 10000</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>Importer…</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exporter…</translation>
+    </message>
+    <message>
+        <source>The project was exported</source>
+        <translation>Le projet a été exporté</translation>
+    </message>
+    <message>
+        <source>Select the Next Occurrence Too</source>
+        <translation>Sélectionner aussi l’occurrence suivante</translation>
+    </message>
+    <message>
+        <source>Arrange for Editing</source>
+        <translation>Disposition pour l’édition</translation>
+    </message>
+    <message>
+        <source>Arrange for Debugging</source>
+        <translation>Disposition pour le débogage</translation>
+    </message>
+    <message>
+        <source>Arrange for Drawing Panels</source>
+        <translation>Disposition pour dessiner des vues</translation>
+    </message>
+    <message>
+        <source>Maximise the Editor</source>
+        <translation>Agrandir l’éditeur</translation>
+    </message>
+    <message>
+        <source>Keeping the recording of the last run…</source>
+        <translation>Conservation de l’enregistrement de la dernière exécution…</translation>
+    </message>
+    <message>
+        <source>Diagram Beside the Text</source>
+        <translation>Schéma à côté du texte</translation>
+    </message>
+    <message>
+        <source>Bookmark</source>
+        <translation>Signet</translation>
+    </message>
+    <message>
+        <source>Next Bookmark</source>
+        <translation>Signet suivant</translation>
+    </message>
+    <message>
+        <source>Previous Bookmark</source>
+        <translation>Signet précédent</translation>
+    </message>
+    <message>
+        <source>Open Another File Beside…</source>
+        <translation>Ouvrir un autre fichier à côté…</translation>
+    </message>
+    <message>
+        <source>About This Project</source>
+        <translation>À propos de ce projet</translation>
+    </message>
+    <message>
+        <source>The project has no other file</source>
+        <translation>Le projet n’a pas d’autre fichier</translation>
+    </message>
+    <message>
+        <source>Open Another File Beside</source>
+        <translation>Ouvrir un autre fichier à côté</translation>
+    </message>
+    <message>
+        <source>%1 Nothing can break: the plant is only numbers. Press Next to look around for a minute, or F5 to run it at once.</source>
+        <translation>%1 Rien ne peut être endommagé&#xa0;: l’installation n’est faite que de nombres. Cliquez sur Suivant pour une courte visite, ou appuyez sur F5 pour démarrer tout de suite.</translation>
+    </message>
+    <message>
+        <source>This is the project %1.</source>
+        <translation>Voici le projet %1.</translation>
+    </message>
+    <message>
+        <source>What to press</source>
+        <translation>Sur quoi appuyer</translation>
+    </message>
+    <message>
+        <source>The page beside the program is the project&apos;s README: what it shows, what to press, what to watch.</source>
+        <translation>La page à côté du programme est le README du projet&#xa0;: ce qu’il affiche, sur quoi appuyer, ce qu’il faut surveiller.</translation>
+    </message>
+    <message>
+        <source>What the operator sees. This project has no panel yet; new ones are drawn with the mouse.</source>
+        <translation>Ce que voit l’opérateur. Ce projet n’a pas encore de vue&#x202f;; les nouvelles se dessinent à la souris.</translation>
+    </message>
+    <message>
+        <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume from Here” continues from there.</source>
+        <translation>Faites glisser le curseur temporel, ou appuyez sur Ctrl+Alt+Gauche&#xa0;: le code, les courbes et la vue affichent le passé. «&#xa0;Reprendre ici&#xa0;» repart de là.</translation>
+    </message>
+    <message>
+        <source>Tuning</source>
+        <translation>Réglage</translation>
+    </message>
+    <message>
+        <source>%1 is not a source of this project</source>
+        <translation>%1 n’est pas un fichier source de ce projet</translation>
     </message>
 </context>
 <context>
@@ -7348,6 +6228,176 @@ Non conservés : %3</translation>
     </message>
 </context>
 <context>
+    <name>plc::app::NewProjectDialog</name>
+    <message>
+        <source>Empty</source>
+        <translation>Vide</translation>
+    </message>
+    <message>
+        <source>One program in a task of 10 ms</source>
+        <translation>Un programme dans une tâche de 10&#xa0;ms</translation>
+    </message>
+    <message>
+        <source>Motor</source>
+        <translation>Moteur</translation>
+    </message>
+    <message>
+        <source>Start, stop, a simulated motor and a test</source>
+        <translation>Marche, arrêt, un moteur simulé et un test</translation>
+    </message>
+    <message>
+        <source>PID loop</source>
+        <translation>Boucle PID</translation>
+    </message>
+    <message>
+        <source>A temperature loop with its plant</source>
+        <translation>Une boucle de température avec son installation</translation>
+    </message>
+    <message>
+        <source>Sequence</source>
+        <translation>Séquence</translation>
+    </message>
+    <message>
+        <source>Fill, mix, empty as a sequential function chart</source>
+        <translation>Remplir, mélanger, vider, en grafcet (SFC)</translation>
+    </message>
+    <message>
+        <source>New Project</source>
+        <translation>Nouveau projet</translation>
+    </message>
+    <message>
+        <source>Template</source>
+        <translation>Modèle</translation>
+    </message>
+    <message>
+        <source>My machine</source>
+        <translation>Ma machine</translation>
+    </message>
+    <message>
+        <source>Choose a folder</source>
+        <translation>Choisir un dossier</translation>
+    </message>
+    <message>
+        <source>Folder of the project</source>
+        <translation>Dossier du projet</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>In folder</source>
+        <translation>Dans le dossier</translation>
+    </message>
+    <message>
+        <source>Create</source>
+        <translation>Créer</translation>
+    </message>
+    <message>
+        <source>Enter a project name</source>
+        <translation>Saisissez un nom de projet</translation>
+    </message>
+    <message>
+        <source>%1 already exists and is not empty</source>
+        <translation>%1 existe déjà et n’est pas vide</translation>
+    </message>
+    <message>
+        <source>Will be created in %1</source>
+        <translation>Sera créé dans %1</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::NewUnitDialog</name>
+    <message>
+        <source>Program</source>
+        <translation>Programme</translation>
+    </message>
+    <message>
+        <source>Function block</source>
+        <translation>Bloc fonctionnel</translation>
+    </message>
+    <message>
+        <source>Function</source>
+        <translation>Fonction</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation>Structure</translation>
+    </message>
+    <message>
+        <source>Enumeration</source>
+        <translation>Énumération</translation>
+    </message>
+    <message>
+        <source>Interface</source>
+        <translation>Interface</translation>
+    </message>
+    <message>
+        <source>Global variables</source>
+        <translation>Variables globales</translation>
+    </message>
+    <message>
+        <source>Sequential function chart</source>
+        <translation>Grafcet (SFC)</translation>
+    </message>
+    <message>
+        <source>Simulation of the plant</source>
+        <translation>Simulation de l’installation</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Test</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Nouveau</translation>
+    </message>
+    <message>
+        <source>a file of its own</source>
+        <translation>un fichier à part</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Genre</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>In</source>
+        <translation>Dans</translation>
+    </message>
+    <message>
+        <source>Create</source>
+        <translation>Créer</translation>
+    </message>
+    <message>
+        <source>Enter a name</source>
+        <translation>Saisissez un nom</translation>
+    </message>
+    <message>
+        <source>A name has letters, digits and _, starts with a letter and is not a keyword</source>
+        <translation>Un nom se compose de lettres, de chiffres et de _, commence par une lettre et n’est pas un mot-clé</translation>
+    </message>
+    <message>
+        <source>%1 already exists in the project</source>
+        <translation>%1 existe déjà dans le projet</translation>
+    </message>
+    <message>
+        <source>A file %1 already exists: choose it, or another name</source>
+        <translation>Le fichier %1 existe déjà&#xa0;: choisissez-le, ou un autre nom</translation>
+    </message>
+    <message>
+        <source>Program as a ladder diagram</source>
+        <translation>Programme en schéma à contacts (LD)</translation>
+    </message>
+    <message>
+        <source>Program as a function block diagram</source>
+        <translation>Programme en diagramme de blocs fonctionnels (FBD)</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::PanelFiles</name>
     <message>
         <source>Texts</source>
@@ -7360,6 +6410,182 @@ Non conservés : %3</translation>
     <message>
         <source>Panel %1</source>
         <translation>Vue %1</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::ProblemsView</name>
+    <message>
+        <source>Message</source>
+        <translation>Message</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Code</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Emplacement</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Problèmes</translation>
+    </message>
+    <message>
+        <source>Show errors</source>
+        <translation>Afficher les erreurs</translation>
+    </message>
+    <message>
+        <source>Show warnings</source>
+        <translation>Afficher les avertissements</translation>
+    </message>
+    <message>
+        <source>Show notes</source>
+        <translation>Afficher les remarques</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filtre</translation>
+    </message>
+    <message>
+        <source>Filter of the problem list</source>
+        <translation>Filtre de la liste des problèmes</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::ProjectTree</name>
+    <message>
+        <source>Project</source>
+        <translation>Projet</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filtre</translation>
+    </message>
+    <message>
+        <source>Filter of the project tree</source>
+        <translation>Filtre de l’arborescence du projet</translation>
+    </message>
+    <message>
+        <source>Chart</source>
+        <translation>Grafcet</translation>
+    </message>
+    <message>
+        <source>Programs</source>
+        <translation>Programmes</translation>
+    </message>
+    <message>
+        <source>Blocks</source>
+        <translation>Blocs</translation>
+    </message>
+    <message>
+        <source>Functions</source>
+        <translation>Fonctions</translation>
+    </message>
+    <message>
+        <source>Types</source>
+        <translation>Types</translation>
+    </message>
+    <message>
+        <source>Globals</source>
+        <translation>Variables globales</translation>
+    </message>
+    <message>
+        <source>Tasks</source>
+        <translation>Tâches</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>Simulation</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Vues</translation>
+    </message>
+    <message>
+        <source>Texts</source>
+        <translation>Textes</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmes</translation>
+    </message>
+    <message>
+        <source>Traces</source>
+        <translation>Traces</translation>
+    </message>
+    <message>
+        <source>Tests</source>
+        <translation>Tests</translation>
+    </message>
+    <message>
+        <source>Libraries</source>
+        <translation>Bibliothèques</translation>
+    </message>
+    <message>
+        <source>New…</source>
+        <translation>Nouveau…</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Renommer…</translation>
+    </message>
+    <message>
+        <source>Delete…</source>
+        <translation>Supprimer…</translation>
+    </message>
+    <message>
+        <source>Libraries…</source>
+        <translation>Bibliothèques…</translation>
+    </message>
+    <message>
+        <source>Run Tests</source>
+        <translation>Exécuter les tests</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>Ajouter à la surveillance</translation>
+    </message>
+    <message>
+        <source>Arrange by file</source>
+        <translation>Classer par fichier</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Fichiers</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::RenameDialog</name>
+    <message>
+        <source>Rename</source>
+        <translation>Renommer</translation>
+    </message>
+    <message>
+        <source>New name of %1, in the whole project:</source>
+        <translation>Nouveau nom de %1, dans tout le projet&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Emplacement</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Texte</translation>
+    </message>
+    <message>
+        <source>Places that change</source>
+        <translation>Endroits modifiés</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) change:</source>
+        <translation>
+            <numerusform>%n endroit change&#xa0;:</numerusform>
+            <numerusform>%n endroits changent&#xa0;:</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7383,6 +6609,291 @@ Non conservés : %3</translation>
     <message>
         <source>No run has ended yet</source>
         <translation>Aucune exécution n’est encore terminée</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::SearchView</name>
+    <message>
+        <source>Find in all files</source>
+        <translation>Rechercher dans tous les fichiers</translation>
+    </message>
+    <message>
+        <source>Text to find in all files</source>
+        <translation>Texte à rechercher dans tous les fichiers</translation>
+    </message>
+    <message>
+        <source>Replace with</source>
+        <translation>Remplacer par</translation>
+    </message>
+    <message>
+        <source>Replacement in all files</source>
+        <translation>Texte de remplacement dans tous les fichiers</translation>
+    </message>
+    <message>
+        <source>Regular expression</source>
+        <translation>Expression régulière</translation>
+    </message>
+    <message>
+        <source>Match case</source>
+        <translation>Respecter la casse</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>Rechercher</translation>
+    </message>
+    <message>
+        <source>Replace All</source>
+        <translation>Remplacer tout</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Emplacement</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Utilisation</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Ligne</translation>
+    </message>
+    <message>
+        <source>Search results</source>
+        <translation>Résultats de la recherche</translation>
+    </message>
+    <message>
+        <source>Invalid regular expression: %1</source>
+        <translation>Expression régulière incorrecte&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 dans %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s)</source>
+        <translation>
+            <numerusform>%n endroit</numerusform>
+            <numerusform>%n endroits</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s)</source>
+        <translation>
+            <numerusform>%n fichier</numerusform>
+            <numerusform>%n fichiers</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) replaced</source>
+        <translation>
+            <numerusform>%n endroit remplacé</numerusform>
+            <numerusform>%n endroits remplacés</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>declared</source>
+        <translation>déclaré</translation>
+    </message>
+    <message>
+        <source>read, write</source>
+        <translation>lecture, écriture</translation>
+    </message>
+    <message>
+        <source>write</source>
+        <translation>écriture</translation>
+    </message>
+    <message>
+        <source>read</source>
+        <translation>lecture</translation>
+    </message>
+    <message>
+        <source>%1: %2 read, %3 written</source>
+        <translation>%1&#xa0;: %2 lectures, %3 écritures</translation>
+    </message>
+    <message>
+        <source>Searching all files…</source>
+        <translation>Recherche dans tous les fichiers…</translation>
+    </message>
+    <message>
+        <source>Cancelled; so far: %1 in %2</source>
+        <translation>Annulé&#x202f;; jusqu’ici&#xa0;: %1 dans %2</translation>
+    </message>
+    <message>
+        <source>Replacing in all files…</source>
+        <translation>Remplacement dans tous les fichiers…</translation>
+    </message>
+    <message>
+        <source>Cancelled; nothing was replaced</source>
+        <translation>Annulé&#x202f;; rien n’a été remplacé</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::SettingsDialog</name>
+    <message>
+        <source>Settings</source>
+        <translation>Paramètres</translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation>Général</translation>
+    </message>
+    <message>
+        <source>Editor</source>
+        <translation>Éditeur</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>Exécution</translation>
+    </message>
+    <message>
+        <source>Shortcuts</source>
+        <translation>Raccourcis</translation>
+    </message>
+    <message>
+        <source>System default</source>
+        <translation>Comme le système</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Clair</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Sombre</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Thème</translation>
+    </message>
+    <message>
+        <source>Language of the studio</source>
+        <translation>Langue du studio</translation>
+    </message>
+    <message>
+        <source>Indentation</source>
+        <translation>Retrait</translation>
+    </message>
+    <message>
+        <source>Write keywords in capitals while typing</source>
+        <translation>Mettre les mots-clés en majuscules pendant la saisie</translation>
+    </message>
+    <message>
+        <source>Close blocks with Enter (IF … END_IF)</source>
+        <translation>Fermer les blocs avec Entrée (IF … END_IF)</translation>
+    </message>
+    <message>
+        <source>Show online values in the text</source>
+        <translation>Afficher les valeurs en ligne dans le texte</translation>
+    </message>
+    <message>
+        <source>Format when saving</source>
+        <translation>Mettre en forme à l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Apply an online change when saving</source>
+        <translation>Appliquer une modification en ligne à l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Memory for the recording of every scan</source>
+        <translation>Mémoire pour l’enregistrement de chaque cycle</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filtre</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>Commande</translation>
+    </message>
+    <message>
+        <source>Shortcut</source>
+        <translation>Raccourci</translation>
+    </message>
+    <message>
+        <source>Another action has the same shortcut</source>
+        <translation>Une autre commande a le même raccourci</translation>
+    </message>
+    <message>
+        <source>Shortcut of %1</source>
+        <translation>Raccourci de %1</translation>
+    </message>
+    <message>
+        <source>Filter of the actions</source>
+        <translation>Filtre des commandes</translation>
+    </message>
+    <message>
+        <source>Restore Defaults</source>
+        <translation>Valeurs par défaut</translation>
+    </message>
+    <message>
+        <source>%1 now belongs to “%2”; “%3” loses it.</source>
+        <translation>%1 appartient maintenant à «&#xa0;%2&#xa0;»&#x202f;; «&#xa0;%3&#xa0;» le perd.</translation>
+    </message>
+    <message>
+        <source>none is kept</source>
+        <translation>aucun n’est conservé</translation>
+    </message>
+    <message>
+        <source>Disk space for the recordings of earlier runs, per project</source>
+        <translation>Espace disque pour les enregistrements des exécutions précédentes, par projet</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::StPage</name>
+    <message>
+        <source>This file is read-only on disk. Saving asks before it replaces it.</source>
+        <translation>Ce fichier est en lecture seule sur le disque. L’enregistrement demande confirmation avant de le remplacer.</translation>
+    </message>
+    <message>
+        <source>Make Writable</source>
+        <translation>Rendre modifiable</translation>
+    </message>
+    <message>
+        <source>Close this side</source>
+        <translation>Fermer ce côté</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::StartPage</name>
+    <message>
+        <source>Write, run and watch PLC programs. Every scan is recorded; time runs backwards, too.</source>
+        <translation>Écrivez, exécutez et surveillez des programmes d’automate. Chaque cycle est enregistré&#x202f;; le temps s’écoule aussi à rebours.</translation>
+    </message>
+    <message>
+        <source>Recent projects</source>
+        <translation>Projets récents</translation>
+    </message>
+    <message>
+        <source>Examples</source>
+        <translation>Exemples</translation>
+    </message>
+    <message>
+        <source>New Project…</source>
+        <translation>Nouveau projet…</translation>
+    </message>
+    <message>
+        <source>Open Project…</source>
+        <translation>Ouvrir un projet…</translation>
+    </message>
+    <message>
+        <source>Take the Tour</source>
+        <translation>Suivre la visite guidée</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Récents</translation>
+    </message>
+    <message>
+        <source>Examples: open one and press Run</source>
+        <translation>Exemples&#xa0;: ouvrez-en un et lancez l’exécution</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Open a Fresh Copy</source>
+        <translation>Ouvrir une nouvelle copie</translation>
     </message>
 </context>
 <context>
@@ -7433,7 +6944,7 @@ Non conservés : %3</translation>
     </message>
     <message>
         <source>%1 ms</source>
-        <translation>%1 ms</translation>
+        <translation>%1&#xa0;ms</translation>
     </message>
     <message>
         <source>Show the Recording of the Failure</source>
@@ -7444,14 +6955,561 @@ Non conservés : %3</translation>
     <name>plc::app::TextPage</name>
     <message>
         <source>Line %1: %2</source>
-        <translation>Ligne %1 : %2</translation>
+        <translation>Ligne %1&#xa0;: %2</translation>
     </message>
 </context>
 <context>
-    <name>plc::editor::RunArchive</name>
+    <name>plc::app::Tour</name>
     <message>
-        <source>The recording of the last run was not kept: %1</source>
-        <translation>L’enregistrement de la dernière exécution n’a pas été conservé : %1</translation>
+        <source>Back</source>
+        <translation>Précédent</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Suivant</translation>
+    </message>
+    <message>
+        <source>End the tour</source>
+        <translation>Terminer la visite</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Terminé</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::BreakpointView</name>
+    <message>
+        <source>Place</source>
+        <translation>Emplacement</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Condition</translation>
+    </message>
+    <message>
+        <source>Hit count</source>
+        <translation>Nombre de passages</translation>
+    </message>
+    <message>
+        <source>Instance</source>
+        <translation>Instance</translation>
+    </message>
+    <message>
+        <source>Breakpoints</source>
+        <translation>Points d’arrêt</translation>
+    </message>
+    <message>
+        <source>Remove selected</source>
+        <translation>Supprimer la sélection</translation>
+    </message>
+    <message>
+        <source>Remove all</source>
+        <translation>Tout supprimer</translation>
+    </message>
+    <message>
+        <source>The program that runs has no code at this line or below it</source>
+        <translation>Le programme en cours n’a pas de code à cette ligne ni plus bas</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::CallPathView</name>
+    <message>
+        <source>Unit</source>
+        <translation>POU</translation>
+    </message>
+    <message>
+        <source>Instance</source>
+        <translation>Instance</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Ligne</translation>
+    </message>
+    <message>
+        <source>Call stack</source>
+        <translation>Pile d’appels</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valeur</translation>
+    </message>
+    <message>
+        <source>Values of the frame</source>
+        <translation>Valeurs du niveau d’appel</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::ChartView</name>
+    <message>
+        <source>Sequential function chart</source>
+        <translation>Grafcet (SFC)</translation>
+    </message>
+    <message>
+        <source>Insert a step after it (Ins)</source>
+        <translation>Insérer une étape après (Inser)</translation>
+    </message>
+    <message>
+        <source>Insert an alternative branch</source>
+        <translation>Insérer une branche alternative</translation>
+    </message>
+    <message>
+        <source>Insert a simultaneous branch</source>
+        <translation>Insérer une divergence simultanée</translation>
+    </message>
+    <message>
+        <source>Add an action</source>
+        <translation>Ajouter une action</translation>
+    </message>
+    <message>
+        <source>Edit name or condition (F2)</source>
+        <translation>Modifier le nom ou la condition (F2)</translation>
+    </message>
+    <message>
+        <source>Delete (Del)</source>
+        <translation>Supprimer (Suppr)</translation>
+    </message>
+    <message>
+        <source>The unit %1 is no longer in the text</source>
+        <translation>Le POU %1 n’est plus dans le texte</translation>
+    </message>
+    <message>
+        <source>The text has errors: this is the last good drawing</source>
+        <translation>Le texte contient des erreurs&#xa0;: ceci est le dernier tracé correct</translation>
+    </message>
+    <message>
+        <source>Select the step from which the branch goes out</source>
+        <translation>Sélectionnez l’étape d’où part la branche</translation>
+    </message>
+    <message>
+        <source>Select the transition after which the steps run at the same time</source>
+        <translation>Sélectionnez la transition après laquelle les étapes sont simultanées</translation>
+    </message>
+    <message>
+        <source>Select the step that gets the action</source>
+        <translation>Sélectionnez l’étape qui reçoit l’action</translation>
+    </message>
+    <message>
+        <source>Insert a Step After It</source>
+        <translation>Insérer une étape après</translation>
+    </message>
+    <message>
+        <source>Insert an Alternative Branch</source>
+        <translation>Insérer une branche alternative</translation>
+    </message>
+    <message>
+        <source>Insert a Simultaneous Branch</source>
+        <translation>Insérer une divergence simultanée</translation>
+    </message>
+    <message>
+        <source>Add an Action</source>
+        <translation>Ajouter une action</translation>
+    </message>
+    <message>
+        <source>Set as Initial Step</source>
+        <translation>Définir comme étape initiale</translation>
+    </message>
+    <message>
+        <source>Force the Step Active</source>
+        <translation>Forcer l’étape active</translation>
+    </message>
+    <message>
+        <source>Release the Step</source>
+        <translation>Lever le forçage de l’étape</translation>
+    </message>
+    <message>
+        <source>Toggle Breakpoint</source>
+        <translation>Basculer le point d’arrêt</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Édition</translation>
+    </message>
+    <message>
+        <source>Move Left</source>
+        <translation>Déplacer à gauche</translation>
+    </message>
+    <message>
+        <source>Move Right</source>
+        <translation>Déplacer à droite</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Branch to the left</source>
+        <translation>Branche à gauche</translation>
+    </message>
+    <message>
+        <source>Branch to the right</source>
+        <translation>Branche à droite</translation>
+    </message>
+    <message>
+        <source>%1 after this transition</source>
+        <translation>%1 après cette transition</translation>
+    </message>
+    <message>
+        <source>leads to %1</source>
+        <translation>mène à %1</translation>
+    </message>
+    <message>
+        <source>further up</source>
+        <translation>plus haut</translation>
+    </message>
+    <message>
+        <source>further down</source>
+        <translation>plus bas</translation>
+    </message>
+    <message>
+        <source>%1 in step %2</source>
+        <translation>%1 dans l’étape %2</translation>
+    </message>
+    <message>
+        <source>A condition is a BOOL</source>
+        <translation>Une condition est un BOOL</translation>
+    </message>
+    <message>
+        <source>qualifier</source>
+        <translation>qualificatif</translation>
+    </message>
+    <message>
+        <source>action</source>
+        <translation>action</translation>
+    </message>
+    <message>
+        <source>To the enclosing chart (Backspace)</source>
+        <translation>Vers le grafcet supérieur (Retour arrière)</translation>
+    </message>
+    <message>
+        <source>Breakpoint: stops when the step becomes active or the transition is taken (F9)</source>
+        <translation>Point d’arrêt&#xa0;: arrêt quand l’étape devient active ou quand la transition est franchie (F9)</translation>
+    </message>
+    <message>
+        <source>Force the step active</source>
+        <translation>Forcer l’étape active</translation>
+    </message>
+    <message>
+        <source>Release the step</source>
+        <translation>Lever le forçage de l’étape</translation>
+    </message>
+    <message>
+        <source>%1 is a variable: it has no body</source>
+        <translation>%1 est une variable&#xa0;: elle n’a pas de corps</translation>
+    </message>
+    <message>
+        <source>Select a step or a transition</source>
+        <translation>Sélectionnez une étape ou une transition</translation>
+    </message>
+    <message>
+        <source>Select a step</source>
+        <translation>Sélectionnez une étape</translation>
+    </message>
+    <message>
+        <source>Open Its Chart or Text</source>
+        <translation>Ouvrir son grafcet ou son texte</translation>
+    </message>
+    <message>
+        <source>Priority…</source>
+        <translation>Priorité…</translation>
+    </message>
+    <message>
+        <source>Move Up</source>
+        <translation>Déplacer vers le haut</translation>
+    </message>
+    <message>
+        <source>Move Down</source>
+        <translation>Déplacer vers le bas</translation>
+    </message>
+    <message>
+        <source>Delete the Whole Branch</source>
+        <translation>Supprimer toute la branche</translation>
+    </message>
+    <message>
+        <source>Select what is to be copied</source>
+        <translation>Sélectionnez ce qui doit être copié</translation>
+    </message>
+    <message>
+        <source>Select what is to be cut</source>
+        <translation>Sélectionnez ce qui doit être coupé</translation>
+    </message>
+    <message>
+        <source>The clipboard contains no step, action or transition</source>
+        <translation>Le presse-papiers ne contient ni étape, ni action, ni transition</translation>
+    </message>
+    <message>
+        <source>Select the step or transition to paste after</source>
+        <translation>Sélectionnez l’étape ou la transition après laquelle coller</translation>
+    </message>
+    <message>
+        <source>Select the transition that gets the condition</source>
+        <translation>Sélectionnez la transition qui reçoit la condition</translation>
+    </message>
+    <message>
+        <source>Start a Chart</source>
+        <translation>Commencer un grafcet</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Couper</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copier</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Coller</translation>
+    </message>
+    <message>
+        <source>%1 has no chart yet. A chart starts with an initial step; more steps are inserted after it with Ins, and F2 edits names and conditions.</source>
+        <translation>%1 n’a pas encore de grafcet. Un grafcet commence par une étape initiale&#x202f;; Inser ajoute d’autres étapes après elle, F2 modifie les noms et les conditions.</translation>
+    </message>
+    <message>
+        <source>%1 is not a chart: its body has statements. A chart can be started in a program or function block whose body is empty.</source>
+        <translation>%1 n’est pas un grafcet&#xa0;: son corps contient des instructions. Un grafcet peut être commencé dans un programme ou un bloc fonctionnel dont le corps est vide.</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::DeclarationTable</name>
+    <message>
+        <source>Section</source>
+        <translation>Section</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Initial value</source>
+        <translation>Valeur initiale</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Commentaire</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valeur</translation>
+    </message>
+    <message>
+        <source>Declarations</source>
+        <translation>Déclarations</translation>
+    </message>
+    <message>
+        <source>Add a variable</source>
+        <translation>Ajouter une variable</translation>
+    </message>
+    <message>
+        <source>Remove the selected variables</source>
+        <translation>Supprimer les variables sélectionnées</translation>
+    </message>
+    <message>
+        <source>Move up</source>
+        <translation>Déplacer vers le haut</translation>
+    </message>
+    <message>
+        <source>Move down</source>
+        <translation>Déplacer vers le bas</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::EventLog</name>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>PLC time</source>
+        <translation>Temps API</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>Cycle</translation>
+    </message>
+    <message>
+        <source>Event</source>
+        <translation>Événement</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Événements</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Effacer</translation>
+    </message>
+    <message>
+        <source>Copy the selected rows, else all</source>
+        <translation>Copier les lignes sélectionnées, sinon toutes</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copier</translation>
+    </message>
+    <message>
+        <source>Only faults and refusals</source>
+        <translation>Erreurs et refus seulement</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filtre</translation>
+    </message>
+    <message>
+        <source>Filter of the events</source>
+        <translation>Filtre des événements</translation>
+    </message>
+    <message>
+        <source>Step: %1</source>
+        <translation>Étape&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <comment>event at file:line</comment>
+        <translation>%1 à %2</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::FindBar</name>
+    <message>
+        <source>Find</source>
+        <translation>Rechercher</translation>
+    </message>
+    <message>
+        <source>Text to find</source>
+        <translation>Texte à rechercher</translation>
+    </message>
+    <message>
+        <source>Replace with</source>
+        <translation>Remplacer par</translation>
+    </message>
+    <message>
+        <source>Replacement</source>
+        <translation>Texte de remplacement</translation>
+    </message>
+    <message>
+        <source>Match case</source>
+        <translation>Respecter la casse</translation>
+    </message>
+    <message>
+        <source>Whole words</source>
+        <translation>Mots entiers</translation>
+    </message>
+    <message>
+        <source>Regular expression</source>
+        <translation>Expression régulière</translation>
+    </message>
+    <message>
+        <source>Previous (Shift+Enter)</source>
+        <translation>Précédent (Maj+Entrée)</translation>
+    </message>
+    <message>
+        <source>Next (Enter)</source>
+        <translation>Suivant (Entrée)</translation>
+    </message>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>Fermer (Échap)</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Remplacer</translation>
+    </message>
+    <message>
+        <source>Replace All</source>
+        <translation>Remplacer tout</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n replaced</source>
+        <translation>
+            <numerusform>%n remplacé</numerusform>
+            <numerusform>%n remplacés</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>invalid regular expression</source>
+        <translation>expression régulière incorrecte</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n found</source>
+        <translation>
+            <numerusform>%n trouvé</numerusform>
+            <numerusform>%n trouvés</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not found</source>
+        <translation>introuvable</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::ForceView</name>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Forced value</source>
+        <translation>Valeur forcée</translation>
+    </message>
+    <message>
+        <source>Forced variables</source>
+        <translation>Variables forcées</translation>
+    </message>
+    <message>
+        <source>Release selected</source>
+        <translation>Lever le forçage de la sélection</translation>
+    </message>
+    <message>
+        <source>Release all</source>
+        <translation>Lever tous les forçages</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::GraphView</name>
+    <message>
+        <source>Show all</source>
+        <translation>Tout afficher</translation>
+    </message>
+    <message>
+        <source>Export as SVG, PNG or PDF…</source>
+        <translation>Exporter en SVG, PNG ou PDF…</translation>
+    </message>
+    <message>
+        <source>Export the Drawing</source>
+        <translation>Exporter le tracé</translation>
+    </message>
+    <message>
+        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
+        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written</source>
+        <translation>%1 ne peut pas être écrit</translation>
+    </message>
+    <message>
+        <source>Print…</source>
+        <translation>Imprimer…</translation>
+    </message>
+    <message>
+        <source>Fix the text first: this is the last good drawing</source>
+        <translation>Corrigez d’abord le texte&#xa0;: ceci est le dernier tracé correct</translation>
     </message>
 </context>
 <context>
@@ -7505,16 +7563,16 @@ Non conservés : %3</translation>
         <translation>Afficher en schéma à contacts</translation>
     </message>
     <message>
-        <source>%1 is not in the text any more</source>
+        <source>%1 is no longer in the text</source>
         <translation>%1 n’est plus dans le texte</translation>
     </message>
     <message>
         <source>The text has errors: this is the last good drawing</source>
-        <translation>Le texte contient des erreurs : ceci est le dernier tracé correct</translation>
+        <translation>Le texte contient des erreurs&#xa0;: ceci est le dernier tracé correct</translation>
     </message>
     <message>
         <source>Fix the text first: this is the last good drawing</source>
-        <translation>Corrigez d’abord le texte : ceci est le dernier tracé correct</translation>
+        <translation>Corrigez d’abord le texte&#xa0;: ceci est le dernier tracé correct</translation>
     </message>
     <message>
         <source>Select a rung</source>
@@ -7542,7 +7600,7 @@ Non conservés : %3</translation>
     </message>
     <message>
         <source>Contact on the left; at a coil, the last contact</source>
-        <translation>Contact à gauche ; sur une bobine, le dernier contact</translation>
+        <translation>Contact à gauche&#x202f;; sur une bobine, le dernier contact</translation>
     </message>
     <message>
         <source>Contact on the right</source>
@@ -7574,7 +7632,7 @@ Non conservés : %3</translation>
     </message>
     <message>
         <source>Coil: normal, set, reset</source>
-        <translation>Bobine : normale, mise à 1, mise à 0</translation>
+        <translation>Bobine&#xa0;: normale, mise à 1, mise à 0</translation>
     </message>
     <message>
         <source>Comment of the rung</source>
@@ -7602,15 +7660,15 @@ Non conservés : %3</translation>
     </message>
     <message>
         <source>Select the next part; Up and Down also the next rung</source>
-        <translation>Sélectionner l’élément suivant ; Haut et Bas aussi le réseau suivant</translation>
+        <translation>Sélectionner l’élément suivant&#x202f;; Haut et Bas aussi le réseau suivant</translation>
     </message>
     <message>
         <source>Move the rung up; with Down, down</source>
-        <translation>Déplacer le réseau vers le haut ; avec Bas, vers le bas</translation>
+        <translation>Déplacer le réseau vers le haut&#x202f;; avec Bas, vers le bas</translation>
     </message>
     <message>
         <source>Typed before a name: a negated contact</source>
-        <translation>Tapé avant un nom : un contact inversé</translation>
+        <translation>Tapé avant un nom&#xa0;: un contact inversé</translation>
     </message>
     <message>
         <source>Keys in Ladder and Function Block Diagrams</source>
@@ -7683,6 +7741,2017 @@ Non conservés : %3</translation>
     <message>
         <source>Toggle Breakpoint</source>
         <translation>Basculer le point d’arrêt</translation>
+    </message>
+    <message>
+        <source>Contacts as Bars (IEC 61131-3, ANSI)</source>
+        <translation>Contacts en barres (CEI 61131-3, ANSI)</translation>
+    </message>
+    <message>
+        <source>Contacts as in Circuit Diagrams (IEC 60617)</source>
+        <translation>Contacts comme dans les schémas électriques (CEI 60617)</translation>
+    </message>
+    <message>
+        <source>Names</source>
+        <translation>Noms</translation>
+    </message>
+    <message>
+        <source>Addresses</source>
+        <translation>Adresses</translation>
+    </message>
+    <message>
+        <source>Names and Addresses</source>
+        <translation>Noms et adresses</translation>
+    </message>
+    <message>
+        <source>Comments of the Variables</source>
+        <translation>Commentaires des variables</translation>
+    </message>
+    <message>
+        <source>Comments of the Rungs</source>
+        <translation>Commentaires des réseaux</translation>
+    </message>
+    <message>
+        <source>High Contrast</source>
+        <translation>Contraste élevé</translation>
+    </message>
+    <message>
+        <source>What is shown</source>
+        <translation>Ce qui est affiché</translation>
+    </message>
+    <message>
+        <source>type</source>
+        <translation>type</translation>
+    </message>
+    <message>
+        <source>Rename the variable everywhere</source>
+        <translation>Renommer la variable partout</translation>
+    </message>
+    <message>
+        <source>Go to the declaration</source>
+        <translation>Aller à la déclaration</translation>
+    </message>
+    <message>
+        <source>References to the variable</source>
+        <translation>Références de la variable</translation>
+    </message>
+    <message>
+        <source>Quick fix</source>
+        <translation>Correction rapide</translation>
+    </message>
+    <message>
+        <source>Bookmark on the rung</source>
+        <translation>Signet sur le réseau</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Renommer…</translation>
+    </message>
+    <message>
+        <source>Find References</source>
+        <translation>Rechercher les références</translation>
+    </message>
+    <message>
+        <source>Go to Definition</source>
+        <translation>Aller à la définition</translation>
+    </message>
+    <message>
+        <source>Quick Fix</source>
+        <translation>Correction rapide</translation>
+    </message>
+    <message>
+        <source>Write TRUE</source>
+        <translation>Écrire TRUE</translation>
+    </message>
+    <message>
+        <source>Write FALSE</source>
+        <translation>Écrire FALSE</translation>
+    </message>
+    <message>
+        <source>Toggle Bookmark</source>
+        <translation>Basculer le signet</translation>
+    </message>
+    <message>
+        <source>Contact Here</source>
+        <translation>Contact ici</translation>
+    </message>
+    <message>
+        <source>Negated Contact Here</source>
+        <translation>Contact inversé ici</translation>
+    </message>
+    <message>
+        <source>Function Block Here</source>
+        <translation>Bloc fonctionnel ici</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::RunArchive</name>
+    <message>
+        <source>The recording of the last run was not kept: %1</source>
+        <translation>L’enregistrement de la dernière exécution n’a pas été conservé&#xa0;: %1</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::RunControl</name>
+    <message>
+        <source>Built in %1 ms</source>
+        <translation>Compilé en %1&#xa0;ms</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n error(s): the program was not built</source>
+        <translation>
+            <numerusform>%n erreur&#xa0;: le programme n’a pas été compilé</numerusform>
+            <numerusform>%n erreurs&#xa0;: le programme n’a pas été compilé</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Online change: %1 kept, %2 new, %3 lost</source>
+        <translation>Modification en ligne&#xa0;: %1 variables conservées, %2 nouvelles, %3 supprimées</translation>
+    </message>
+    <message>
+        <source>The change waits for the end of the scan</source>
+        <translation>La modification attend la fin du cycle</translation>
+    </message>
+    <message>
+        <source>The program has errors; the controller goes on with the old one</source>
+        <translation>Le programme contient des erreurs&#x202f;; l’automate continue avec l’ancien</translation>
+    </message>
+    <message>
+        <source>did not exist in this scan</source>
+        <translation>n’existait pas dans ce cycle</translation>
+    </message>
+    <message>
+        <source>Building</source>
+        <translation>Compilation</translation>
+    </message>
+    <message>
+        <source>Not optimised: the quick code goes on</source>
+        <translation>Non optimisé&#xa0;: le code compilé rapidement continue</translation>
+    </message>
+    <message>
+        <source>Optimising</source>
+        <translation>Optimisation</translation>
+    </message>
+    <message>
+        <source>There is no code at or below line %1 of %2</source>
+        <translation>Il n’y a pas de code à la ligne %1 de %2 ni plus bas</translation>
+    </message>
+    <message>
+        <source>The condition of the breakpoint: %1</source>
+        <translation>La condition du point d’arrêt&#xa0;: %1</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::StEditor</name>
+    <message>
+        <source>Structured Text editor</source>
+        <translation>Éditeur de texte structuré</translation>
+    </message>
+    <message>
+        <source>Declare %1</source>
+        <translation>Déclarer %1</translation>
+    </message>
+    <message>
+        <source>There is no fix for this line</source>
+        <translation>Il n’y a pas de correction pour cette ligne</translation>
+    </message>
+    <message>
+        <source>Go to Definition</source>
+        <translation>Aller à la définition</translation>
+    </message>
+    <message>
+        <source>Find References</source>
+        <translation>Rechercher les références</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Renommer…</translation>
+    </message>
+    <message>
+        <source>Add to Watch</source>
+        <translation>Ajouter à la surveillance</translation>
+    </message>
+    <message>
+        <source>Toggle Breakpoint</source>
+        <translation>Basculer le point d’arrêt</translation>
+    </message>
+    <message>
+        <source>CR</source>
+        <comment>current result of an instruction list</comment>
+        <translation>RC</translation>
+    </message>
+    <message>
+        <source>Declare %1 as an input</source>
+        <translation>Déclarer %1 comme entrée</translation>
+    </message>
+    <message>
+        <source>Declare %1 as an output</source>
+        <translation>Déclarer %1 comme sortie</translation>
+    </message>
+    <message>
+        <source>Declare %1 as a global variable</source>
+        <translation>Déclarer %1 comme variable globale</translation>
+    </message>
+    <message>
+        <source>Declare %1 in %2</source>
+        <translation>Déclarer %1 dans %2</translation>
+    </message>
+    <message>
+        <source>Write a Value…</source>
+        <translation>Écrire une valeur…</translation>
+    </message>
+    <message>
+        <source>Force…</source>
+        <translation>Forcer…</translation>
+    </message>
+    <message>
+        <source>Release the Force</source>
+        <translation>Lever le forçage</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::TaskMonitor</name>
+    <message>
+        <source>Histogram of execution times</source>
+        <translation>Histogramme des temps d’exécution</translation>
+    </message>
+    <message>
+        <source>Execution times appear here while the controller runs</source>
+        <translation>Les temps d’exécution s’affichent ici quand l’automate est en marche</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Tâche</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Exécutions</translation>
+    </message>
+    <message>
+        <source>Last</source>
+        <translation>Dernier</translation>
+    </message>
+    <message>
+        <source>Min</source>
+        <translation>Min</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Moyenne</translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation>Max</translation>
+    </message>
+    <message>
+        <source>Jitter</source>
+        <translation>Gigue</translation>
+    </message>
+    <message>
+        <source>Overruns</source>
+        <translation>Dépassements</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>Charge</translation>
+    </message>
+    <message>
+        <source>Tasks</source>
+        <translation>Tâches</translation>
+    </message>
+    <message>
+        <source>Reset the statistics</source>
+        <translation>Réinitialiser les statistiques</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::TuningView</name>
+    <message>
+        <source>Control loop</source>
+        <translation>Boucle de régulation</translation>
+    </message>
+    <message>
+        <source>Find Steps</source>
+        <translation>Rechercher les échelons</translation>
+    </message>
+    <message>
+        <source>Looks for steps of the set point and of the output in the recording and makes a model of the process.</source>
+        <translation>Recherche des échelons de la consigne et de la sortie dans l’enregistrement et en tire un modèle du procédé.</translation>
+    </message>
+    <message>
+        <source>Write Parameters</source>
+        <translation>Écrire les paramètres</translation>
+    </message>
+    <message>
+        <source>Writes all parameters in one scan.</source>
+        <translation>Écrit tous les paramètres en un seul cycle.</translation>
+    </message>
+    <message>
+        <source>Take Back</source>
+        <translation>Revenir en arrière</translation>
+    </message>
+    <message>
+        <source>Writes the parameters that were in force before.</source>
+        <translation>Écrit les paramètres qui étaient en vigueur auparavant.</translation>
+    </message>
+    <message>
+        <source>Loop:</source>
+        <translation>Boucle&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Utiliser</translation>
+    </message>
+    <message>
+        <source>At</source>
+        <translation>À</translation>
+    </message>
+    <message>
+        <source>Moved</source>
+        <translation>Modifié</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>À</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Évaluation</translation>
+    </message>
+    <message>
+        <source>Steps found</source>
+        <translation>Échelons trouvés</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modèle</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>Règle</translation>
+    </message>
+    <message>
+        <source>Kind of controller</source>
+        <translation>Type de régulateur</translation>
+    </message>
+    <message>
+        <source>Calm to brisk</source>
+        <translation>Calme à vif</translation>
+    </message>
+    <message>
+        <source>Disturbance to set point</source>
+        <translation>Perturbation à consigne</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Actuel</translation>
+    </message>
+    <message>
+        <source>Proposed</source>
+        <translation>Proposé</translation>
+    </message>
+    <message>
+        <source>Before and after</source>
+        <translation>Avant et après</translation>
+    </message>
+    <message>
+        <source>Model:</source>
+        <translation>Modèle&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Rule:</source>
+        <translation>Règle&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Controller:</source>
+        <translation>Régulateur&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Calm</source>
+        <translation>Calme</translation>
+    </message>
+    <message>
+        <source>Brisk</source>
+        <translation>Vif</translation>
+    </message>
+    <message>
+        <source>Disturbance</source>
+        <translation>Perturbation</translation>
+    </message>
+    <message>
+        <source>Set point</source>
+        <translation>Consigne</translation>
+    </message>
+    <message>
+        <source>Start the controller; its recording is what is looked at.</source>
+        <translation>Démarrez l’automate&#x202f;; c’est son enregistrement qui est examiné.</translation>
+    </message>
+    <message>
+        <source>The program has no controller block.</source>
+        <translation>Le programme n’a pas de bloc régulateur.</translation>
+    </message>
+    <message>
+        <source>Searching…</source>
+        <translation>Recherche…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s) found, %1 used.</source>
+        <translation>
+            <numerusform>%n échelon trouvé, %1 utilisé.</numerusform>
+            <numerusform>%n échelons trouvés, %1 utilisés.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, explains %2 %</source>
+        <translation>%1, explique %2&#xa0;%</translation>
+    </message>
+    <message>
+        <source>set point</source>
+        <translation>consigne</translation>
+    </message>
+    <message>
+        <source>output</source>
+        <translation>sortie</translation>
+    </message>
+    <message>
+        <source>Choose at least one step.</source>
+        <translation>Choisissez au moins un échelon.</translation>
+    </message>
+    <message>
+        <source>The rule has no answer for this process.</source>
+        <translation>La règle n’a pas de réponse pour ce procédé.</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>tous</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Gain</translation>
+    </message>
+    <message>
+        <source>Integral time</source>
+        <translation>Temps d’intégration</translation>
+    </message>
+    <message>
+        <source>Derivative time</source>
+        <translation>Temps de dérivation</translation>
+    </message>
+    <message>
+        <source>Sensitivity Ms</source>
+        <translation>Sensibilité Ms</translation>
+    </message>
+    <message>
+        <source>unstable</source>
+        <translation>instable</translation>
+    </message>
+    <message>
+        <source>Gain margin</source>
+        <translation>Marge de gain</translation>
+    </message>
+    <message>
+        <source>Phase margin</source>
+        <translation>Marge de phase</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>Dépassement</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1&#xa0;%</translation>
+    </message>
+    <message>
+        <source>Settling time</source>
+        <translation>Temps de stabilisation</translation>
+    </message>
+    <message>
+        <source>Error after a load step</source>
+        <translation>Erreur après un échelon de charge</translation>
+    </message>
+    <message>
+        <source>Control effort</source>
+        <translation>Effort de commande</translation>
+    </message>
+    <message>
+        <source>Noise in the output</source>
+        <translation>Bruit en sortie</translation>
+    </message>
+    <message>
+        <source>Recorded and modelled</source>
+        <translation>Enregistré et modélisé</translation>
+    </message>
+    <message>
+        <source>time [s]</source>
+        <translation>temps [s]</translation>
+    </message>
+    <message>
+        <source>recorded</source>
+        <translation>enregistré</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>modèle</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>actuel</translation>
+    </message>
+    <message>
+        <source>proposed</source>
+        <translation>proposé</translation>
+    </message>
+    <message>
+        <source>Step of the set point</source>
+        <translation>Échelon de consigne</translation>
+    </message>
+    <message>
+        <source>Step of the load</source>
+        <translation>Échelon de charge</translation>
+    </message>
+    <message>
+        <source>The last step with these settings</source>
+        <translation>Le dernier échelon avec ces paramètres</translation>
+    </message>
+    <message>
+        <source>Tuning</source>
+        <translation>Réglage</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Écrit&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Taken back: %1</source>
+        <translation>Annulé&#xa0;: %1</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::WatchView</name>
+    <message>
+        <source>Expression</source>
+        <translation>Expression</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valeur</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Prepared</source>
+        <translation>Préparée</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Commentaire</translation>
+    </message>
+    <message>
+        <source>Watch list</source>
+        <translation>Liste de surveillance</translation>
+    </message>
+    <message>
+        <source>Add an expression: Main.x, a[i] * 2, fb.Q AND NOT done</source>
+        <translation>Ajouter une expression&#xa0;: Main.x, a[i] * 2, fb.Q AND NOT done</translation>
+    </message>
+    <message>
+        <source>New watch expression</source>
+        <translation>Nouvelle expression de surveillance</translation>
+    </message>
+    <message>
+        <source>Write prepared values</source>
+        <translation>Écrire les valeurs préparées</translation>
+    </message>
+    <message>
+        <source>Force prepared values</source>
+        <translation>Forcer les valeurs préparées</translation>
+    </message>
+    <message>
+        <source>Release the selected forces</source>
+        <translation>Lever les forçages sélectionnés</translation>
+    </message>
+    <message>
+        <source>Decimal</source>
+        <translation>Décimal</translation>
+    </message>
+    <message>
+        <source>Hexadecimal</source>
+        <translation>Hexadécimal</translation>
+    </message>
+    <message>
+        <source>Binary</source>
+        <translation>Binaire</translation>
+    </message>
+    <message>
+        <source>Number format</source>
+        <translation>Format des nombres</translation>
+    </message>
+    <message>
+        <source>Toggle</source>
+        <translation>Inverser</translation>
+    </message>
+    <message>
+        <source>Force to %1</source>
+        <translation>Forcer à %1</translation>
+    </message>
+    <message>
+        <source>Release force</source>
+        <translation>Lever le forçage</translation>
+    </message>
+    <message>
+        <source>Show in trace</source>
+        <translation>Afficher dans la trace</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Remove all</source>
+        <translation>Tout supprimer</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <comment>number format</comment>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Numbers as decimals, in hexadecimal or binary, or milliseconds as a time</source>
+        <translation>Nombres en décimal, en hexadécimal ou en binaire, ou millisecondes sous forme de temps</translation>
+    </message>
+    <message>
+        <source>%1 … %2</source>
+        <comment>stretch of an array</comment>
+        <translation>%1 … %2</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>Surveillance</translation>
+    </message>
+    <message>
+        <source>Add, rename or remove a list</source>
+        <translation>Ajouter, renommer ou supprimer une liste</translation>
+    </message>
+    <message>
+        <source>Name of the list:</source>
+        <translation>Nom de la liste&#xa0;:</translation>
+    </message>
+    <message>
+        <source>New List…</source>
+        <translation>Nouvelle liste…</translation>
+    </message>
+    <message>
+        <source>New List</source>
+        <translation>Nouvelle liste</translation>
+    </message>
+    <message>
+        <source>Rename the List…</source>
+        <translation>Renommer la liste…</translation>
+    </message>
+    <message>
+        <source>Rename the List</source>
+        <translation>Renommer la liste</translation>
+    </message>
+    <message>
+        <source>Remove the List</source>
+        <translation>Supprimer la liste</translation>
+    </message>
+    <message>
+        <source>Number Format</source>
+        <translation>Format des nombres</translation>
+    </message>
+    <message>
+        <source>As in the list</source>
+        <translation>Comme la liste</translation>
+    </message>
+    <message>
+        <source>Source of %1 with the values of %2</source>
+        <translation>Source de %1 avec les valeurs de %2</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::AlarmEditor</name>
+    <message>
+        <source>Alarm</source>
+        <translation>Alarme</translation>
+    </message>
+    <message>
+        <source>Priority</source>
+        <translation>Priorité</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Condition</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Texte</translation>
+    </message>
+    <message>
+        <source>Add an alarm</source>
+        <translation>Ajouter une alarme</translation>
+    </message>
+    <message>
+        <source>Add a class</source>
+        <translation>Ajouter une classe</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Valeurs</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmes</translation>
+    </message>
+    <message>
+        <source>Classes</source>
+        <translation>Classes</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucune</translation>
+    </message>
+    <message>
+        <source>Add alarm</source>
+        <translation>Ajouter une alarme</translation>
+    </message>
+    <message>
+        <source>Add class</source>
+        <translation>Ajouter une classe</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::ArrayArrangementDialog</name>
+    <message>
+        <source>Arrange over array</source>
+        <translation>Disposer selon un tableau</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Paramètre</translation>
+    </message>
+    <message>
+        <source>Array</source>
+        <translation>Tableau</translation>
+    </message>
+    <message>
+        <source>First index</source>
+        <translation>Premier indice</translation>
+    </message>
+    <message>
+        <source>Last index</source>
+        <translation>Dernier indice</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Colonnes</translation>
+    </message>
+    <message>
+        <source>Horizontal gap</source>
+        <translation>Écart horizontal</translation>
+    </message>
+    <message>
+        <source>Vertical gap</source>
+        <translation>Écart vertical</translation>
+    </message>
+    <message>
+        <source>In the other arguments, # becomes the index.</source>
+        <translation>Dans les autres arguments, # devient l’indice.</translation>
+    </message>
+    <message>
+        <source>Choose an array with one index, for example Plant.Valves.</source>
+        <translation>Choisissez un tableau à un indice, par exemple Plant.Valves.</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::ArrayDialog</name>
+    <message>
+        <source>Duplicate as array</source>
+        <translation>Dupliquer en tableau</translation>
+    </message>
+    <message>
+        <source>Number of elements</source>
+        <translation>Nombre d’éléments</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Colonnes</translation>
+    </message>
+    <message>
+        <source>Vertical gap</source>
+        <translation>Écart vertical</translation>
+    </message>
+    <message>
+        <source>Index step</source>
+        <translation>Pas d’indice</translation>
+    </message>
+    <message>
+        <source>Horizontal gap</source>
+        <translation>Écart horizontal</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::DesignCanvas</name>
+    <message>
+        <source>Move</source>
+        <translation>Déplacer</translation>
+    </message>
+    <message>
+        <source>Move point</source>
+        <translation>Déplacer le point</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Points</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Insert</source>
+        <translation>Insérer</translation>
+    </message>
+    <message>
+        <source>Resize</source>
+        <translation>Redimensionner</translation>
+    </message>
+    <message>
+        <source>Bind</source>
+        <translation>Lier</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::DesignContext</name>
+    <message>
+        <source>Text</source>
+        <translation>Texte</translation>
+    </message>
+    <message>
+        <source>Rename %1</source>
+        <translation>Renommer %1</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmes</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::Outline</name>
+    <message>
+        <source>Lock</source>
+        <translation>Verrouiller</translation>
+    </message>
+    <message>
+        <source>Reorder</source>
+        <translation>Changer l’ordre</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::Palette</name>
+    <message>
+        <source>Search elements</source>
+        <translation>Rechercher des éléments</translation>
+    </message>
+    <message>
+        <source>Faceplates</source>
+        <translation>Vues d’objet</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::PanelDesigner</name>
+    <message>
+        <source>Issue</source>
+        <translation>Message</translation>
+    </message>
+    <message>
+        <source>Element</source>
+        <translation>Élément</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Langue</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Couper</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copier</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Coller</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Dupliquer</translation>
+    </message>
+    <message>
+        <source>Duplicate as array…</source>
+        <translation>Dupliquer en tableau…</translation>
+    </message>
+    <message>
+        <source>Select all</source>
+        <translation>Tout sélectionner</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Align left</source>
+        <translation>Aligner à gauche</translation>
+    </message>
+    <message>
+        <source>Align centres</source>
+        <translation>Centrer verticalement l’alignement</translation>
+    </message>
+    <message>
+        <source>Align right</source>
+        <translation>Aligner à droite</translation>
+    </message>
+    <message>
+        <source>Align top</source>
+        <translation>Aligner en haut</translation>
+    </message>
+    <message>
+        <source>Align middles</source>
+        <translation>Aligner les milieux</translation>
+    </message>
+    <message>
+        <source>Align bottom</source>
+        <translation>Aligner en bas</translation>
+    </message>
+    <message>
+        <source>Distribute horizontally</source>
+        <translation>Répartir horizontalement</translation>
+    </message>
+    <message>
+        <source>Distribute vertically</source>
+        <translation>Répartir verticalement</translation>
+    </message>
+    <message>
+        <source>Same width</source>
+        <translation>Même largeur</translation>
+    </message>
+    <message>
+        <source>Same height</source>
+        <translation>Même hauteur</translation>
+    </message>
+    <message>
+        <source>Bring to front</source>
+        <translation>Mettre au premier plan</translation>
+    </message>
+    <message>
+        <source>Bring forward</source>
+        <translation>Avancer</translation>
+    </message>
+    <message>
+        <source>Send backward</source>
+        <translation>Reculer</translation>
+    </message>
+    <message>
+        <source>Send to back</source>
+        <translation>Mettre à l’arrière-plan</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Grouper</translation>
+    </message>
+    <message>
+        <source>Ungroup</source>
+        <translation>Dissocier</translation>
+    </message>
+    <message>
+        <source>Lock</source>
+        <translation>Verrouiller</translation>
+    </message>
+    <message>
+        <source>Show the grid</source>
+        <translation>Afficher la grille</translation>
+    </message>
+    <message>
+        <source>Snap (Alt: not now)</source>
+        <translation>Aimanter (Alt&#xa0;: pas maintenant)</translation>
+    </message>
+    <message>
+        <source>Live preview</source>
+        <translation>Aperçu en direct</translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation>Zoom avant</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>Zoom arrière</translation>
+    </message>
+    <message>
+        <source>Zoom 100 %</source>
+        <translation>Zoom 100&#xa0;%</translation>
+    </message>
+    <message>
+        <source>Zoom to fit</source>
+        <translation>Ajuster à la fenêtre</translation>
+    </message>
+    <message>
+        <source>Language shown</source>
+        <translation>Langue affichée</translation>
+    </message>
+    <message>
+        <source>Theme of the panel</source>
+        <translation>Thème de la vue</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Clair</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Sombre</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>Contraste élevé</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Thème</translation>
+    </message>
+    <message>
+        <source>Duplicate as array</source>
+        <translation>Dupliquer en tableau</translation>
+    </message>
+    <message>
+        <source>Elements</source>
+        <translation>Éléments</translation>
+    </message>
+    <message>
+        <source>Variables</source>
+        <translation>Variables</translation>
+    </message>
+    <message>
+        <source>Same size</source>
+        <translation>Même taille</translation>
+    </message>
+    <message>
+        <source>Paste in place</source>
+        <translation>Coller au même endroit</translation>
+    </message>
+    <message>
+        <source>Arrange over array…</source>
+        <translation>Disposer selon un tableau…</translation>
+    </message>
+    <message>
+        <source>Arrange over array</source>
+        <translation>Disposer selon un tableau</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::PropertySheet</name>
+    <message>
+        <source>Search properties</source>
+        <translation>Rechercher des propriétés</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Réinitialiser</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n elements</source>
+        <translation>
+            <numerusform>%n élément</numerusform>
+            <numerusform>%n éléments</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::RecordsDialog</name>
+    <message>
+        <source>Add</source>
+        <translation>Ajouter</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Vers le haut</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Vers le bas</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::TextEditor</name>
+    <message>
+        <source>Only incomplete</source>
+        <translation>Incomplets seulement</translation>
+    </message>
+    <message>
+        <source>Search texts</source>
+        <translation>Rechercher des textes</translation>
+    </message>
+    <message>
+        <source>Add a key</source>
+        <translation>Ajouter une clé</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Clé</translation>
+    </message>
+    <message>
+        <source>Remove the selected keys</source>
+        <translation>Supprimer les clés sélectionnées</translation>
+    </message>
+    <message>
+        <source>Add a language</source>
+        <translation>Ajouter une langue</translation>
+    </message>
+    <message>
+        <source>Language tag, for example de or zh-CN</source>
+        <translation>Étiquette de langue, par exemple de ou zh-CN</translation>
+    </message>
+    <message>
+        <source>Import CSV</source>
+        <translation>Importer un CSV</translation>
+    </message>
+    <message>
+        <source>Text tables (*.csv *.txt)</source>
+        <translation>Tables de textes (*.csv *.txt)</translation>
+    </message>
+    <message>
+        <source>Export CSV</source>
+        <translation>Exporter en CSV</translation>
+    </message>
+    <message>
+        <source>Text tables (*.csv)</source>
+        <translation>Tables de textes (*.csv)</translation>
+    </message>
+    <message>
+        <source>Add key</source>
+        <translation>Ajouter une clé</translation>
+    </message>
+    <message>
+        <source>Remove keys</source>
+        <translation>Supprimer les clés</translation>
+    </message>
+    <message>
+        <source>Add language</source>
+        <translation>Ajouter une langue</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n text(s)</source>
+        <translation>
+            <numerusform>%n texte</numerusform>
+            <numerusform>%n textes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 is not used.</source>
+        <translation>%1 n’est pas utilisé.</translation>
+    </message>
+    <message>
+        <source>%1 is used by %2</source>
+        <translation>%1 est utilisé par %2</translation>
+    </message>
+    <message>
+        <source>Import XLIFF</source>
+        <translation>Importer XLIFF</translation>
+    </message>
+    <message>
+        <source>Translations (*.xlf *.xliff)</source>
+        <translation>Traductions (*.xlf *.xliff)</translation>
+    </message>
+    <message>
+        <source>Export XLIFF</source>
+        <translation>Exporter XLIFF</translation>
+    </message>
+    <message>
+        <source>Translated from</source>
+        <translation>Traduit depuis</translation>
+    </message>
+    <message>
+        <source>Translated into</source>
+        <translation>Traduit vers</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>Version</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n text(s) taken.</source>
+        <translation>
+            <numerusform>%n texte repris.</numerusform>
+            <numerusform>%n textes repris.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n text(s) as they were.</source>
+        <translation>
+            <numerusform>%n texte inchangé.</numerusform>
+            <numerusform>%n textes inchangés.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n text(s) without a translation.</source>
+        <translation>
+            <numerusform>%n texte sans traduction.</numerusform>
+            <numerusform>%n textes sans traduction.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>XLIFF %1</source>
+        <translation>XLIFF %1</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::TextModel</name>
+    <message>
+        <source>Key</source>
+        <translation>Clé</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Commentaire</translation>
+    </message>
+    <message>
+        <source>Rename key</source>
+        <translation>Renommer la clé</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Texte</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::Canvas</name>
+    <message>
+        <source>Overview</source>
+        <translation>Vue d’ensemble</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::ColorPopup</name>
+    <message>
+        <source>Colours</source>
+        <translation>Couleurs</translation>
+    </message>
+    <message>
+        <source>More colours…</source>
+        <translation>Autres couleurs…</translation>
+    </message>
+    <message>
+        <source>No colour</source>
+        <translation>Aucune couleur</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::CommandPalette</name>
+    <message>
+        <source>Command palette</source>
+        <translation>Palette de commandes</translation>
+    </message>
+    <message>
+        <source>Type to find a command</source>
+        <translation>Tapez pour trouver une commande</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Commande</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Commandes</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>menu and command</comment>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::PlotView</name>
+    <message>
+        <source>Chart</source>
+        <translation>Courbe</translation>
+    </message>
+    <message>
+        <source>%1
+Click selects, Ctrl+click shows or hides.</source>
+        <translation>%1
+Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::PropertyGrid</name>
+    <message>
+        <source>Choose a variable</source>
+        <translation>Choisir une variable</translation>
+    </message>
+    <message>
+        <source>Choose a file</source>
+        <translation>Choisir un fichier</translation>
+    </message>
+    <message>
+        <source>Edit in a window</source>
+        <translation>Modifier dans une fenêtre</translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation>Oui</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>Non</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucun</translation>
+    </message>
+    <message>
+        <source>Property</source>
+        <translation>Propriété</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valeur</translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation>Propriétés</translation>
+    </message>
+    <message>
+        <source>various</source>
+        <translation>différents</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Réinitialiser</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::VariablePicker</name>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Commentaire</translation>
+    </message>
+    <message>
+        <source>Search variables</source>
+        <translation>Rechercher des variables</translation>
+    </message>
+    <message>
+        <source>Variables</source>
+        <translation>Variables</translation>
+    </message>
+    <message>
+        <source>Found variables</source>
+        <translation>Variables trouvées</translation>
+    </message>
+    <message>
+        <source>Choose a variable</source>
+        <translation>Choisir une variable</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::WorkStrip</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>%1 is being cancelled…</source>
+        <translation>Annulation en cours&#xa0;: %1…</translation>
+    </message>
+    <message>
+        <source>Cancel: %1</source>
+        <translation>Annuler&#xa0;: %1</translation>
+    </message>
+</context>
+<context>
+    <name>plc::trace::ChannelPanel</name>
+    <message>
+        <source>Variable or expression</source>
+        <translation>Variable ou expression</translation>
+    </message>
+    <message>
+        <source>Add a channel</source>
+        <translation>Ajouter une voie</translation>
+    </message>
+    <message>
+        <source>Add as a channel</source>
+        <translation>Ajouter comme voie</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Voie</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valeur</translation>
+    </message>
+    <message>
+        <source>Channels</source>
+        <translation>Voies</translation>
+    </message>
+    <message>
+        <source>Show channel</source>
+        <translation>Afficher la voie</translation>
+    </message>
+    <message>
+        <source>Hide channel</source>
+        <translation>Masquer la voie</translation>
+    </message>
+    <message>
+        <source>Chart %1</source>
+        <translation>Graphique %1</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>erreur</translation>
+    </message>
+    <message>
+        <source>Expression</source>
+        <translation>Expression</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unité</translation>
+    </message>
+    <message>
+        <source>Style</source>
+        <translation>Style</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatique</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Ligne</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Palier</translation>
+    </message>
+    <message>
+        <source>Digital</source>
+        <translation>Numérique</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Couleur</translation>
+    </message>
+    <message>
+        <source>Line width</source>
+        <translation>Épaisseur du trait</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Facteur</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Décalage</translation>
+    </message>
+    <message>
+        <source>Chart</source>
+        <translation>Courbe</translation>
+    </message>
+    <message>
+        <source>New chart</source>
+        <translation>Nouveau graphique</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Axe</translation>
+    </message>
+    <message>
+        <source>Axis %1</source>
+        <translation>Axe %1</translation>
+    </message>
+    <message>
+        <source>New axis</source>
+        <translation>Nouvel axe</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titre</translation>
+    </message>
+    <message>
+        <source>Share of height</source>
+        <translation>Part de la hauteur</translation>
+    </message>
+    <message>
+        <source>Scaling</source>
+        <translation>Échelle</translation>
+    </message>
+    <message>
+        <source>Fit to view</source>
+        <translation>Ajuster à l’affichage</translation>
+    </message>
+    <message>
+        <source>Fixed</source>
+        <translation>Fixe</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>On the right</source>
+        <translation>À droite</translation>
+    </message>
+    <message>
+        <source>Trace</source>
+        <translation>Trace</translation>
+    </message>
+    <message>
+        <source>Every n-th scan</source>
+        <translation>Tous les n cycles</translation>
+    </message>
+    <message>
+        <source>Record while</source>
+        <translation>Condition d’enregistrement</translation>
+    </message>
+    <message>
+        <source>Trigger</source>
+        <translation>Déclencheur</translation>
+    </message>
+    <message>
+        <source>Edge</source>
+        <translation>Front</translation>
+    </message>
+    <message>
+        <source>Rising</source>
+        <translation>Montant</translation>
+    </message>
+    <message>
+        <source>Falling</source>
+        <translation>Descendant</translation>
+    </message>
+    <message>
+        <source>Both</source>
+        <translation>Les deux</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Niveau</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Mode</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Désactivé</translation>
+    </message>
+    <message>
+        <source>Single</source>
+        <translation>Unique</translation>
+    </message>
+    <message>
+        <source>Repeated</source>
+        <translation>Répété</translation>
+    </message>
+    <message>
+        <source>Shown before</source>
+        <translation>Affiché avant le déclenchement</translation>
+    </message>
+    <message>
+        <source>Shown after</source>
+        <translation>Affiché après le déclenchement</translation>
+    </message>
+    <message>
+        <source>Change channel</source>
+        <translation>Modifier la voie</translation>
+    </message>
+    <message>
+        <source>Change chart</source>
+        <translation>Modifier le graphique</translation>
+    </message>
+    <message>
+        <source>Change trace</source>
+        <translation>Modifier la trace</translation>
+    </message>
+    <message>
+        <source>Remove channel</source>
+        <translation>Supprimer la voie</translation>
+    </message>
+    <message>
+        <source>Remove chart</source>
+        <translation>Supprimer le graphique</translation>
+    </message>
+    <message>
+        <source>Move channel</source>
+        <translation>Déplacer la voie</translation>
+    </message>
+    <message>
+        <source>Compared recording</source>
+        <translation>Enregistrement comparé</translation>
+    </message>
+    <message>
+        <source>Offset in time</source>
+        <translation>Décalage temporel</translation>
+    </message>
+</context>
+<context>
+    <name>plc::trace::TimeBar</name>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Resumed from here
+%1</source>
+        <translation>Repris ici
+%1</translation>
+    </message>
+</context>
+<context>
+    <name>plc::trace::TimeSlider</name>
+    <message>
+        <source>Time slider</source>
+        <translation>Curseur temporel</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Variable whose changes to step to</source>
+        <translation>Variable dont on parcourt les changements</translation>
+    </message>
+    <message>
+        <source>The arrows beside step to its previous and next change</source>
+        <translation>Les flèches à côté vont à son changement précédent et suivant</translation>
+    </message>
+    <message>
+        <source>One scan back (Left)</source>
+        <translation>Un cycle en arrière (Gauche)</translation>
+    </message>
+    <message>
+        <source>One scan forward (Right)</source>
+        <translation>Un cycle en avant (Droite)</translation>
+    </message>
+    <message>
+        <source>Previous change of the variable (Ctrl+Left)</source>
+        <translation>Changement précédent de la variable (Ctrl+Gauche)</translation>
+    </message>
+    <message>
+        <source>Next change of the variable (Ctrl+Right)</source>
+        <translation>Changement suivant de la variable (Ctrl+Droite)</translation>
+    </message>
+    <message>
+        <source>Resume the controller from this scan</source>
+        <translation>Reprendre l’automate à partir de ce cycle</translation>
+    </message>
+    <message>
+        <source>Back to the newest scan (End)</source>
+        <translation>Retour au cycle le plus récent (Fin)</translation>
+    </message>
+    <message>
+        <source>Older scans are no longer kept.</source>
+        <translation>Les cycles plus anciens ne sont plus conservés.</translation>
+    </message>
+    <message>
+        <source>%1 does not change before this scan.</source>
+        <translation>%1 ne change pas avant ce cycle.</translation>
+    </message>
+    <message>
+        <source>%1 does not change after this scan.</source>
+        <translation>%1 ne change pas après ce cycle.</translation>
+    </message>
+    <message>
+        <source>No recording</source>
+        <translation>Pas d’enregistrement</translation>
+    </message>
+    <message>
+        <source>no longer kept</source>
+        <translation>n’est plus conservé</translation>
+    </message>
+    <message>
+        <source>scan %1  %2</source>
+        <translation>cycle %1  %2</translation>
+    </message>
+</context>
+<context>
+    <name>plc::trace::TraceView</name>
+    <message>
+        <source>Trace</source>
+        <translation>Trace</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Mesures</translation>
+    </message>
+    <message>
+        <source>Show channel</source>
+        <translation>Afficher la voie</translation>
+    </message>
+    <message>
+        <source>Hide channel</source>
+        <translation>Masquer la voie</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Suivre</translation>
+    </message>
+    <message>
+        <source>Follow the newest scan (End)</source>
+        <translation>Suivre le cycle le plus récent (Fin)</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Ajuster</translation>
+    </message>
+    <message>
+        <source>Show everything recorded (Home)</source>
+        <translation>Afficher tout ce qui est enregistré (Début)</translation>
+    </message>
+    <message>
+        <source>Fit values</source>
+        <translation>Ajuster les valeurs</translation>
+    </message>
+    <message>
+        <source>Let the value axes fit again</source>
+        <translation>Réajuster les axes des valeurs</translation>
+    </message>
+    <message>
+        <source>Zoom back</source>
+        <translation>Zoom précédent</translation>
+    </message>
+    <message>
+        <source>Back to the view before (Backspace)</source>
+        <translation>Revenir à l’affichage précédent (Retour arrière)</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoom</translation>
+    </message>
+    <message>
+        <source>Drag a box to zoom: flat for time, upright for values</source>
+        <translation>Tracez un cadre pour zoomer&#xa0;: plat pour le temps, haut pour les valeurs</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>Déplacer l’affichage</translation>
+    </message>
+    <message>
+        <source>Drag to pan (middle button always does)</source>
+        <translation>Faites glisser pour déplacer l’affichage (toujours avec le bouton central)</translation>
+    </message>
+    <message>
+        <source>Cursors</source>
+        <translation>Curseurs</translation>
+    </message>
+    <message>
+        <source>Two cursors (Ctrl+click sets A, Shift+click sets B)</source>
+        <translation>Deux curseurs (Ctrl+clic place A, Maj+clic place B)</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Mesurer</translation>
+    </message>
+    <message>
+        <source>Table of values and statistics between the cursors</source>
+        <translation>Tableau des valeurs et statistiques entre les curseurs</translation>
+    </message>
+    <message>
+        <source>Measuring table</source>
+        <translation>Tableau de mesure</translation>
+    </message>
+    <message>
+        <source>Trigger</source>
+        <translation>Déclencheur</translation>
+    </message>
+    <message>
+        <source>Arm the trigger set in the properties of the trace</source>
+        <translation>Armer le déclencheur défini dans les propriétés de la trace</translation>
+    </message>
+    <message>
+        <source>Previous trigger</source>
+        <translation>Déclenchement précédent</translation>
+    </message>
+    <message>
+        <source>Where the trigger would have fired before</source>
+        <translation>Où le déclencheur aurait agi auparavant</translation>
+    </message>
+    <message>
+        <source>Next trigger</source>
+        <translation>Déclenchement suivant</translation>
+    </message>
+    <message>
+        <source>Where the trigger would have fired next</source>
+        <translation>Où le déclencheur aurait agi ensuite</translation>
+    </message>
+    <message>
+        <source>Add chart</source>
+        <translation>Ajouter un graphique</translation>
+    </message>
+    <message>
+        <source>Another chart over the same time</source>
+        <translation>Un autre graphique sur la même durée</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Comparer</translation>
+    </message>
+    <message>
+        <source>Load an older recording beneath the present one</source>
+        <translation>Charger un enregistrement plus ancien sous l’actuel</translation>
+    </message>
+    <message>
+        <source>Recording to draw beneath</source>
+        <translation>Enregistrement à tracer en dessous</translation>
+    </message>
+    <message>
+        <source>Recordings (*.rec);;All files (*)</source>
+        <translation>Enregistrements (*.rec);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Trace configuration</source>
+        <translation>Configuration de trace</translation>
+    </message>
+    <message>
+        <source>Open configuration…</source>
+        <translation>Ouvrir une configuration…</translation>
+    </message>
+    <message>
+        <source>Open trace configuration</source>
+        <translation>Ouvrir une configuration de trace</translation>
+    </message>
+    <message>
+        <source>Trace configurations (*.trace.json)</source>
+        <translation>Configurations de trace (*.trace.json)</translation>
+    </message>
+    <message>
+        <source>Save trace configuration</source>
+        <translation>Enregistrer la configuration de trace</translation>
+    </message>
+    <message>
+        <source>Save configuration</source>
+        <translation>Enregistrer la configuration</translation>
+    </message>
+    <message>
+        <source>Save configuration as…</source>
+        <translation>Enregistrer la configuration sous…</translation>
+    </message>
+    <message>
+        <source>Open recording…</source>
+        <translation>Ouvrir un enregistrement…</translation>
+    </message>
+    <message>
+        <source>Open recording</source>
+        <translation>Ouvrir un enregistrement</translation>
+    </message>
+    <message>
+        <source>Back to the running PLC</source>
+        <translation>Retour au direct de l’automate</translation>
+    </message>
+    <message>
+        <source>Save recording…</source>
+        <translation>Sauvegarder l’enregistrement…</translation>
+    </message>
+    <message>
+        <source>Save recording</source>
+        <translation>Sauvegarder l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Recordings (*.rec)</source>
+        <translation>Enregistrements (*.rec)</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exporter</translation>
+    </message>
+    <message>
+        <source>Copy as picture</source>
+        <translation>Copier comme image</translation>
+    </message>
+    <message>
+        <source>Save samples in view as CSV…</source>
+        <translation>Enregistrer les valeurs visibles en CSV…</translation>
+    </message>
+    <message>
+        <source>Save as %1…</source>
+        <translation>Enregistrer en %1…</translation>
+    </message>
+    <message>
+        <source>Print…</source>
+        <translation>Imprimer…</translation>
+    </message>
+    <message>
+        <source>Save as %1</source>
+        <translation>Enregistrer en %1</translation>
+    </message>
+    <message>
+        <source>Add channel</source>
+        <translation>Ajouter une voie</translation>
+    </message>
+    <message>
+        <source>Arm trigger</source>
+        <translation>Armer le déclencheur</translation>
+    </message>
+    <message>
+        <source>The trigger has no expression yet: enter one in the properties of the trace.</source>
+        <translation>Le déclencheur n’a pas encore d’expression&#xa0;: saisissez-en une dans les propriétés de la trace.</translation>
+    </message>
+    <message>
+        <source>Trigger armed</source>
+        <translation>Déclencheur armé</translation>
+    </message>
+    <message>
+        <source>Triggered, collecting</source>
+        <translation>Déclenché, acquisition en cours</translation>
+    </message>
+    <message>
+        <source>Triggered</source>
+        <translation>Déclenché</translation>
+    </message>
+    <message numerus="yes">
+        <source>(%n shot(s))</source>
+        <translation>
+            <numerusform>(%n déclenchement)</numerusform>
+            <numerusform>(%n déclenchements)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not running</source>
+        <translation>Arrêté</translation>
+    </message>
+    <message>
+        <source>%L1 scans kept  ·  history %2 of %3 MB  ·  channels %4 of %5 MB</source>
+        <translation>%L1 cycles conservés  ·  historique %2 sur %3&#xa0;Mo  ·  voies %4 sur %5&#xa0;Mo</translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation>Propriétés</translation>
+    </message>
+    <message>
+        <source>Remove channel</source>
+        <translation>Supprimer la voie</translation>
+    </message>
+    <message>
+        <source>Add channel…</source>
+        <translation>Ajouter une voie…</translation>
+    </message>
+    <message>
+        <source>Trigger off</source>
+        <translation>Désactiver le déclencheur</translation>
+    </message>
+    <message>
+        <source>Saving the samples…</source>
+        <translation>Enregistrement des valeurs…</translation>
+    </message>
+    <message>
+        <source>Opening %1…</source>
+        <translation>Ouverture de %1…</translation>
+    </message>
+    <message>
+        <source>Saving the recording…</source>
+        <translation>Écriture de l’enregistrement…</translation>
+    </message>
+    <message>
+        <source>%1, %2 later</source>
+        <translation>%1, %2 plus tard</translation>
+    </message>
+    <message>
+        <source>%1, %2 earlier</source>
+        <translation>%1, %2 plus tôt</translation>
     </message>
 </context>
 </TS>

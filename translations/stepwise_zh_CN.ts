@@ -517,6 +517,33 @@
     </message>
 </context>
 <context>
+    <name>DiskChange</name>
+    <message>
+        <source>Changed outside</source>
+        <translation>在外部被更改</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program, and here too.</source>
+        <translation>%1 已被其他程序更改，此处也有更改。</translation>
+    </message>
+    <message>
+        <source>Compare both side by side, load the file from disk and lose the changes made here, or keep what is here and replace the file with the next save?</source>
+        <translation>并排比较两者，从磁盘加载文件并放弃此处的更改，还是保留此处的内容并在下次保存时替换文件？</translation>
+    </message>
+    <message>
+        <source>Compare…</source>
+        <translation>比较…</translation>
+    </message>
+    <message>
+        <source>Load from Disk</source>
+        <translation>从磁盘加载</translation>
+    </message>
+    <message>
+        <source>Keep Mine</source>
+        <translation>保留我的版本</translation>
+    </message>
+</context>
+<context>
     <name>EditHistory</name>
     <message>
         <source>&amp;Undo</source>
@@ -568,10 +595,6 @@
     <message>
         <source>the task ran longer than its watchdog time of {0}</source>
         <translation>任务运行超过其看门狗时间 {0}</translation>
-    </message>
-    <message>
-        <source>more than {0} loop passes and calls in one run of the task; check for an endless loop</source>
-        <translation>任务的一次执行中循环和调用超过 {0} 次；请检查是否有死循环</translation>
     </message>
     <message>
         <source>calls are nested too deeply; check for endless recursion</source>
@@ -1338,10 +1361,6 @@
         <translation>同一行上的语句不能移动；请先在文本中分开。</translation>
     </message>
     <message>
-        <source>The first input and the first output of {0} must be BOOL for it to stand in a rung.</source>
-        <translation>{0} 的第一个输入和第一个输出必须是 BOOL，才能放入程序段。</translation>
-    </message>
-    <message>
         <source>The rung reads what it writes; add this coil in a rung of its own.</source>
         <translation>此程序段读取自己写入的值；请将此线圈添加到单独的程序段。</translation>
     </message>
@@ -1578,7 +1597,7 @@
         <translation>{0} 超出 {1} 的范围</translation>
     </message>
     <message>
-        <source>STRING holds Latin-1 only; declare the variable as WSTRING</source>
+        <source>STRING contains Latin-1 only; declare the variable as WSTRING</source>
         <translation>STRING 只包含 Latin-1；请将变量声明为 WSTRING</translation>
     </message>
     <message>
@@ -1846,14 +1865,570 @@
         <translation>{0} 不是扫描周期数</translation>
     </message>
     <message>
+        <source>{0} is not a name: use letters, digits and underscores.</source>
+        <translation>{0} 不是名称：请使用字母、数字和下划线。</translation>
+    </message>
+    <message>
         <source>{0} is not a time</source>
-        <translation>{0} 不是时间</translation>
-        <source>This is no file that can be imported: PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
         <translation>{0} 不是时间</translation>
     </message>
     <message>
-        <source>{0} is not a name: use letters, digits and underscores.</source>
-        <translation>{0} 不是名称：请使用字母、数字和下划线。</translation>
+        <source>This is not an XLIFF file</source>
+        <translation>这不是 XLIFF 文件</translation>
+    </message>
+    <message>
+        <source>The XLIFF version {0} is not known; save the file as 1.2 or 2.0</source>
+        <translation>XLIFF 版本 {0} 未知；请将文件保存为 1.2 或 2.0</translation>
+    </message>
+    <message>
+        <source>The file does not say into which language it is translated</source>
+        <translation>文件未说明翻译成哪种语言</translation>
+    </message>
+    <message>
+        <source>The XML is wrong: {0}</source>
+        <translation>XML 有误：{0}</translation>
+    </message>
+    <message>
+        <source>The text of the key {0} in {1} has changed since the export; check the translation</source>
+        <translation>键 {0} 的 {1} 文本在导出后已更改；请检查翻译</translation>
+    </message>
+    <message>
+        <source>The translation of the key {0} has other placeholders than its source, so it was not taken</source>
+        <translation>键 {0} 的译文与原文的占位符不同，因此未采用</translation>
+    </message>
+    <message>
+        <source>The picture {0} is outside the project; copy it into the project, or set {1} to true under {2} in project.json</source>
+        <translation>图片 {0} 在项目之外；请复制到项目中，或在 project.json 的 {2} 下将 {1} 设为 true</translation>
+    </message>
+    <message>
+        <source>The picture {0} is larger than {1} MB</source>
+        <translation>图片 {0} 大于 {1} MB</translation>
+    </message>
+    <message>
+        <source>The picture {0} unpacks to more than {1} MB</source>
+        <translation>图片 {0} 解压后大于 {1} MB</translation>
+    </message>
+    <message>
+        <source>The picture {0} is {1} x {2} pixels; more than {3} million are not drawn</source>
+        <translation>图片 {0} 为 {1} x {2} 像素；超过 {3} 百万像素时不绘制</translation>
+    </message>
+    <message>
+        <source>{0} is not a picture in a known format such as PNG, JPEG or SVG</source>
+        <translation>{0} 不是 PNG、JPEG 或 SVG 等已知格式的图片</translation>
+    </message>
+    <message>
+        <source>The picture {0} draws more than {1} shapes</source>
+        <translation>图片 {0} 绘制的形状超过 {1} 个</translation>
+    </message>
+    <message>
+        <source>The shapes of the picture {0} are nested more than {1} deep or contain themselves</source>
+        <translation>图片 {0} 的形状嵌套超过 {1} 层，或包含自身</translation>
+    </message>
+    <message>
+        <source>The picture {0} loads {1}; embed it in the picture as PNG or JPEG</source>
+        <translation>图片 {0} 会加载 {1}；请以 PNG 或 JPEG 嵌入图片</translation>
+    </message>
+    <message>
+        <source>The picture {0} has dashed lines of more than {1} dashes</source>
+        <translation>图片 {0} 的虚线超过 {1} 段</translation>
+    </message>
+    <message>
+        <source>This version does not know the property {0}; it is kept as it is</source>
+        <translation>此版本不认识属性 {0}；将原样保留</translation>
+    </message>
+    <message>
+        <source>This version does not know the property {0}; did you mean {1}?</source>
+        <translation>此版本不认识属性 {0}；是否指 {1}？</translation>
+    </message>
+    <message>
+        <source>The value must be true or false</source>
+        <translation>值必须是 true 或 false</translation>
+    </message>
+    <message>
+        <source>The value must be a whole number</source>
+        <translation>值必须是整数</translation>
+    </message>
+    <message>
+        <source>The value must be a number</source>
+        <translation>值必须是数字</translation>
+    </message>
+    <message>
+        <source>The value must be a list of two numbers: width and height</source>
+        <translation>值必须是两个数字的列表：宽度和高度</translation>
+    </message>
+    <message>
+        <source>The value must be a list of four numbers: x, y, width and height</source>
+        <translation>值必须是四个数字的列表：x、y、宽度和高度</translation>
+    </message>
+    <message>
+        <source>The value must be a list of points, each a list of two numbers</source>
+        <translation>值必须是点的列表，每个点是两个数字的列表</translation>
+    </message>
+    <message>
+        <source>The value must be an object with an expression for each name</source>
+        <translation>值必须是对象，每个名称对应一个表达式</translation>
+    </message>
+    <message>
+        <source>The value must be a list of objects</source>
+        <translation>值必须是对象的列表</translation>
+    </message>
+    <message>
+        <source>The value must be a text in quotes</source>
+        <translation>值必须是带引号的文本</translation>
+    </message>
+    <message>
+        <source>{0} is not one of the choices: {1}</source>
+        <translation>{0} 不是可选项之一：{1}</translation>
+    </message>
+    <message>
+        <source>{0} is not a colour; use the name of a role of the theme or a value such as {1}</source>
+        <translation>{0} 不是颜色；请使用主题角色的名称或 {1} 这样的值</translation>
+    </message>
+    <message>
+        <source>{0} is not a colour; did you mean {1}?</source>
+        <translation>{0} 不是颜色；是否指 {1}？</translation>
+    </message>
+    <message>
+        <source>{0} ({1}) must be greater than {2} ({3})</source>
+        <translation>{0}（{1}）必须大于 {2}（{3}）</translation>
+    </message>
+    <message>
+        <source>The panel has no group or tab {0}</source>
+        <translation>画面没有组或选项卡 {0}</translation>
+    </message>
+    <message>
+        <source>The group {0} contains itself</source>
+        <translation>组 {0} 包含自身</translation>
+    </message>
+    <message>
+        <source>{0} has no page {1}; its {2} {2:page is|pages are} numbered from 0</source>
+        <translation>{0} 没有第 {1} 页；其 {2} 页从 0 开始编号</translation>
+    </message>
+    <message>
+        <source>The format {0} needs a number, and {1} is none; use {2}</source>
+        <translation>格式 {0} 需要数字，而 {1} 不是；请使用 {2}</translation>
+    </message>
+    <message>
+        <source>The project has no language {0}, so operators never see this column; add it to the languages in project.json</source>
+        <translation>项目没有语言 {0}，操作员永远看不到此列；请在 project.json 的语言中添加</translation>
+    </message>
+    <message>
+        <source>Nothing says what this does; give it a text, or place one beside it</source>
+        <translation>没有任何内容说明其作用；请为其设置文本，或在旁边放置文本</translation>
+    </message>
+    <message>
+        <source>{0} is between {1} and {2} in the recording, so the range from {3} to {4} cuts it off</source>
+        <translation>记录中 {0} 在 {1} 与 {2} 之间，因此范围 {3} 到 {4} 会截断它</translation>
+    </message>
+    <message>
+        <source>{0} is not between {1} and {2}; {3} is used</source>
+        <translation>{0} 不在 {1} 与 {2} 之间；使用 {3}</translation>
+    </message>
+    <message>
+        <source>The faceplate does not say which panel it shows</source>
+        <translation>面板组件未指定要显示的画面</translation>
+    </message>
+    <message>
+        <source>The panel {0} contains this one, so it cannot be placed in it</source>
+        <translation>画面 {0} 包含本画面，因此不能放在其中</translation>
+    </message>
+    <message>
+        <source>The panel {0} has no parameter {1}</source>
+        <translation>画面 {0} 没有参数 {1}</translation>
+    </message>
+    <message>
+        <source>The program has no type {0}; name a block or a structure, BOOL, REAL or the like, or text</source>
+        <translation>程序没有类型 {0}；请指定块或结构、BOOL、REAL 等，或 text</translation>
+    </message>
+    <message>
+        <source>The parameter {0} needs an argument of type {1}</source>
+        <translation>参数 {0} 需要类型为 {1} 的实参</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; the parameter {2} needs {3}</source>
+        <translation>{0} 是 {1}；参数 {2} 需要 {3}</translation>
+    </message>
+    <message>
+        <source>{0} (tried with {1})</source>
+        <translation>{0}（已用 {1} 尝试）</translation>
+    </message>
+    <message>
+        <source>The program was not built from sources.</source>
+        <translation>程序不是由源文件编译的。</translation>
+    </message>
+    <message>
+        <source>The recording does not contain the program of this scan.</source>
+        <translation>记录中没有此扫描周期的程序。</translation>
+    </message>
+    <message>
+        <source>This scan is no longer in the recording.</source>
+        <translation>此扫描周期已不在记录中。</translation>
+    </message>
+    <message>
+        <source>The scan before it is not in the recording, so the values with which this scan began are not known.</source>
+        <translation>前一个扫描周期不在记录中，因此不知道此扫描周期开始时的值。</translation>
+    </message>
+    <message>
+        <source>The users and roles are not valid JSON</source>
+        <translation>用户和角色不是有效的 JSON</translation>
+    </message>
+    <message>
+        <source>A role has no name</source>
+        <translation>有一个角色没有名称</translation>
+    </message>
+    <message>
+        <source>Two roles are named {0}</source>
+        <translation>有两个角色名为 {0}</translation>
+    </message>
+    <message>
+        <source>There is no role {0}</source>
+        <translation>没有角色 {0}</translation>
+    </message>
+    <message>
+        <source>A user has no name</source>
+        <translation>有一个用户没有名称</translation>
+    </message>
+    <message>
+        <source>Two users are named {0}</source>
+        <translation>有两个用户名为 {0}</translation>
+    </message>
+    <message>
+        <source>There is no user {0}</source>
+        <translation>没有用户 {0}</translation>
+    </message>
+    <message>
+        <source>The password cannot be kept: {0}</source>
+        <translation>无法保存密码：{0}</translation>
+    </message>
+    <message>
+        <source>A password needs at least {0} characters</source>
+        <translation>密码至少需要 {0} 个字符</translation>
+    </message>
+    <message>
+        <source>The password must not be the name of the user</source>
+        <translation>密码不能是用户名</translation>
+    </message>
+    <message>
+        <source>The audit trail cannot be written: {0}</source>
+        <translation>无法写入审计追踪：{0}</translation>
+    </message>
+    <message>
+        <source>The audit trail cannot be read: {0}</source>
+        <translation>无法读取审计追踪：{0}</translation>
+    </message>
+    <message>
+        <source>The frame {0} has no panel area, so no panel is seen in it</source>
+        <translation>框架 {0} 没有画面区域，因此其中看不到画面</translation>
+    </message>
+    <message>
+        <source>Only for the roles {0}, but the project has no users; anybody may operate it</source>
+        <translation>仅限角色 {0}，但项目没有用户；任何人都可操作</translation>
+    </message>
+    <message>
+        <source>The recipes are not valid JSON</source>
+        <translation>配方不是有效的 JSON</translation>
+    </message>
+    <message>
+        <source>A recipe has no name</source>
+        <translation>有一个配方没有名称</translation>
+    </message>
+    <message>
+        <source>Two recipes are named {0}</source>
+        <translation>有两个配方名为 {0}</translation>
+    </message>
+    <message>
+        <source>A row of a recipe names no variable</source>
+        <translation>配方的一行未指定变量</translation>
+    </message>
+    <message>
+        <source>The recipe has the variable {0} twice</source>
+        <translation>配方中变量 {0} 出现两次</translation>
+    </message>
+    <message>
+        <source>A set of a recipe has no name</source>
+        <translation>配方的一组数据没有名称</translation>
+    </message>
+    <message>
+        <source>Two sets of the recipe are named {0}</source>
+        <translation>配方的两组数据名为 {0}</translation>
+    </message>
+    <message>
+        <source>The first column must be named variable, and each set has a column of its own</source>
+        <translation>第一列必须名为 variable（变量），且每组数据占一列</translation>
+    </message>
+    <message>
+        <source>The recipe {0} has no variable {1}</source>
+        <translation>配方 {0} 没有变量 {1}</translation>
+    </message>
+    <message>
+        <source>There is no recipe {0}</source>
+        <translation>没有配方 {0}</translation>
+    </message>
+    <message>
+        <source>The recipe {0} has no set {1}</source>
+        <translation>配方 {0} 没有数据组 {1}</translation>
+    </message>
+    <message>
+        <source>The set {0} has no value for {1}</source>
+        <translation>数据组 {0} 没有 {1} 的值</translation>
+    </message>
+    <message>
+        <source>{0} is outside the limits of {1}, {2} to {3}</source>
+        <translation>{0} 超出 {1} 的限值 {2} 到 {3}</translation>
+    </message>
+    <message>
+        <source>The list of shelved alarms cannot be read, so none is shelved: {0}</source>
+        <translation>无法读取搁置的报警列表，因此没有搁置任何报警：{0}</translation>
+    </message>
+    <message>
+        <source>The list of shelved alarms cannot be written: {0}</source>
+        <translation>无法写入搁置的报警列表：{0}</translation>
+    </message>
+</context>
+<context>
+    <name>Exchange</name>
+    <message>
+        <source>The file is written in {0}</source>
+        <translation>文件的编码为 {0}</translation>
+    </message>
+    <message>
+        <source>The file was not read: {0}</source>
+        <translation>文件未读取：{0}</translation>
+    </message>
+    <message>
+        <source>The element {0} was not read</source>
+        <translation>元素 {0} 未读取</translation>
+    </message>
+    <message>
+        <source>The vendor&apos;s data {0} is kept in exchange.json</source>
+        <translation>厂商数据 {0} 保存在 exchange.json 中</translation>
+    </message>
+    <message>
+        <source>The body in {0} became structured text; the diagram is kept in exchange.json</source>
+        <translation>{0} 中的主体已变为结构化文本；图保存在 exchange.json 中</translation>
+    </message>
+    <message>
+        <source>The body in {0} is stored in a form that only its own editor reads; export it there as PLCopen XML</source>
+        <translation>{0} 中的主体以只有其自身编辑器可读的形式存储；请在那里导出为 PLCopen XML</translation>
+    </message>
+    <message>
+        <source>A jump leads to the step {0}, which does not exist</source>
+        <translation>跳转通向步 {0}，但该步不存在</translation>
+    </message>
+    <message>
+        <source>The element {0} of the chart is not connected and was left out</source>
+        <translation>顺序功能图的元素 {0} 未连接，已略去</translation>
+    </message>
+    <message>
+        <source>The transition from {0} has no condition; it is written as FALSE</source>
+        <translation>从 {0} 出发的转换没有条件；写为 FALSE</translation>
+    </message>
+    <message>
+        <source>The element {0} takes part in a loop without a block that stores a value; its last value is not kept</source>
+        <translation>元素 {0} 处于没有存储值的块的循环中；不保留其上次的值</translation>
+    </message>
+    <message>
+        <source>The element {0} is not connected and was left out</source>
+        <translation>元素 {0} 未连接，已略去</translation>
+    </message>
+    <message>
+        <source>An edge in a function needs the value of the last call, which a function does not store</source>
+        <translation>函数中的边沿需要上次调用的值，而函数不存储该值</translation>
+    </message>
+    <message>
+        <source>The result of {0} is used in several places and is computed in each</source>
+        <translation>{0} 的结果在多处使用，并在每处计算</translation>
+    </message>
+    <message>
+        <source>The type of the result of {0} is not known; it is computed although EN is FALSE</source>
+        <translation>{0} 的结果类型未知；即使 EN 为 FALSE 也会计算</translation>
+    </message>
+    <message>
+        <source>The library {0} is not part of Stepwise; uses of it are reported by the check</source>
+        <translation>库 {0} 不属于 Stepwise；检查会报告其使用处</translation>
+    </message>
+    <message>
+        <source>Code in C is kept as a comment and is not executed</source>
+        <translation>C 代码作为注释保留，不会执行</translation>
+    </message>
+    <message>
+        <source>There are two units named {0}; the second is in {1}</source>
+        <translation>有两个名为 {0} 的 POU；第二个在 {1} 中</translation>
+    </message>
+    <message>
+        <source>The configuration of the devices was not read; assign the inputs and outputs again</source>
+        <translation>设备配置未读取；请重新分配输入和输出</translation>
+    </message>
+    <message>
+        <source>The task {0} is started by the event {1}, which does not exist here; give it an INTERVAL or a SINGLE</source>
+        <translation>任务 {0} 由事件 {1} 启动，但此处没有该事件；请为其指定 INTERVAL 或 SINGLE</translation>
+    </message>
+    <message>
+        <source>{0} counts %MW1 in words, here it is counted in bytes; check that the addresses do not overlap</source>
+        <translation>{0} 按字计算 %MW1，此处按字节计算；请检查地址是否重叠</translation>
+    </message>
+    <message>
+        <source>A comment outside of the elements was left out: {0}</source>
+        <translation>元素之外的注释已略去：{0}</translation>
+    </message>
+    <message>
+        <source>The diagram in {0} was not read: an expression repeats itself without end</source>
+        <translation>{0} 中的图未读取：表达式无限重复</translation>
+    </message>
+    <message>
+        <source>A condition in {0} needs the call of a block, which a condition cannot make</source>
+        <translation>{0} 中的条件需要调用块，而条件不能这样做</translation>
+    </message>
+    <message>
+        <source>The transition {0} is not a single expression and was not read</source>
+        <translation>转换 {0} 不是单个表达式，未读取</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for panels; they were left out</source>
+        <translation>PLCopen XML 不支持画面；已略去</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for traces; they were left out</source>
+        <translation>PLCopen XML 不支持跟踪；已略去</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for tests; they were left out</source>
+        <translation>PLCopen XML 不支持测试；已略去</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for tests; the TEST &apos;{0}&apos; was left out</source>
+        <translation>PLCopen XML 不支持测试；TEST“{0}”已略去</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for namespaces; a NAMESPACE was left out with its units</source>
+        <translation>PLCopen XML 不支持命名空间；一个 NAMESPACE 及其 POU 已略去</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for USING; it was left out</source>
+        <translation>PLCopen XML 不支持 USING；已略去</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for the name of the transition {0}; it was left out</source>
+        <translation>PLCopen XML 不支持转换 {0} 的名称；已略去</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has one indicator per action; {0} was left out</source>
+        <translation>PLCopen XML 每个动作只有一个指示变量；{0} 已略去</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no methods; {0} was left out</source>
+        <translation>版本 0201 没有方法；{0} 已略去</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no properties; {0} was left out</source>
+        <translation>版本 0201 没有属性；{0} 已略去</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no interfaces; {0} was left out</source>
+        <translation>版本 0201 没有接口；{0} 已略去</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no unions; {0} was left out</source>
+        <translation>版本 0201 没有联合；{0} 已略去</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no inheritance; EXTENDS or IMPLEMENTS of {0} was left out</source>
+        <translation>版本 0201 没有继承；{0} 的 EXTENDS 或 IMPLEMENTS 已略去</translation>
+    </message>
+    <message>
+        <source>Version 0201 does not have the type {0}; other tools will not know it</source>
+        <translation>版本 0201 没有类型 {0}；其他工具将无法识别</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for the pragma {0} of a step; it was left out</source>
+        <translation>版本 0201 不支持步的编译指示 {0}；已略去</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for {0} of a task; it was left out</source>
+        <translation>版本 0201 不支持任务的 {0}；已略去</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for the connections of the program {0}; they were left out</source>
+        <translation>版本 0201 不支持程序 {0} 的连接；已略去</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for libraries; {0} was left out</source>
+        <translation>版本 0201 不支持库；{0} 已略去</translation>
+    </message>
+    <message>
+        <source>The file is no program source and was left out</source>
+        <translation>文件不是程序源，已略去</translation>
+    </message>
+</context>
+<context>
+    <name>Fixes</name>
+    <message>
+        <source>Replace with {0}</source>
+        <translation>替换为 {0}</translation>
+    </message>
+    <message>
+        <source>Insert {0}</source>
+        <translation>插入 {0}</translation>
+    </message>
+    <message>
+        <source>Did you mean {0}?</source>
+        <translation>是否指 {0}？</translation>
+    </message>
+    <message>
+        <source>Convert with {0}</source>
+        <translation>用 {0} 转换</translation>
+    </message>
+    <message>
+        <source>Move {0} to {1}</source>
+        <translation>将 {0} 移到 {1}</translation>
+    </message>
+    <message>
+        <source>Add the property {0}</source>
+        <translation>添加属性 {0}</translation>
+    </message>
+    <message>
+        <source>Add the method {0}</source>
+        <translation>添加方法 {0}</translation>
+    </message>
+    <message>
+        <source>Add the missing branches</source>
+        <translation>添加缺少的分支</translation>
+    </message>
+    <message>
+        <source>Add ELSE</source>
+        <translation>添加 ELSE</translation>
+    </message>
+    <message>
+        <source>Add () to call it</source>
+        <translation>添加 () 以调用</translation>
+    </message>
+    <message>
+        <source>Compare with 0</source>
+        <translation>与 0 比较</translation>
+    </message>
+    <message>
+        <source>Remove the unused declaration</source>
+        <translation>移除未使用的声明</translation>
+    </message>
+    <message>
+        <source>Replace with IF and ELSIF</source>
+        <translation>替换为 IF 和 ELSIF</translation>
+    </message>
+    <message>
+        <source>Change to a WSTRING literal</source>
+        <translation>改为 WSTRING 字面量</translation>
+    </message>
+    <message>
+        <source>Replace with straight quotes</source>
+        <translation>替换为直引号</translation>
+    </message>
+    <message>
+        <source>Make {0} the initial step</source>
+        <translation>将 {0} 设为初始步</translation>
+    </message>
+    <message>
+        <source>Dereference the pointer with ^</source>
+        <translation>用 ^ 解引用指针</translation>
     </message>
 </context>
 <context>
@@ -1879,8 +2454,8 @@
         <translation>ST 表达式</translation>
     </message>
     <message>
-        <source>Shown to the operator. A typed text gets its key by itself; @key names one.</source>
-        <translation>显示给操作员。输入的文本会自动获得键；@键 指定已有的键。</translation>
+        <source>Shown to the operator. A typed text gets its key automatically; @key uses an existing one.</source>
+        <translation>显示给操作员。输入的文本会自动获得键；@键 使用已有的键。</translation>
     </message>
     <message>
         <source>X</source>
@@ -2087,7 +2662,7 @@
         <translation>选项卡页</translation>
     </message>
     <message>
-        <source>Place and size</source>
+        <source>Position and size</source>
         <translation>位置和大小</translation>
     </message>
     <message>
@@ -2367,11 +2942,11 @@
         <translation>方向</translation>
     </message>
     <message>
-        <source>Shows the value</source>
+        <source>Show the value</source>
         <translation>显示数值</translation>
     </message>
     <message>
-        <source>Turning knob</source>
+        <source>Rotary knob</source>
         <translation>旋钮</translation>
     </message>
     <message>
@@ -2407,7 +2982,7 @@
         <translation>掩码（# 数字，A 字母，* 任意）</translation>
     </message>
     <message>
-        <source>Hides the value</source>
+        <source>Hide the value</source>
         <translation>隐藏数值</translation>
     </message>
     <message>
@@ -2547,7 +3122,7 @@
         <translation>首个下标</translation>
     </message>
     <message>
-        <source>Shows the numbers</source>
+        <source>Show the numbers</source>
         <translation>显示编号</translation>
     </message>
     <message>
@@ -2715,7 +3290,7 @@
         <translation>几何</translation>
     </message>
     <message>
-        <source>Look</source>
+        <source>Appearance</source>
         <translation>外观</translation>
     </message>
     <message>
@@ -2726,12 +3301,953 @@
         <source>Motion</source>
         <translation>运动</translation>
     </message>
+    <message>
+        <source>Parameters</source>
+        <translation>参数</translation>
+    </message>
+    <message>
+        <source>Type (a block, a structure, BOOL, REAL, text)</source>
+        <translation>类型（块、结构、BOOL、REAL、text）</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>默认值</translation>
+    </message>
+    <message>
+        <source>Faceplate</source>
+        <translation>面板组件</translation>
+    </message>
+    <message>
+        <source>Arguments</source>
+        <translation>实参</translation>
+    </message>
+    <message>
+        <source>Adapts to the screen by</source>
+        <translation>适应屏幕的方式</translation>
+    </message>
+    <message>
+        <source>On a tall screen</source>
+        <translation>竖屏时</translation>
+    </message>
+    <message>
+        <source>Shown in the frame</source>
+        <translation>在框架中显示</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>帮助</translation>
+    </message>
+    <message>
+        <source>Panel to show</source>
+        <translation>显示的画面</translation>
+    </message>
+    <message>
+        <source>First-out group</source>
+        <translation>首出报警组</translation>
+    </message>
+    <message>
+        <source>Horizontal anchor</source>
+        <translation>水平锚定</translation>
+    </message>
+    <message>
+        <source>Vertical anchor</source>
+        <translation>垂直锚定</translation>
+    </message>
+    <message>
+        <source>Only for the roles</source>
+        <translation>仅限角色</translation>
+    </message>
+    <message>
+        <source>For all others</source>
+        <translation>对其他人</translation>
+    </message>
+    <message>
+        <source>Writes are confirmed</source>
+        <translation>写入需确认</translation>
+    </message>
+    <message>
+        <source>Navigation bar</source>
+        <translation>导航栏</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>画面</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>用户</translation>
+    </message>
+    <message>
+        <source>Recipe</source>
+        <translation>配方</translation>
+    </message>
+    <message>
+        <source>Alarm statistics</source>
+        <translation>报警统计</translation>
+    </message>
+    <message>
+        <source>Hours to look back</source>
+        <translation>统计的小时数</translation>
+    </message>
+    <message>
+        <source>Panel area</source>
+        <translation>画面区域</translation>
+    </message>
+</context>
+<context>
+    <name>HmiChoices</name>
+    <message>
+        <source>Dot</source>
+        <translation>圆点</translation>
+    </message>
+    <message>
+        <source>Start sign</source>
+        <translation>启动符号</translation>
+    </message>
+    <message>
+        <source>Stop sign</source>
+        <translation>停止符号</translation>
+    </message>
+    <message>
+        <source>Pause sign</source>
+        <translation>暂停符号</translation>
+    </message>
+    <message>
+        <source>Plus</source>
+        <translation>加号</translation>
+    </message>
+    <message>
+        <source>Minus</source>
+        <translation>减号</translation>
+    </message>
+    <message>
+        <source>House</source>
+        <translation>主页</translation>
+    </message>
+    <message>
+        <source>Circular arrow</source>
+        <translation>环形箭头</translation>
+    </message>
+    <message>
+        <source>Time of day</source>
+        <translation>时刻</translation>
+    </message>
+    <message>
+        <source>By time</source>
+        <translation>按时间</translation>
+    </message>
+    <message>
+        <source>Solid</source>
+        <translation>实线</translation>
+    </message>
+    <message>
+        <source>Dashed</source>
+        <translation>虚线</translation>
+    </message>
+    <message>
+        <source>Dotted</source>
+        <translation>点线</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>At the start</source>
+        <translation>起始端</translation>
+    </message>
+    <message>
+        <source>Centred</source>
+        <translation>居中</translation>
+    </message>
+    <message>
+        <source>At the end</source>
+        <translation>末端</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>浅色</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>深色</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>高对比度</translation>
+    </message>
+    <message>
+        <source>Arrow</source>
+        <translation>箭头</translation>
+    </message>
+    <message>
+        <source>Arc line</source>
+        <translation>弧线</translation>
+    </message>
+    <message>
+        <source>Pie</source>
+        <translation>扇形</translation>
+    </message>
+    <message>
+        <source>Chord</source>
+        <translation>弓形</translation>
+    </message>
+    <message>
+        <source>Show all of it</source>
+        <translation>完整显示</translation>
+    </message>
+    <message>
+        <source>Fill the frame</source>
+        <translation>填满边框</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>拉伸</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>上</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>下</translation>
+    </message>
+    <message>
+        <source>Momentary</source>
+        <translation>点动</translation>
+    </message>
+    <message>
+        <source>Toggle</source>
+        <translation>切换</translation>
+    </message>
+    <message>
+        <source>Set to TRUE</source>
+        <translation>设为 TRUE</translation>
+    </message>
+    <message>
+        <source>Set to FALSE</source>
+        <translation>设为 FALSE</translation>
+    </message>
+    <message>
+        <source>Write a value</source>
+        <translation>写入值</translation>
+    </message>
+    <message>
+        <source>Go to a panel</source>
+        <translation>转到画面</translation>
+    </message>
+    <message>
+        <source>Change the language</source>
+        <translation>切换语言</translation>
+    </message>
+    <message>
+        <source>Acknowledge alarms</source>
+        <translation>确认报警</translation>
+    </message>
+    <message>
+        <source>Horizontal</source>
+        <translation>水平</translation>
+    </message>
+    <message>
+        <source>Vertical</source>
+        <translation>垂直</translation>
+    </message>
+    <message>
+        <source>Date and time of day</source>
+        <translation>日期和时刻</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>日期</translation>
+    </message>
+    <message>
+        <source>Calendar week</source>
+        <translation>日历周</translation>
+    </message>
+    <message>
+        <source>Round</source>
+        <translation>圆形</translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation>方形</translation>
+    </message>
+    <message>
+        <source>Rounded</source>
+        <translation>圆角</translation>
+    </message>
+    <message>
+        <source>Dished ends</source>
+        <translation>椭圆封头</translation>
+    </message>
+    <message>
+        <source>Flat ends</source>
+        <translation>平底</translation>
+    </message>
+    <message>
+        <source>Hopper</source>
+        <translation>料斗</translation>
+    </message>
+    <message>
+        <source>Open at the top</source>
+        <translation>顶部敞开</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>选择</translation>
+    </message>
+    <message>
+        <source>Present alarms</source>
+        <translation>当前报警</translation>
+    </message>
+    <message>
+        <source>Alarm history</source>
+        <translation>报警历史</translation>
+    </message>
+    <message>
+        <source>By priority</source>
+        <translation>按优先级</translation>
+    </message>
+    <message>
+        <source>Buttons</source>
+        <translation>按钮</translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <translation>菜单</translation>
+    </message>
+    <message>
+        <source>In their own language</source>
+        <translation>用各自的语言</translation>
+    </message>
+    <message>
+        <source>Language tags</source>
+        <translation>语言标签</translation>
+    </message>
+    <message>
+        <source>Motor</source>
+        <translation>电机</translation>
+    </message>
+    <message>
+        <source>Pump</source>
+        <translation>泵</translation>
+    </message>
+    <message>
+        <source>Valve</source>
+        <translation>阀</translation>
+    </message>
+    <message>
+        <source>Tank</source>
+        <translation>罐</translation>
+    </message>
+    <message>
+        <source>Silo</source>
+        <translation>料仓</translation>
+    </message>
+    <message>
+        <source>Conveyor</source>
+        <translation>输送带</translation>
+    </message>
+    <message>
+        <source>Agitator</source>
+        <translation>搅拌器</translation>
+    </message>
+    <message>
+        <source>Heater</source>
+        <translation>加热器</translation>
+    </message>
+    <message>
+        <source>Fan</source>
+        <translation>风机</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>传感器</translation>
+    </message>
+    <message>
+        <source>Lamp</source>
+        <translation>指示灯</translation>
+    </message>
+    <message>
+        <source>Siren</source>
+        <translation>警报器</translation>
+    </message>
+    <message>
+        <source>Lorry</source>
+        <translation>卡车</translation>
+    </message>
+    <message>
+        <source>Vehicle</source>
+        <translation>小车</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>机器人</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>背景</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>表面</translation>
+    </message>
+    <message>
+        <source>Raised surface</source>
+        <translation>凸起表面</translation>
+    </message>
+    <message>
+        <source>Sunken surface</source>
+        <translation>凹陷表面</translation>
+    </message>
+    <message>
+        <source>Line colour</source>
+        <translation>线条颜色</translation>
+    </message>
+    <message>
+        <source>Faint line</source>
+        <translation>浅色线</translation>
+    </message>
+    <message>
+        <source>Text colour</source>
+        <translation>文本颜色</translation>
+    </message>
+    <message>
+        <source>Muted text</source>
+        <translation>弱化文本</translation>
+    </message>
+    <message>
+        <source>Button colour</source>
+        <translation>按钮颜色</translation>
+    </message>
+    <message>
+        <source>Accent</source>
+        <translation>强调色</translation>
+    </message>
+    <message>
+        <source>Switched off</source>
+        <translation>已关闭</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>运行中</translation>
+    </message>
+    <message>
+        <source>Liquid</source>
+        <translation>液体</translation>
+    </message>
+    <message>
+        <source>Pipe colour</source>
+        <translation>管道颜色</translation>
+    </message>
+    <message>
+        <source>Measured value</source>
+        <translation>测量值</translation>
+    </message>
+    <message>
+        <source>Lit segment</source>
+        <translation>点亮的段</translation>
+    </message>
+    <message>
+        <source>Display glass</source>
+        <translation>显示屏玻璃</translation>
+    </message>
+    <message>
+        <source>Alarm colour</source>
+        <translation>报警颜色</translation>
+    </message>
+    <message>
+        <source>High priority</source>
+        <translation>高优先级</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>Low priority</source>
+        <translation>低优先级</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation>红色</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation>橙色</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation>黄色</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>绿色</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>蓝色</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>白色</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>黑色</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>灰色</translation>
+    </message>
+    <message>
+        <source>Good state</source>
+        <translation>正常状态</translation>
+    </message>
+    <message>
+        <source>Curve 1</source>
+        <translation>曲线 1</translation>
+    </message>
+    <message>
+        <source>Curve 2</source>
+        <translation>曲线 2</translation>
+    </message>
+    <message>
+        <source>Curve 3</source>
+        <translation>曲线 3</translation>
+    </message>
+    <message>
+        <source>Curve 4</source>
+        <translation>曲线 4</translation>
+    </message>
+    <message>
+        <source>Curve 5</source>
+        <translation>曲线 5</translation>
+    </message>
+    <message>
+        <source>Curve 6</source>
+        <translation>曲线 6</translation>
+    </message>
+    <message>
+        <source>Curve 7</source>
+        <translation>曲线 7</translation>
+    </message>
+    <message>
+        <source>Curve 8</source>
+        <translation>曲线 8</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>数字</translation>
+    </message>
+    <message>
+        <source>a BOOL</source>
+        <translation>BOOL</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>文本</translation>
+    </message>
+    <message>
+        <source>an array</source>
+        <translation>数组</translation>
+    </message>
+    <message>
+        <source>any type</source>
+        <translation>任意类型</translation>
+    </message>
+    <message>
+        <source>Left and right</source>
+        <translation>左和右</translation>
+    </message>
+    <message>
+        <source>Top and bottom</source>
+        <translation>上和下</translation>
+    </message>
+    <message>
+        <source>Scaling to its size</source>
+        <translation>按大小缩放</translation>
+    </message>
+    <message>
+        <source>Moving what is anchored</source>
+        <translation>移动已锚定的元素</translation>
+    </message>
+    <message>
+        <source>Keep the proportions</source>
+        <translation>保持比例</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>顶部</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>底部</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>锁定</translation>
+    </message>
+    <message>
+        <source>Hidden</source>
+        <translation>隐藏</translation>
+    </message>
+    <message>
+        <source>Open a panel in a window</source>
+        <translation>在窗口中打开画面</translation>
+    </message>
+    <message>
+        <source>Close the window</source>
+        <translation>关闭窗口</translation>
+    </message>
+    <message>
+        <source>Go back</source>
+        <translation>返回</translation>
+    </message>
+    <message>
+        <source>Go to the start panel</source>
+        <translation>转到起始画面</translation>
+    </message>
+    <message>
+        <source>Log out</source>
+        <translation>退出登录</translation>
+    </message>
+    <message>
+        <source>Shelved alarms</source>
+        <translation>搁置的报警</translation>
+    </message>
+</context>
+<context>
+    <name>Inside</name>
+    <message>
+        <source>set by {0}  {1} ({2}, task {3})</source>
+        <translation>由 {0}  {1} 设置（{2}，任务 {3}）</translation>
+    </message>
+    <message>
+        <source>set by {0}  {1} ({2})</source>
+        <translation>由 {0}  {1} 设置（{2}）</translation>
+    </message>
+    <message>
+        <source>set by what the compiler adds ({0})</source>
+        <translation>由编译器添加的代码设置（{0}）</translation>
+    </message>
+    <message>
+        <source>written from outside</source>
+        <translation>从外部写入</translation>
+    </message>
+    <message>
+        <source>written from {0}</source>
+        <translation>从{0}写入</translation>
+    </message>
+    <message>
+        <source>forced</source>
+        <translation>已强制</translation>
+    </message>
+    <message>
+        <source>forced from {0}</source>
+        <translation>从{0}强制</translation>
+    </message>
+    <message>
+        <source>put back by a reset</source>
+        <translation>因复位恢复</translation>
+    </message>
+    <message>
+        <source>carried over by an online change</source>
+        <translation>在线修改时保留</translation>
+    </message>
+    <message>
+        <source>restored from the retained values</source>
+        <translation>由保持值恢复</translation>
+    </message>
+    <message>
+        <source>its initial value</source>
+        <translation>其初始值</translation>
+    </message>
+    <message>
+        <source>put into the safe state when the controller stopped</source>
+        <translation>控制器停止时置于安全状态</translation>
+    </message>
+    <message>
+        <source>as recorded in the scan that was resumed from</source>
+        <translation>如继续运行的起始扫描周期所记录</translation>
+    </message>
+    <message>
+        <source>set by a statement of a test</source>
+        <translation>由测试的语句设置</translation>
+    </message>
+    <message>
+        <source>not known who set it</source>
+        <translation>不知由谁设置</translation>
+    </message>
+    <message>
+        <source>the command line</source>
+        <translation>命令行</translation>
+    </message>
+    <message>
+        <source>the studio</source>
+        <translation>开发环境</translation>
+    </message>
+    <message>
+        <source>panel {0}, {1}</source>
+        <translation>画面 {0}，{1}</translation>
+    </message>
+    <message>
+        <source>{0} (scan {1})</source>
+        <translation>{0}（扫描周期 {1}）</translation>
+    </message>
+    <message>
+        <source>{0}  {1} from {2} to {3}, {4}</source>
+        <translation>{0}  {1} 从 {2} 变为 {3}，{4}</translation>
+    </message>
+    <message>
+        <source>{0}  {1} to {2}, {3}</source>
+        <translation>{0}  {1} 变为 {2}，{3}</translation>
+    </message>
+    <message>
+        <source>called by {0}  {1}</source>
+        <translation>由 {0}  {1} 调用</translation>
+    </message>
+    <message>
+        <source>{0} is {1} at {2}, since {3}.</source>
+        <translation>{0} 在 {2} 为 {1}，自 {3} 起。</translation>
+    </message>
+    <message>
+        <source>{0} is {1} at {2}, as it was when the recording began.</source>
+        <translation>{0} 在 {2} 为 {1}，与记录开始时相同。</translation>
+    </message>
+    <message>
+        <source>{0} is {1} at {2}.</source>
+        <translation>{0} 在 {2} 为 {1}。</translation>
+    </message>
+    <message>
+        <source>It was {0}.</source>
+        <translation>该值{0}。</translation>
+    </message>
+    <message>
+        <source>It has its initial value.</source>
+        <translation>变量为其初始值。</translation>
+    </message>
+    <message>
+        <source>It became {0} because</source>
+        <translation>它变为 {0}，因为</translation>
+    </message>
+    <message>
+        <source>This needed</source>
+        <translation>所需条件</translation>
+    </message>
+    <message>
+        <source>It needs</source>
+        <translation>需要</translation>
+    </message>
+    <message>
+        <source>It stays so because</source>
+        <translation>它保持不变，因为</translation>
+    </message>
+    <message>
+        <source>Step by step</source>
+        <translation>逐步说明</translation>
+    </message>
+    <message>
+        <source>because</source>
+        <translation>因为</translation>
+    </message>
+    <message>
+        <source>time passed.</source>
+        <translation>时间经过。</translation>
+    </message>
+    <message>
+        <source>it was the first scan.</source>
+        <translation>这是第一个扫描周期。</translation>
+    </message>
+    <message>
+        <source>other variables were forced.</source>
+        <translation>其他变量被强制。</translation>
+    </message>
+    <message>
+        <source>{0} became {1}.</source>
+        <translation>{0} 变为 {1}。</translation>
+    </message>
+    <message>
+        <source>{0} became {1}, {2}.</source>
+        <translation>{0} 变为 {1}，{2}。</translation>
+    </message>
+    <message>
+        <source>{0} changed.</source>
+        <translation>{0} 发生变化。</translation>
+    </message>
+    <message>
+        <source>{0} changed, {1}.</source>
+        <translation>{0} 发生变化，{1}。</translation>
+    </message>
+    <message>
+        <source>{0} was {1}.</source>
+        <translation>{0} 为 {1}。</translation>
+    </message>
+    <message>
+        <source>{0} was {1} since {2}, {3}.</source>
+        <translation>{0} 自 {2} 起为 {1}，{3}。</translation>
+    </message>
+    <message>
+        <source>{0}   → {1}</source>
+        <translation>{0}   → {1}</translation>
+    </message>
+    <message>
+        <source>it ran because {0} was {1}</source>
+        <translation>已执行，因为 {0} 为 {1}</translation>
+    </message>
+    <message>
+        <source>nothing wrote it later because {0} was {1}</source>
+        <translation>之后未再写入，因为 {0} 为 {1}</translation>
+    </message>
+    <message>
+        <source>a statement that would write it did not run because {0} was {1}</source>
+        <translation>本会写入它的语句未执行，因为 {0} 为 {1}</translation>
+    </message>
+    <message>
+        <source>{0} ({1})</source>
+        <translation>{0}（{1}）</translation>
+    </message>
+    <message>
+        <source>{0}</source>
+        <translation>{0}</translation>
+    </message>
+    <message>
+        <source>{0}: {1}</source>
+        <translation>{0}：{1}</translation>
+    </message>
+    <message>
+        <source>{0} was {1} when the scan began</source>
+        <translation>扫描周期开始时 {0} 为 {1}</translation>
+    </message>
+    <message>
+        <source>{0}   {1}</source>
+        <translation>{0}   {1}</translation>
+    </message>
+    <message>
+        <source>its time of {0} is over</source>
+        <translation>其时间 {0} 已到</translation>
+    </message>
+    <message>
+        <source>it does not run</source>
+        <translation>未运行</translation>
+    </message>
+    <message>
+        <source>it has run {0} of {1}, {2} to go</source>
+        <translation>已运行 {0} / {1}，还剩 {2}</translation>
+    </message>
+    <message>
+        <source>it has counted {0} of {1}</source>
+        <translation>已计数 {0} / {1}</translation>
+    </message>
+    <message>
+        <source>No change of up to three variables makes it {0} in this scan.</source>
+        <translation>在此扫描周期中，更改至多三个变量都不能使它变为 {0}。</translation>
+    </message>
+    <message>
+        <source>It would be {0} if {1}.</source>
+        <translation>如果 {1}，它将为 {0}。</translation>
+    </message>
+    <message>
+        <source>It would also be {0} if {1}.</source>
+        <translation>如果 {1}，它也将为 {0}。</translation>
+    </message>
+    <message>
+        <source>{0} were {1} (it is {2})</source>
+        <translation>{0} 为 {1}（现为 {2}）</translation>
+    </message>
+    <message>
+        <source>{0} and {1}</source>
+        <translation>{0} 且 {1}</translation>
+    </message>
+    <message>
+        <source>What keeps it {0}</source>
+        <translation>使其保持 {0} 的原因</translation>
+    </message>
+    <message>
+        <source>Note: {0}.</source>
+        <translation>注意：{0}。</translation>
+    </message>
+    <message>
+        <source>recorded by an earlier version, which kept no journal</source>
+        <translation>由不保存日志的早期版本记录</translation>
+    </message>
+    <message>
+        <source>it was written to while it was halted at a breakpoint</source>
+        <translation>停在断点期间有写入</translation>
+    </message>
+    <message>
+        <source>the scan had another result when it was run again</source>
+        <translation>重新运行时该扫描周期的结果不同</translation>
+    </message>
+    <message>
+        <source>it has no value in this scan: {0}</source>
+        <translation>在此扫描周期中没有值：{0}</translation>
+    </message>
+    <message>
+        <source>&quot;Why not?&quot; needs a condition (BOOL), for example &quot;Main.level &gt; 80&quot;</source>
+        <translation>“为什么不”需要条件 (BOOL)，例如“Main.level &gt; 80”</translation>
+    </message>
+    <message>
+        <source>the program was not built from sources</source>
+        <translation>程序不是由源文件编译的</translation>
+    </message>
+    <message>
+        <source>this scan is not in the recording</source>
+        <translation>此扫描周期不在记录中</translation>
+    </message>
+    <message>
+        <source>it does not change in this recording</source>
+        <translation>在此记录中没有变化</translation>
+    </message>
+    <message>
+        <source>nothing wrote it in this scan</source>
+        <translation>在此扫描周期中未写入</translation>
+    </message>
+    <message>
+        <source>no statement of the project ran in this scan</source>
+        <translation>在此扫描周期中没有执行项目的任何语句</translation>
+    </message>
 </context>
 <context>
     <name>LongTask</name>
     <message>
         <source>Cancel</source>
         <translation>取消</translation>
+    </message>
+</context>
+<context>
+    <name>Loops</name>
+    <message>
+        <source>The program has no controller block; name the signals with --input and --output</source>
+        <translation>程序没有控制器块；请用 --input 和 --output 指定信号</translation>
+    </message>
+    <message>
+        <source>There is no single loop {0}; the program has {1}</source>
+        <translation>没有唯一的回路 {0}；程序有 {1}</translation>
+    </message>
+    <message>
+        <source>The recording contains no program that knows it</source>
+        <translation>记录中没有认识它的程序</translation>
+    </message>
+    <message>
+        <source>It is not a number and cannot be a signal of a loop</source>
+        <translation>它不是数字，不能作为回路的信号</translation>
+    </message>
+    <message>
+        <source>This range is no longer recorded, or the program was changed in it; choose another one</source>
+        <translation>此区间不再有记录，或程序在其中被更改；请选择其他区间</translation>
+    </message>
+    <message>
+        <source>{0} gets an expression in the call; give the measured value a variable of its own to try settings</source>
+        <translation>{0} 在调用中得到表达式；请为测量值建立单独的变量以试验设置</translation>
     </message>
 </context>
 <context>
@@ -2797,6 +4313,372 @@
     <message>
         <source>Resumed from this scan</source>
         <translation>已从此扫描周期继续</translation>
+    </message>
+</context>
+<context>
+    <name>Notes</name>
+    <message>
+        <source>first declared here</source>
+        <translation>首次在此处声明</translation>
+    </message>
+    <message>
+        <source>declared here</source>
+        <translation>在此处声明</translation>
+    </message>
+    <message>
+        <source>the variable</source>
+        <translation>变量</translation>
+    </message>
+    <message>
+        <source>the first program</source>
+        <translation>第一个程序</translation>
+    </message>
+    <message>
+        <source>overridden here</source>
+        <translation>在此处重写</translation>
+    </message>
+    <message>
+        <source>the first one</source>
+        <translation>第一个</translation>
+    </message>
+    <message>
+        <source>by this transition, while it is active</source>
+        <translation>经由此转换，在其激活期间</translation>
+    </message>
+</context>
+<context>
+    <name>Phrases</name>
+    <message>
+        <source>a name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>a label</source>
+        <translation>标号</translation>
+    </message>
+    <message>
+        <source>an operand</source>
+        <translation>操作数</translation>
+    </message>
+    <message>
+        <source>an expression</source>
+        <translation>表达式</translation>
+    </message>
+    <message>
+        <source>a value</source>
+        <translation>值</translation>
+    </message>
+    <message>
+        <source>a type</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>an index</source>
+        <translation>下标</translation>
+    </message>
+    <message>
+        <source>an argument</source>
+        <translation>实参</translation>
+    </message>
+    <message>
+        <source>an address</source>
+        <translation>地址</translation>
+    </message>
+    <message>
+        <source>an action</source>
+        <translation>动作</translation>
+    </message>
+    <message>
+        <source>a CASE label</source>
+        <translation>CASE 标号</translation>
+    </message>
+    <message>
+        <source>a block&apos;s name</source>
+        <translation>块的名称</translation>
+    </message>
+    <message>
+        <source>a processor&apos;s name</source>
+        <translation>处理器的名称</translation>
+    </message>
+    <message>
+        <source>a task&apos;s name</source>
+        <translation>任务的名称</translation>
+    </message>
+    <message>
+        <source>a program instance&apos;s name</source>
+        <translation>程序实例的名称</translation>
+    </message>
+    <message>
+        <source>an input or output</source>
+        <translation>输入或输出</translation>
+    </message>
+    <message>
+        <source>a variable&apos;s name</source>
+        <translation>变量的名称</translation>
+    </message>
+    <message>
+        <source>a variable&apos;s path</source>
+        <translation>变量的路径</translation>
+    </message>
+    <message>
+        <source>a step&apos;s name</source>
+        <translation>步的名称</translation>
+    </message>
+    <message>
+        <source>a type&apos;s name</source>
+        <translation>类型的名称</translation>
+    </message>
+    <message>
+        <source>a member&apos;s name</source>
+        <translation>成员的名称</translation>
+    </message>
+    <message>
+        <source>an access name</source>
+        <translation>访问名称</translation>
+    </message>
+    <message>
+        <source>an enumeration value</source>
+        <translation>枚举值</translation>
+    </message>
+    <message>
+        <source>the end of the line</source>
+        <translation>行尾</translation>
+    </message>
+    <message>
+        <source>the end of the file</source>
+        <translation>文件结尾</translation>
+    </message>
+    <message>
+        <source>{0} or {1}</source>
+        <translation>{0} 或 {1}</translation>
+    </message>
+    <message>
+        <source>FOR and a time</source>
+        <translation>FOR 和时间</translation>
+    </message>
+    <message>
+        <source>:= or instructions</source>
+        <translation>:= 或语句</translation>
+    </message>
+    <message>
+        <source>a subrange</source>
+        <translation>子范围</translation>
+    </message>
+    <message>
+        <source>an enumeration</source>
+        <translation>枚举</translation>
+    </message>
+    <message>
+        <source>in parentheses</source>
+        <translation>在括号中</translation>
+    </message>
+    <message>
+        <source>a chart</source>
+        <translation>顺序功能图</translation>
+    </message>
+    <message>
+        <source>a body</source>
+        <translation>主体</translation>
+    </message>
+    <message>
+        <source>in a CLASS</source>
+        <translation>CLASS 中</translation>
+    </message>
+    <message>
+        <source>in a FUNCTION</source>
+        <translation>FUNCTION 中</translation>
+    </message>
+    <message>
+        <source>in a METHOD</source>
+        <translation>METHOD 中</translation>
+    </message>
+    <message>
+        <source>in a PROGRAM</source>
+        <translation>PROGRAM 中</translation>
+    </message>
+    <message>
+        <source>in a FUNCTION_BLOCK</source>
+        <translation>FUNCTION_BLOCK 中</translation>
+    </message>
+    <message>
+        <source>here</source>
+        <translation>此处</translation>
+    </message>
+    <message>
+        <source>in {0}</source>
+        <translation>{0} 中</translation>
+    </message>
+    <message>
+        <source>in an expression</source>
+        <translation>表达式中</translation>
+    </message>
+    <message>
+        <source>in an initial value</source>
+        <translation>初始值中</translation>
+    </message>
+    <message>
+        <source>in this section</source>
+        <translation>此区段中</translation>
+    </message>
+    <message>
+        <source>an initial value</source>
+        <translation>初始值</translation>
+    </message>
+    <message>
+        <source>RETURN with a value</source>
+        <translation>带值的 RETURN</translation>
+    </message>
+    <message>
+        <source>in a declaration that calls FB_Init</source>
+        <translation>调用 FB_Init 的声明中</translation>
+    </message>
+    <message>
+        <source>{0} (VAR_IN_OUT)</source>
+        <translation>{0} (VAR_IN_OUT)</translation>
+    </message>
+    <message>
+        <source>in {0}, which is not abstract itself</source>
+        <translation>本身不是抽象的 {0} 中</translation>
+    </message>
+    <message>
+        <source>address</source>
+        <translation>地址</translation>
+    </message>
+    <message>
+        <source>duration</source>
+        <translation>时长</translation>
+    </message>
+    <message>
+        <source>date</source>
+        <translation>日期</translation>
+    </message>
+    <message>
+        <source>time of day</source>
+        <translation>时刻</translation>
+    </message>
+    <message>
+        <source>date and time</source>
+        <translation>日期和时间</translation>
+    </message>
+    <message>
+        <source>integer</source>
+        <translation>整数</translation>
+    </message>
+    <message>
+        <source>string</source>
+        <translation>字符串</translation>
+    </message>
+    <message>
+        <source>{0} (a constant)</source>
+        <translation>{0}（常量）</translation>
+    </message>
+    <message>
+        <source>{0} (an output)</source>
+        <translation>{0}（输出）</translation>
+    </message>
+    <message>
+        <source>{0} (a local variable of {1})</source>
+        <translation>{0}（{1} 的局部变量）</translation>
+    </message>
+    <message>
+        <source>{0} (an input)</source>
+        <translation>{0}（输入）</translation>
+    </message>
+    <message>
+        <source>{0} (an input; the next scan overwrites it)</source>
+        <translation>{0}（输入；下一个扫描周期会覆盖它）</translation>
+    </message>
+    <message>
+        <source>{0} (a property without SET)</source>
+        <translation>{0}（没有 SET 的属性）</translation>
+    </message>
+    <message>
+        <source>{0} (no instance, or several)</source>
+        <translation>{0}（没有实例，或有多个）</translation>
+    </message>
+    <message>
+        <source>{0} (a type; declare an instance of it)</source>
+        <translation>{0}（类型；请声明其实例）</translation>
+    </message>
+    <message>
+        <source>{0} (a variable, which hides the function of this name)</source>
+        <translation>{0}（变量，隐藏了同名函数）</translation>
+    </message>
+    <message>
+        <source>an output</source>
+        <translation>输出</translation>
+    </message>
+    <message>
+        <source>an input</source>
+        <translation>输入</translation>
+    </message>
+    <message>
+        <source>an IN_OUT parameter</source>
+        <translation>IN_OUT 参数</translation>
+    </message>
+    <message>
+        <source>a power of a computed number</source>
+        <translation>计算值的幂</translation>
+    </message>
+    <message>
+        <source>a call of {0}</source>
+        <translation>对 {0} 的调用</translation>
+    </message>
+    <message>
+        <source>a call without arguments</source>
+        <translation>不带实参的调用</translation>
+    </message>
+    <message>
+        <source>a computed second argument of {0}</source>
+        <translation>{0} 的第二个实参为计算值</translation>
+    </message>
+    <message>
+        <source>{0} outside a loop</source>
+        <translation>循环外的 {0}</translation>
+    </message>
+    <message>
+        <source>this statement</source>
+        <translation>此语句</translation>
+    </message>
+    <message>
+        <source>FOR with this end or step</source>
+        <translation>带此终值或步长的 FOR</translation>
+    </message>
+    <message>
+        <source>an assignment of several variables</source>
+        <translation>对多个变量的赋值</translation>
+    </message>
+    <message>
+        <source>CASE of a computed value</source>
+        <translation>对计算值的 CASE</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>文本</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>数字</translation>
+    </message>
+    <message>
+        <source>an integer</source>
+        <translation>整数</translation>
+    </message>
+    <message>
+        <source>a number of seconds</source>
+        <translation>秒数</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>列表</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>对象</translation>
+    </message>
+    <message>
+        <source>one of {0}</source>
+        <translation>{0} 之一</translation>
     </message>
 </context>
 <context>
@@ -2878,6 +4760,273 @@
     </message>
 </context>
 <context>
+    <name>Tuning</name>
+    <message>
+        <source>The table has no column of times; name one time_s (seconds) or time_ms</source>
+        <translation>表中没有时间列；请将一列命名为 time_s（秒）或 time_ms</translation>
+    </message>
+    <message>
+        <source>The table has no column {0}; it has {1}</source>
+        <translation>表中没有列 {0}；有 {1}</translation>
+    </message>
+    <message>
+        <source>The table has no column {0}; did you mean {1}?</source>
+        <translation>表中没有列 {0}；是否指 {1}？</translation>
+    </message>
+    <message>
+        <source>Line {0} has no number in column {1}</source>
+        <translation>第 {0} 行的列 {1} 中没有数字</translation>
+    </message>
+    <message>
+        <source>The time in line {0} is before that of the line above</source>
+        <translation>第 {0} 行的时间早于上一行</translation>
+    </message>
+    <message>
+        <source>{0} {0:sample is|samples are} too few for a model; record for longer</source>
+        <translation>{0} 个采样不足以建立模型；请记录更长时间</translation>
+    </message>
+    <message>
+        <source>usable</source>
+        <translation>可使用</translation>
+    </message>
+    <message>
+        <source>the input is at a limit for {0} % of the time</source>
+        <translation>输入有 {0} % 的时间处于限值</translation>
+    </message>
+    <message>
+        <source>the output moves by only {0} times its noise</source>
+        <translation>输出的变化仅为其噪声的 {0} 倍</translation>
+    </message>
+    <message>
+        <source>too short: {0} samples until the next change</source>
+        <translation>过短：到下一次变化只有 {0} 个采样</translation>
+    </message>
+    <message>
+        <source>disturbed: no model explains more than {0} % of it</source>
+        <translation>受干扰：没有模型能解释其 {0} % 以上</translation>
+    </message>
+    <message>
+        <source>usable; it was still moving before</source>
+        <translation>可使用；之前仍在变化</translation>
+    </message>
+    <message>
+        <source>There is no step or disturbance in the recording; change the set point or the output by hand once and record that</source>
+        <translation>记录中没有阶跃或扰动；请手动改变一次设定值或输出并记录</translation>
+    </message>
+    <message>
+        <source>None of the {0} changes found is usable: {1}</source>
+        <translation>找到的 {0} 处变化均不可用：{1}</translation>
+    </message>
+    <message>
+        <source>No model explains what the output does; something else moves it</source>
+        <translation>没有模型能解释输出的变化；有其他因素在影响它</translation>
+    </message>
+    <message>
+        <source>The rule {0} has no answer for this process</source>
+        <translation>规则 {0} 不适合此过程</translation>
+    </message>
+    <message>
+        <source>Unstable: the loop would swing up. Do not use this.</source>
+        <translation>不稳定：回路会发散振荡。请勿使用。</translation>
+    </message>
+    <message>
+        <source>Fragile: a small change of the process makes it swing.</source>
+        <translation>脆弱：过程的微小变化就会引起振荡。</translation>
+    </message>
+    <message>
+        <source>Brisk: quick, and it swings a little; the process should not change much.</source>
+        <translation>敏捷：快速，略有振荡；过程不应有大的变化。</translation>
+    </message>
+    <message>
+        <source>Good: quick enough, and it tolerates the usual changes of a process.</source>
+        <translation>良好：足够快，并能承受过程的一般变化。</translation>
+    </message>
+    <message>
+        <source>Calm: slow, and it tolerates a process that changes a lot.</source>
+        <translation>平稳：较慢，能承受变化很大的过程。</translation>
+    </message>
+    <message>
+        <source>A step of the set point does not overshoot.</source>
+        <translation>设定值阶跃没有超调。</translation>
+    </message>
+    <message>
+        <source>A step of the set point overshoots by {0} %.</source>
+        <translation>设定值阶跃的超调为 {0} %。</translation>
+    </message>
+    <message>
+        <source>Ziegler-Nichols is here to compare with: it swings and tolerates little. Take SIMC or the optimum instead.</source>
+        <translation>Ziegler-Nichols 仅用于比较：它会振荡且容差小。请改用 SIMC 或最优。</translation>
+    </message>
+    <message>
+        <source>The rule looks at one lag only; check the margins.</source>
+        <translation>该规则只考虑一个滞后；请检查裕度。</translation>
+    </message>
+    <message>
+        <source>gain and dead time</source>
+        <translation>增益和纯滞后</translation>
+    </message>
+    <message>
+        <source>first order</source>
+        <translation>一阶</translation>
+    </message>
+    <message>
+        <source>first order with dead time</source>
+        <translation>一阶加纯滞后</translation>
+    </message>
+    <message>
+        <source>second order</source>
+        <translation>二阶</translation>
+    </message>
+    <message>
+        <source>second order with dead time</source>
+        <translation>二阶加纯滞后</translation>
+    </message>
+    <message>
+        <source>two equal lags</source>
+        <translation>两个相等的滞后</translation>
+    </message>
+    <message>
+        <source>two equal lags with dead time</source>
+        <translation>两个相等的滞后加纯滞后</translation>
+    </message>
+    <message>
+        <source>oscillating</source>
+        <translation>振荡</translation>
+    </message>
+    <message>
+        <source>oscillating with dead time</source>
+        <translation>振荡加纯滞后</translation>
+    </message>
+    <message>
+        <source>oscillating with a lag</source>
+        <translation>振荡加一个滞后</translation>
+    </message>
+    <message>
+        <source>second order with a zero</source>
+        <translation>二阶加零点</translation>
+    </message>
+    <message>
+        <source>second order with a zero and dead time</source>
+        <translation>二阶加零点和纯滞后</translation>
+    </message>
+    <message>
+        <source>three equal lags</source>
+        <translation>三个相等的滞后</translation>
+    </message>
+    <message>
+        <source>three equal lags with a zero</source>
+        <translation>三个相等的滞后加零点</translation>
+    </message>
+    <message>
+        <source>four equal lags</source>
+        <translation>四个相等的滞后</translation>
+    </message>
+    <message>
+        <source>five equal lags</source>
+        <translation>五个相等的滞后</translation>
+    </message>
+    <message>
+        <source>six equal lags</source>
+        <translation>六个相等的滞后</translation>
+    </message>
+    <message>
+        <source>seven equal lags</source>
+        <translation>七个相等的滞后</translation>
+    </message>
+    <message>
+        <source>eight equal lags</source>
+        <translation>八个相等的滞后</translation>
+    </message>
+    <message>
+        <source>three equal lags with dead time</source>
+        <translation>三个相等的滞后加纯滞后</translation>
+    </message>
+    <message>
+        <source>three lags</source>
+        <translation>三个滞后</translation>
+    </message>
+    <message>
+        <source>three lags with dead time</source>
+        <translation>三个滞后加纯滞后</translation>
+    </message>
+    <message>
+        <source>four lags</source>
+        <translation>四个滞后</translation>
+    </message>
+    <message>
+        <source>integrating</source>
+        <translation>积分</translation>
+    </message>
+    <message>
+        <source>integrating with dead time</source>
+        <translation>积分加纯滞后</translation>
+    </message>
+    <message>
+        <source>integrating with a lag</source>
+        <translation>积分加一个滞后</translation>
+    </message>
+    <message>
+        <source>integrating with a lag and dead time</source>
+        <translation>积分加一个滞后和纯滞后</translation>
+    </message>
+    <message>
+        <source>integrating with two equal lags</source>
+        <translation>积分加两个相等的滞后</translation>
+    </message>
+    <message>
+        <source>SIMC</source>
+        <translation>SIMC</translation>
+    </message>
+    <message>
+        <source>AMIGO</source>
+        <translation>AMIGO</translation>
+    </message>
+    <message>
+        <source>Optimum</source>
+        <translation>最优</translation>
+    </message>
+    <message>
+        <source>Chien-Hrones-Reswick</source>
+        <translation>Chien-Hrones-Reswick</translation>
+    </message>
+    <message>
+        <source>Ziegler-Nichols</source>
+        <translation>Ziegler-Nichols</translation>
+    </message>
+    <message>
+        <source>the recording has a gap in it</source>
+        <translation>记录中有间断</translation>
+    </message>
+    <message>
+        <source>It oscillates with a period of {0} s and an amplitude of {1}, for {2} cycles in a row.</source>
+        <translation>以周期 {0} s、幅值 {1} 振荡，连续 {2} 个周期。</translation>
+    </message>
+    <message>
+        <source>It does not oscillate.</source>
+        <translation>没有振荡。</translation>
+    </message>
+    <message>
+        <source>The settings are the likely cause: with the model the loop swings at this period.</source>
+        <translation>设置可能是原因：按模型，回路以此周期振荡。</translation>
+    </message>
+    <message>
+        <source>A valve that sticks is the likely cause: the output moves evenly, the process answers in jumps.</source>
+        <translation>阀门卡涩可能是原因：输出平稳变化，而过程以跳变响应。</translation>
+    </message>
+    <message>
+        <source>The likely cause is outside: neither the settings nor a valve that sticks explain it.</source>
+        <translation>可能的原因在外部：设置和阀门卡涩都无法解释。</translation>
+    </message>
+    <message>
+        <source>The output is at a limit for {0} % of the time.</source>
+        <translation>输出有 {0} % 的时间处于限值。</translation>
+    </message>
+    <message>
+        <source>{0} % of what the measured value does is noise.</source>
+        <translation>测量值变化的 {0} % 是噪声。</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::ConversionDialog</name>
     <message>
         <source>%1 as ST</source>
@@ -2888,11 +5037,11 @@
         <translation>%1（指令表）</translation>
     </message>
     <message>
-        <source>Instruction list, as it stands</source>
+        <source>Instruction list (current text)</source>
         <translation>指令表（现有文本）</translation>
     </message>
     <message>
-        <source>ST, as it stands</source>
+        <source>ST (current text)</source>
         <translation>ST（现有文本）</translation>
     </message>
     <message>
@@ -2944,14 +5093,6 @@
             <numerusform>%n 个文件已更改：%1。是否保存？</numerusform>
         </translation>
     </message>
-    <message>
-        <source>Changed outside</source>
-        <translation>在外部被更改</translation>
-    </message>
-    <message>
-        <source>%1 was changed by another program, and here too. Load the file from disk and lose the changes made here?</source>
-        <translation>%1 已被其他程序更改，此处也有更改。是否从磁盘加载文件并放弃此处的更改？</translation>
-    </message>
     <message numerus="yes">
         <source>Changed in %n file(s); those edited since stay as they are</source>
         <translation>
@@ -2994,6 +5135,130 @@
     </message>
 </context>
 <context>
+    <name>plc::app::ExportDialog</name>
+    <message>
+        <source>Export the Project</source>
+        <translation>导出项目</translation>
+    </message>
+    <message>
+        <source>PLCopen XML 0200, for CODESYS and TwinCAT</source>
+        <translation>PLCopen XML 0200，用于 CODESYS 和 TwinCAT</translation>
+    </message>
+    <message>
+        <source>PLCopen XML 0201, for Beremiz and OpenPLC</source>
+        <translation>PLCopen XML 0201，用于 Beremiz 和 OpenPLC</translation>
+    </message>
+    <message>
+        <source>File…</source>
+        <translation>文件…</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>导出</translation>
+    </message>
+    <message>
+        <source>Format:</source>
+        <translation>格式：</translation>
+    </message>
+    <message>
+        <source>To:</source>
+        <translation>目标：</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::GuideView</name>
+    <message>
+        <source>About this project</source>
+        <translation>关于此项目</translation>
+    </message>
+    <message>
+        <source>A README.md in the project&apos;s folder is shown here.</source>
+        <translation>此处显示项目文件夹中的 README.md。</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::ImportDialog</name>
+    <message>
+        <source>Place</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>提示</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>报告</translation>
+    </message>
+    <message>
+        <source>Units: %1
+Bodies: %2
+Not kept: %3</source>
+        <translation>POU：%1
+主体：%2
+未保留：%3</translation>
+    </message>
+    <message>
+        <source>Import a Project</source>
+        <translation>导入项目</translation>
+    </message>
+    <message>
+        <source>PLCopen XML, TwinCAT or CODESYS files, structured text</source>
+        <translation>PLCopen XML、TwinCAT 或 CODESYS 文件、结构化文本</translation>
+    </message>
+    <message>
+        <source>File…</source>
+        <translation>文件…</translation>
+    </message>
+    <message>
+        <source>Folder…</source>
+        <translation>文件夹…</translation>
+    </message>
+    <message>
+        <source>Source files</source>
+        <translation>源文件</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>预览</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>导入</translation>
+    </message>
+    <message>
+        <source>From:</source>
+        <translation>来源：</translation>
+    </message>
+    <message>
+        <source>New project in:</source>
+        <translation>新项目位置：</translation>
+    </message>
+    <message>
+        <source>Projects of other tools (%1)</source>
+        <translation>其他工具的项目 (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>This folder is not empty; name a new one</source>
+        <translation>此文件夹不为空；请指定新的文件夹</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::InstanceBar</name>
+    <message>
+        <source>Instance whose values are shown</source>
+        <translation>显示其值的实例</translation>
+    </message>
+    <message>
+        <source>Values of the instance of %1:</source>
+        <translation>%1 实例的值：</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::LiveViews</name>
     <message>
         <source>Panel shown</source>
@@ -3017,11 +5282,23 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <source>Saving the recording…</source>
         <translation>正在保存记录…</translation>
     </message>
+    <message>
+        <source>Export the alarm history…</source>
+        <translation>导出报警历史…</translation>
+    </message>
+    <message>
+        <source>Export the Alarm History</source>
+        <translation>导出报警历史</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>表格 (*.csv)</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MainWindow</name>
     <message>
-        <source>A panel&apos;s name is a file name: no / and no \</source>
+        <source>A panel&apos;s name cannot contain / or \</source>
         <translation>画面名称就是文件名：不能含 / 和 \</translation>
     </message>
     <message>
@@ -3049,7 +5326,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>强制</translation>
     </message>
     <message>
-        <source>Call Path</source>
+        <source>Call Stack</source>
         <translation>调用堆栈</translation>
     </message>
     <message>
@@ -3192,10 +5469,6 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <source>Rename</source>
         <translation>重命名</translation>
     </message>
-    <message>
-        <source>New name of %1, in the whole project:</source>
-        <translation>%1 在整个项目中的新名称：</translation>
-    </message>
     <message numerus="yes">
         <source>%1 is now %2 in %n place(s)</source>
         <translation>
@@ -3215,7 +5488,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>库</translation>
     </message>
     <message>
-        <source>The tests run…</source>
+        <source>Running tests…</source>
         <translation>正在运行测试…</translation>
     </message>
     <message>
@@ -3275,10 +5548,6 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>欢迎</translation>
     </message>
     <message>
-        <source>This is a PID controller working on a simulated process: the program above, its trace below, its operator panel at the right. Nothing can break: the plant is only numbers. Press Next to look around for a minute, or F5 to run it at once.</source>
-        <translation>这是一个作用于仿真过程的 PID 控制器：上方是程序，下方是跟踪，右侧是操作画面。不会损坏任何东西：被控对象只是数字。按“下一步”用一分钟看一看，或按 F5 立即运行。</translation>
-    </message>
-    <message>
         <source>The project</source>
         <translation>项目</translation>
     </message>
@@ -3291,15 +5560,15 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>程序</translation>
     </message>
     <message>
-        <source>Structured Text with colours by meaning. Errors are underlined while you type; Alt+Enter mends what it can; Ctrl+Space completes.</source>
-        <translation>按含义着色的结构化文本。输入时错误会加下划线；Alt+Enter 修正可修正之处；Ctrl+空格 补全。</translation>
+        <source>Structured Text with colours by meaning. Errors are underlined while you type; Alt+Enter offers quick fixes; Ctrl+Space completes.</source>
+        <translation>按含义着色的结构化文本。输入时错误会加下划线；Alt+Enter 提供快速修正；Ctrl+空格 补全。</translation>
     </message>
     <message>
         <source>Run</source>
         <translation>运行</translation>
     </message>
     <message>
-        <source>F5 compiles to native code and runs it. Values then stand beside each line.</source>
+        <source>F5 compiles to native code and runs it. Values then appear next to each line.</source>
         <translation>F5 编译为本机代码并运行。随后数值显示在每一行旁边。</translation>
     </message>
     <message>
@@ -3327,11 +5596,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>时间也能倒流</translation>
     </message>
     <message>
-        <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume From Here” goes on from there.</source>
-        <translation>拖动时间滑块，或按 Ctrl+Alt+左箭头：代码、曲线图和画面显示过去的状态。“从此处继续”从该处接着运行。</translation>
-    </message>
-    <message>
-        <source>That is it</source>
+        <source>That’s it</source>
         <translation>完成</translation>
     </message>
     <message>
@@ -3451,8 +5716,8 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>转到定义</translation>
     </message>
     <message>
-        <source>Find All Uses</source>
-        <translation>查找所有使用处</translation>
+        <source>Find References</source>
+        <translation>查找引用</translation>
     </message>
     <message>
         <source>Rename…</source>
@@ -3463,15 +5728,15 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>补全</translation>
     </message>
     <message>
-        <source>Apply a Fix (Alt+Enter)</source>
-        <translation>应用修正 (Alt+Enter)</translation>
+        <source>Quick Fix (Alt+Enter)</source>
+        <translation>快速修正 (Alt+Enter)</translation>
     </message>
     <message>
         <source>Format</source>
         <translation>格式化</translation>
     </message>
     <message>
-        <source>Comment In or Out (Ctrl+/)</source>
+        <source>Toggle Comment (Ctrl+/)</source>
         <translation>切换注释 (Ctrl+/)</translation>
     </message>
     <message>
@@ -3479,11 +5744,11 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>复制行</translation>
     </message>
     <message>
-        <source>Select the Block Around</source>
+        <source>Select Enclosing Block</source>
         <translation>选择外围块</translation>
     </message>
     <message>
-        <source>Go to the Matching Word</source>
+        <source>Go to Matching Keyword</source>
         <translation>转到匹配的关键字</translation>
     </message>
     <message>
@@ -3519,7 +5784,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>单次扫描</translation>
     </message>
     <message>
-        <source>Step In</source>
+        <source>Step Into</source>
         <translation>单步进入</translation>
     </message>
     <message>
@@ -3595,7 +5860,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>返回实时</translation>
     </message>
     <message>
-        <source>Resume From Here</source>
+        <source>Resume from Here</source>
         <translation>从此处继续</translation>
     </message>
     <message>
@@ -3609,10 +5874,6 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Declarations as a Table</source>
         <translation>以表格显示声明</translation>
-    </message>
-    <message>
-        <source>Chart Beside the Text</source>
-        <translation>在文本旁显示顺序功能图</translation>
     </message>
     <message>
         <source>Online Values in the Text</source>
@@ -3635,7 +5896,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>深色主题</translation>
     </message>
     <message>
-        <source>Theme of the System</source>
+        <source>System Theme</source>
         <translation>系统主题</translation>
     </message>
     <message>
@@ -3665,10 +5926,6 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>%1 – back to live</source>
         <translation>%1 – 返回实时</translation>
-    </message>
-    <message>
-        <source>Panel %1</source>
-        <translation>画面 %1</translation>
     </message>
     <message>
         <source>Unsaved changes</source>
@@ -3729,11 +5986,11 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>跟踪</translation>
     </message>
     <message>
-        <source>A file name holds no / and no \</source>
+        <source>A file name cannot contain / or \</source>
         <translation>文件名不能含 / 和 \</translation>
     </message>
     <message>
-        <source>There is a trace %1 already</source>
+        <source>A trace %1 already exists</source>
         <translation>跟踪 %1 已存在</translation>
     </message>
     <message>
@@ -3741,19 +5998,19 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>%1 的新名称：</translation>
     </message>
     <message>
-        <source>There is a file %1 already</source>
+        <source>A file %1 already exists</source>
         <translation>文件 %1 已存在</translation>
     </message>
     <message>
-        <source>The file can not be renamed; check the permissions of the folder</source>
+        <source>The file cannot be renamed; check the permissions of the folder</source>
         <translation>无法重命名文件；请检查文件夹权限</translation>
     </message>
     <message>
-        <source>These panels lead to it; their buttons will be problems: %1</source>
+        <source>These panels link to it; their buttons will be reported as errors: %1</source>
         <translation>这些画面会跳转到它；其按钮将报告为问题：%1</translation>
     </message>
     <message>
-        <source>The file can not be removed; check the permissions of the folder</source>
+        <source>The file cannot be removed; check the permissions of the folder</source>
         <translation>无法删除文件；请检查文件夹权限</translation>
     </message>
     <message>
@@ -3789,7 +6046,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>项目仍在检查中；请稍后重试</translation>
     </message>
     <message>
-        <source>It holds %1.</source>
+        <source>It contains %1.</source>
         <translation>其中包含 %1。</translation>
     </message>
     <message>
@@ -3797,7 +6054,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>测试结束后切换语言</translation>
     </message>
     <message>
-        <source>Fault of the controller</source>
+        <source>Controller fault</source>
         <translation>控制器错误</translation>
     </message>
     <message>
@@ -3833,10 +6090,6 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>项目已导出</translation>
     </message>
     <message>
-        <source>%1 is written in %2 and is saved as it was found</source>
-        <translation>%1 的编码为 %2，将按原样保存</translation>
-    </message>
-    <message>
         <source>Select the Next Occurrence Too</source>
         <translation>同时选择下一个匹配项</translation>
     </message>
@@ -3861,12 +6114,111 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>正在保留上次运行的记录…</translation>
     </message>
     <message>
-        <source>%1 is not UTF-8 and was read as Windows-1252; saving it writes UTF-8</source>
-        <translation>%1 不是 UTF-8，已按 Windows-1252 读取；保存时写为 UTF-8</translation>
-    </message>
-    <message>
         <source>Diagram Beside the Text</source>
         <translation>在文本旁显示图</translation>
+    </message>
+    <message>
+        <source>Bookmark</source>
+        <translation>书签</translation>
+    </message>
+    <message>
+        <source>Next Bookmark</source>
+        <translation>下一个书签</translation>
+    </message>
+    <message>
+        <source>Previous Bookmark</source>
+        <translation>上一个书签</translation>
+    </message>
+    <message>
+        <source>Open Another File Beside…</source>
+        <translation>在旁边打开其他文件…</translation>
+    </message>
+    <message>
+        <source>About This Project</source>
+        <translation>关于此项目</translation>
+    </message>
+    <message>
+        <source>The project has no other file</source>
+        <translation>项目没有其他文件</translation>
+    </message>
+    <message>
+        <source>Open Another File Beside</source>
+        <translation>在旁边打开其他文件</translation>
+    </message>
+    <message>
+        <source>%1 Nothing can break: the plant is only numbers. Press Next to look around for a minute, or F5 to run it at once.</source>
+        <translation>%1 不会损坏任何东西：被控对象只是数字。按“下一步”用一分钟看一看，或按 F5 立即运行。</translation>
+    </message>
+    <message>
+        <source>This is the project %1.</source>
+        <translation>这是项目 %1。</translation>
+    </message>
+    <message>
+        <source>What to press</source>
+        <translation>该按什么</translation>
+    </message>
+    <message>
+        <source>The page beside the program is the project&apos;s README: what it shows, what to press, what to watch.</source>
+        <translation>程序旁边的页面是项目的 README：显示什么、该按什么、监视什么。</translation>
+    </message>
+    <message>
+        <source>What the operator sees. This project has no panel yet; new ones are drawn with the mouse.</source>
+        <translation>操作员看到的内容。此项目尚无画面；新画面用鼠标绘制。</translation>
+    </message>
+    <message>
+        <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume from Here” continues from there.</source>
+        <translation>拖动时间滑块，或按 Ctrl+Alt+左箭头：代码、曲线图和画面显示过去的状态。“从此处继续”从该处接着运行。</translation>
+    </message>
+    <message>
+        <source>Tuning</source>
+        <translation>参数整定</translation>
+    </message>
+    <message>
+        <source>%1 is not a source of this project</source>
+        <translation>%1 不是此项目的源文件</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::MergeDialog</name>
+    <message>
+        <source>Compare %1</source>
+        <translation>比较 %1</translation>
+    </message>
+    <message>
+        <source>Previous</source>
+        <translation>上一处</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>下一处</translation>
+    </message>
+    <message>
+        <source>Take Over</source>
+        <translation>采用</translation>
+    </message>
+    <message>
+        <source>Take Over All</source>
+        <translation>全部采用</translation>
+    </message>
+    <message>
+        <source>Here (this text is kept)</source>
+        <translation>此处（保留此文本）</translation>
+    </message>
+    <message>
+        <source>On disk</source>
+        <translation>磁盘上</translation>
+    </message>
+    <message>
+        <source>Use the Text on the Left</source>
+        <translation>使用左侧文本</translation>
+    </message>
+    <message>
+        <source>No differences</source>
+        <translation>没有差异</translation>
+    </message>
+    <message>
+        <source>Difference %1 of %2</source>
+        <translation>差异 %1 / %2</translation>
     </message>
 </context>
 <context>
@@ -3936,15 +6288,15 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>创建</translation>
     </message>
     <message>
-        <source>The project needs a name</source>
+        <source>Enter a project name</source>
         <translation>请输入项目名称</translation>
     </message>
     <message>
-        <source>%1 exists already and is not empty</source>
+        <source>%1 already exists and is not empty</source>
         <translation>%1 已存在且不为空</translation>
     </message>
     <message>
-        <source>Will be made in %1</source>
+        <source>Will be created in %1</source>
         <translation>将创建于 %1</translation>
     </message>
 </context>
@@ -4015,19 +6367,19 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>创建</translation>
     </message>
     <message>
-        <source>Give it a name</source>
+        <source>Enter a name</source>
         <translation>请输入名称</translation>
     </message>
     <message>
-        <source>A name has letters, digits and _, begins with a letter and is no keyword</source>
+        <source>A name has letters, digits and _, starts with a letter and is not a keyword</source>
         <translation>名称由字母、数字和 _ 组成，以字母开头，且不是关键字</translation>
     </message>
     <message>
-        <source>There is a %1 in the project already</source>
+        <source>%1 already exists in the project</source>
         <translation>%1 在项目中已存在</translation>
     </message>
     <message>
-        <source>There is a file %1 already: choose it, or another name</source>
+        <source>A file %1 already exists: choose it, or another name</source>
         <translation>文件 %1 已存在：请选择它，或使用其他名称</translation>
     </message>
     <message>
@@ -4037,6 +6389,21 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Program as a function block diagram</source>
         <translation>功能块图 (FBD) 程序</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::PanelFiles</name>
+    <message>
+        <source>Texts</source>
+        <translation>文本</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>报警</translation>
+    </message>
+    <message>
+        <source>Panel %1</source>
+        <translation>画面 %1</translation>
     </message>
 </context>
 <context>
@@ -4186,6 +6553,58 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     </message>
 </context>
 <context>
+    <name>plc::app::RenameDialog</name>
+    <message>
+        <source>Rename</source>
+        <translation>重命名</translation>
+    </message>
+    <message>
+        <source>New name of %1, in the whole project:</source>
+        <translation>%1 在整个项目中的新名称：</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>文本</translation>
+    </message>
+    <message>
+        <source>Places that change</source>
+        <translation>将更改之处</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) change:</source>
+        <translation>
+            <numerusform>将更改 %n 处：</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::RunsMenu</name>
+    <message>
+        <source>Earlier Runs</source>
+        <translation>以往的运行</translation>
+    </message>
+    <message>
+        <source>%1, ended by a fault, %2</source>
+        <translation>%1，因错误结束，%2</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1，%2</translation>
+    </message>
+    <message>
+        <source>The last run is being written…</source>
+        <translation>正在写入上次运行…</translation>
+    </message>
+    <message>
+        <source>No run has ended yet</source>
+        <translation>尚无已结束的运行</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::SearchView</name>
     <message>
         <source>Find in all files</source>
@@ -4196,7 +6615,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>要在所有文件中查找的文本</translation>
     </message>
     <message>
-        <source>Replace by</source>
+        <source>Replace with</source>
         <translation>替换为</translation>
     </message>
     <message>
@@ -4236,7 +6655,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>搜索结果</translation>
     </message>
     <message>
-        <source>Not a pattern: %1</source>
+        <source>Invalid regular expression: %1</source>
         <translation>正则表达式无效：%1</translation>
     </message>
     <message>
@@ -4321,7 +6740,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>快捷键</translation>
     </message>
     <message>
-        <source>As the system</source>
+        <source>System default</source>
         <translation>跟随系统</translation>
     </message>
     <message>
@@ -4361,7 +6780,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>保存时格式化</translation>
     </message>
     <message>
-        <source>Saving changes the running controller (online change)</source>
+        <source>Apply an online change when saving</source>
         <translation>保存时执行在线修改</translation>
     </message>
     <message>
@@ -4393,7 +6812,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>命令筛选</translation>
     </message>
     <message>
-        <source>All Defaults</source>
+        <source>Restore Defaults</source>
         <translation>恢复默认值</translation>
     </message>
     <message>
@@ -4418,6 +6837,10 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Make Writable</source>
         <translation>设为可写</translation>
+    </message>
+    <message>
+        <source>Close this side</source>
+        <translation>关闭此侧</translation>
     </message>
 </context>
 <context>
@@ -4461,6 +6884,68 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Open a Fresh Copy</source>
         <translation>打开新副本</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::TestView</name>
+    <message>
+        <source>Run all tests</source>
+        <translation>运行所有测试</translation>
+    </message>
+    <message>
+        <source>Run the selected tests</source>
+        <translation>运行所选测试</translation>
+    </message>
+    <message>
+        <source>Run the failed tests</source>
+        <translation>运行失败的测试</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>测试</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Tests</source>
+        <translation>测试</translation>
+    </message>
+    <message>
+        <source>%1 passed, %2 failed</source>
+        <translation>%1 通过，%2 失败</translation>
+    </message>
+    <message>
+        <source>not run yet</source>
+        <translation>尚未运行</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>通过</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>失败</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Show the Recording of the Failure</source>
+        <translation>显示失败的记录</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::TextPage</name>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>第 %1 行：%2</translation>
     </message>
 </context>
 <context>
@@ -4536,7 +7021,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>行</translation>
     </message>
     <message>
-        <source>Call path</source>
+        <source>Call stack</source>
         <translation>调用堆栈</translation>
     </message>
     <message>
@@ -4559,11 +7044,11 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>顺序功能图 (SFC)</translation>
     </message>
     <message>
-        <source>Insert a step behind (Ins)</source>
+        <source>Insert a step after it (Ins)</source>
         <translation>在其后插入步 (Ins)</translation>
     </message>
     <message>
-        <source>Insert a branch beside</source>
+        <source>Insert an alternative branch</source>
         <translation>插入选择分支</translation>
     </message>
     <message>
@@ -4583,27 +7068,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>删除 (Del)</translation>
     </message>
     <message>
-        <source>Show all</source>
-        <translation>全部显示</translation>
-    </message>
-    <message>
-        <source>Export the chart</source>
-        <translation>导出顺序功能图</translation>
-    </message>
-    <message>
-        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
-        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <source>%1 can not be written</source>
-        <translation>无法写入 %1</translation>
-    </message>
-    <message>
-        <source>Print…</source>
-        <translation>打印…</translation>
-    </message>
-    <message>
-        <source>The unit %1 is not in the text any more</source>
+        <source>The unit %1 is no longer in the text</source>
         <translation>POU %1 已不在文本中</translation>
     </message>
     <message>
@@ -4611,19 +7076,11 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>文本有错误：这是最后一次正确的图形</translation>
     </message>
     <message>
-        <source>%1 is not a chart</source>
-        <translation>%1 不是顺序功能图</translation>
-    </message>
-    <message>
-        <source>Mend the text first: this is the last good drawing</source>
-        <translation>请先修正文本：这是最后一次正确的图形</translation>
-    </message>
-    <message>
         <source>Select the step from which the branch goes out</source>
         <translation>请选择分支出发的步</translation>
     </message>
     <message>
-        <source>Select the transition behind which the steps run at the same time</source>
+        <source>Select the transition after which the steps run at the same time</source>
         <translation>请选择其后各步同时运行的转换</translation>
     </message>
     <message>
@@ -4631,11 +7088,11 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>请选择要添加动作的步</translation>
     </message>
     <message>
-        <source>Insert a Step Behind</source>
+        <source>Insert a Step After It</source>
         <translation>在其后插入步</translation>
     </message>
     <message>
-        <source>Insert a Branch Beside</source>
+        <source>Insert an Alternative Branch</source>
         <translation>插入选择分支</translation>
     </message>
     <message>
@@ -4647,11 +7104,11 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>添加动作</translation>
     </message>
     <message>
-        <source>Make It the Initial Step</source>
+        <source>Set as Initial Step</source>
         <translation>设为初始步</translation>
     </message>
     <message>
-        <source>Force the Step On</source>
+        <source>Force the Step Active</source>
         <translation>强制激活步</translation>
     </message>
     <message>
@@ -4687,7 +7144,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>右侧分支</translation>
     </message>
     <message>
-        <source>%1 behind this transition</source>
+        <source>%1 after this transition</source>
         <translation>此转换之后的 %1</translation>
     </message>
     <message>
@@ -4719,24 +7176,20 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>动作</translation>
     </message>
     <message>
-        <source>To the chart around (Backspace)</source>
+        <source>To the enclosing chart (Backspace)</source>
         <translation>到上级顺序功能图 (Backspace)</translation>
     </message>
     <message>
-        <source>Breakpoint: stops when the step becomes active, when the transition is taken (F9)</source>
+        <source>Breakpoint: stops when the step becomes active or the transition is taken (F9)</source>
         <translation>断点：步激活或转换发生时停止 (F9)</translation>
     </message>
     <message>
-        <source>Force the step on</source>
+        <source>Force the step active</source>
         <translation>强制激活步</translation>
     </message>
     <message>
         <source>Release the step</source>
         <translation>解除步的强制</translation>
-    </message>
-    <message>
-        <source>Export as SVG, PNG or PDF…</source>
-        <translation>导出为 SVG、PNG 或 PDF…</translation>
     </message>
     <message>
         <source>%1 is a variable: it has no body</source>
@@ -4769,6 +7222,50 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Delete the Whole Branch</source>
         <translation>删除整个分支</translation>
+    </message>
+    <message>
+        <source>Select what is to be copied</source>
+        <translation>请选择要复制的内容</translation>
+    </message>
+    <message>
+        <source>Select what is to be cut</source>
+        <translation>请选择要剪切的内容</translation>
+    </message>
+    <message>
+        <source>The clipboard contains no step, action or transition</source>
+        <translation>剪贴板中没有步、动作或转换</translation>
+    </message>
+    <message>
+        <source>Select the step or transition to paste after</source>
+        <translation>请选择要在其后粘贴的步或转换</translation>
+    </message>
+    <message>
+        <source>Select the transition that gets the condition</source>
+        <translation>请选择要获得条件的转换</translation>
+    </message>
+    <message>
+        <source>Start a Chart</source>
+        <translation>开始顺序功能图</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>剪切</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>复制</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>粘贴</translation>
+    </message>
+    <message>
+        <source>%1 has no chart yet. A chart starts with an initial step; more steps are inserted after it with Ins, and F2 edits names and conditions.</source>
+        <translation>%1 尚无顺序功能图。顺序功能图以初始步开始；按 Ins 在其后插入更多步，按 F2 编辑名称和条件。</translation>
+    </message>
+    <message>
+        <source>%1 is not a chart: its body has statements. A chart can be started in a program or function block whose body is empty.</source>
+        <translation>%1 不是顺序功能图：其主体包含语句。顺序功能图可在主体为空的程序或功能块中开始。</translation>
     </message>
 </context>
 <context>
@@ -4889,7 +7386,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>要查找的文本</translation>
     </message>
     <message>
-        <source>Replace by</source>
+        <source>Replace with</source>
         <translation>替换为</translation>
     </message>
     <message>
@@ -4935,7 +7432,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         </translation>
     </message>
     <message>
-        <source>not a pattern</source>
+        <source>invalid regular expression</source>
         <translation>正则表达式无效</translation>
     </message>
     <message numerus="yes">
@@ -4970,6 +7467,375 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Release all</source>
         <translation>解除全部强制</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::GraphView</name>
+    <message>
+        <source>Show all</source>
+        <translation>全部显示</translation>
+    </message>
+    <message>
+        <source>Export as SVG, PNG or PDF…</source>
+        <translation>导出为 SVG、PNG 或 PDF…</translation>
+    </message>
+    <message>
+        <source>Export the Drawing</source>
+        <translation>导出图形</translation>
+    </message>
+    <message>
+        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
+        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written</source>
+        <translation>无法写入 %1</translation>
+    </message>
+    <message>
+        <source>Print…</source>
+        <translation>打印…</translation>
+    </message>
+    <message>
+        <source>Fix the text first: this is the last good drawing</source>
+        <translation>请先修正文本：这是最后一次正确的图形</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::LadderView</name>
+    <message>
+        <source>Ladder or function block diagram</source>
+        <translation>梯形图或功能块图</translation>
+    </message>
+    <message>
+        <source>Insert a rung below (Ctrl+T)</source>
+        <translation>在下方插入程序段 (Ctrl+T)</translation>
+    </message>
+    <message>
+        <source>Insert a contact on the left (Ctrl+K)</source>
+        <translation>在左侧插入触点 (Ctrl+K)</translation>
+    </message>
+    <message>
+        <source>Insert a contact on the right (Ctrl+D)</source>
+        <translation>在右侧插入触点 (Ctrl+D)</translation>
+    </message>
+    <message>
+        <source>Insert a parallel contact (Ctrl+R)</source>
+        <translation>插入并联触点 (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>Insert a coil (Ctrl+A)</source>
+        <translation>插入线圈 (Ctrl+A)</translation>
+    </message>
+    <message>
+        <source>Insert a function block (Ctrl+B)</source>
+        <translation>插入功能块 (Ctrl+B)</translation>
+    </message>
+    <message>
+        <source>Edit (F2)</source>
+        <translation>编辑 (F2)</translation>
+    </message>
+    <message>
+        <source>Delete (Del)</source>
+        <translation>删除 (Del)</translation>
+    </message>
+    <message>
+        <source>Breakpoint on the rung (F9)</source>
+        <translation>程序段上的断点 (F9)</translation>
+    </message>
+    <message>
+        <source>Show as a function block diagram</source>
+        <translation>显示为功能块图</translation>
+    </message>
+    <message>
+        <source>Show as a ladder diagram</source>
+        <translation>显示为梯形图</translation>
+    </message>
+    <message>
+        <source>%1 is no longer in the text</source>
+        <translation>%1 已不在文本中</translation>
+    </message>
+    <message>
+        <source>The text has errors: this is the last good drawing</source>
+        <translation>文本有错误：这是最后一次正确的图形</translation>
+    </message>
+    <message>
+        <source>Fix the text first: this is the last good drawing</source>
+        <translation>请先修正文本：这是最后一次正确的图形</translation>
+    </message>
+    <message>
+        <source>Select a rung</source>
+        <translation>请选择程序段</translation>
+    </message>
+    <message>
+        <source>Select a coil</source>
+        <translation>请选择线圈</translation>
+    </message>
+    <message>
+        <source>Select a contact, a coil or a pin with a variable</source>
+        <translation>请选择触点、线圈或带变量的引脚</translation>
+    </message>
+    <message>
+        <source>The rung has no contact yet</source>
+        <translation>程序段尚无触点</translation>
+    </message>
+    <message>
+        <source>Select the rung that gets the block</source>
+        <translation>请选择要添加块的程序段</translation>
+    </message>
+    <message>
+        <source>block</source>
+        <translation>块</translation>
+    </message>
+    <message>
+        <source>Contact on the left; at a coil, the last contact</source>
+        <translation>左侧触点；在线圈处为最后一个触点</translation>
+    </message>
+    <message>
+        <source>Contact on the right</source>
+        <translation>右侧触点</translation>
+    </message>
+    <message>
+        <source>Parallel contact</source>
+        <translation>并联触点</translation>
+    </message>
+    <message>
+        <source>Coil</source>
+        <translation>线圈</translation>
+    </message>
+    <message>
+        <source>Function block in the rung</source>
+        <translation>程序段中的功能块</translation>
+    </message>
+    <message>
+        <source>Rung above</source>
+        <translation>上方程序段</translation>
+    </message>
+    <message>
+        <source>Rung below</source>
+        <translation>下方程序段</translation>
+    </message>
+    <message>
+        <source>Negate a contact, a coil or a pin</source>
+        <translation>取反触点、线圈或引脚</translation>
+    </message>
+    <message>
+        <source>Coil: normal, set, reset</source>
+        <translation>线圈：普通、置位、复位</translation>
+    </message>
+    <message>
+        <source>Comment of the rung</source>
+        <translation>程序段注释</translation>
+    </message>
+    <message>
+        <source>Edit what is selected (or Enter)</source>
+        <translation>编辑所选内容（或 Enter）</translation>
+    </message>
+    <message>
+        <source>Delete what is selected</source>
+        <translation>删除所选内容</translation>
+    </message>
+    <message>
+        <source>Breakpoint on the rung</source>
+        <translation>程序段上的断点</translation>
+    </message>
+    <message>
+        <source>This list</source>
+        <translation>此列表</translation>
+    </message>
+    <message>
+        <source>Arrows</source>
+        <translation>方向键</translation>
+    </message>
+    <message>
+        <source>Select the next part; Up and Down also the next rung</source>
+        <translation>选择下一部分；上下箭头还可选择相邻程序段</translation>
+    </message>
+    <message>
+        <source>Move the rung up; with Down, down</source>
+        <translation>上移程序段；按下箭头则下移</translation>
+    </message>
+    <message>
+        <source>Typed before a name: a negated contact</source>
+        <translation>在名称前输入：取反触点</translation>
+    </message>
+    <message>
+        <source>Keys in Ladder and Function Block Diagrams</source>
+        <translation>梯形图和功能块图中的按键</translation>
+    </message>
+    <message>
+        <source>Insert a Rung Above</source>
+        <translation>在上方插入程序段</translation>
+    </message>
+    <message>
+        <source>Insert a Rung Below</source>
+        <translation>在下方插入程序段</translation>
+    </message>
+    <message>
+        <source>Insert a Contact</source>
+        <translation>插入触点</translation>
+    </message>
+    <message>
+        <source>Insert a Parallel Contact</source>
+        <translation>插入并联触点</translation>
+    </message>
+    <message>
+        <source>Insert a Coil</source>
+        <translation>插入线圈</translation>
+    </message>
+    <message>
+        <source>Insert a Function Block…</source>
+        <translation>插入功能块…</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>编辑</translation>
+    </message>
+    <message>
+        <source>Comment…</source>
+        <translation>注释…</translation>
+    </message>
+    <message>
+        <source>Negate</source>
+        <translation>取反</translation>
+    </message>
+    <message>
+        <source>Set or Reset</source>
+        <translation>置位或复位</translation>
+    </message>
+    <message>
+        <source>Move the Rung Up</source>
+        <translation>上移程序段</translation>
+    </message>
+    <message>
+        <source>Move the Rung Down</source>
+        <translation>下移程序段</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Force TRUE</source>
+        <translation>强制 TRUE</translation>
+    </message>
+    <message>
+        <source>Force FALSE</source>
+        <translation>强制 FALSE</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>解除强制</translation>
+    </message>
+    <message>
+        <source>Toggle Breakpoint</source>
+        <translation>切换断点</translation>
+    </message>
+    <message>
+        <source>Contacts as Bars (IEC 61131-3, ANSI)</source>
+        <translation>触点用竖线表示 (IEC 61131-3, ANSI)</translation>
+    </message>
+    <message>
+        <source>Contacts as in Circuit Diagrams (IEC 60617)</source>
+        <translation>触点如电路图所示 (IEC 60617)</translation>
+    </message>
+    <message>
+        <source>Names</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Addresses</source>
+        <translation>地址</translation>
+    </message>
+    <message>
+        <source>Names and Addresses</source>
+        <translation>名称和地址</translation>
+    </message>
+    <message>
+        <source>Comments of the Variables</source>
+        <translation>变量注释</translation>
+    </message>
+    <message>
+        <source>Comments of the Rungs</source>
+        <translation>程序段注释</translation>
+    </message>
+    <message>
+        <source>High Contrast</source>
+        <translation>高对比度</translation>
+    </message>
+    <message>
+        <source>What is shown</source>
+        <translation>显示内容</translation>
+    </message>
+    <message>
+        <source>type</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>Rename the variable everywhere</source>
+        <translation>在所有位置重命名变量</translation>
+    </message>
+    <message>
+        <source>Go to the declaration</source>
+        <translation>转到声明</translation>
+    </message>
+    <message>
+        <source>References to the variable</source>
+        <translation>变量的引用</translation>
+    </message>
+    <message>
+        <source>Quick fix</source>
+        <translation>快速修正</translation>
+    </message>
+    <message>
+        <source>Bookmark on the rung</source>
+        <translation>程序段上的书签</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>重命名…</translation>
+    </message>
+    <message>
+        <source>Find References</source>
+        <translation>查找引用</translation>
+    </message>
+    <message>
+        <source>Go to Definition</source>
+        <translation>转到定义</translation>
+    </message>
+    <message>
+        <source>Quick Fix</source>
+        <translation>快速修正</translation>
+    </message>
+    <message>
+        <source>Write TRUE</source>
+        <translation>写入 TRUE</translation>
+    </message>
+    <message>
+        <source>Write FALSE</source>
+        <translation>写入 FALSE</translation>
+    </message>
+    <message>
+        <source>Toggle Bookmark</source>
+        <translation>切换书签</translation>
+    </message>
+    <message>
+        <source>Contact Here</source>
+        <translation>此处插入触点</translation>
+    </message>
+    <message>
+        <source>Negated Contact Here</source>
+        <translation>此处插入取反触点</translation>
+    </message>
+    <message>
+        <source>Function Block Here</source>
+        <translation>此处插入功能块</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::RunArchive</name>
+    <message>
+        <source>The recording of the last run was not kept: %1</source>
+        <translation>上次运行的记录未保留：%1</translation>
     </message>
 </context>
 <context>
@@ -5040,8 +7906,8 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>转到定义</translation>
     </message>
     <message>
-        <source>Find All Uses</source>
-        <translation>查找所有使用处</translation>
+        <source>Find References</source>
+        <translation>查找引用</translation>
     </message>
     <message>
         <source>Rename…</source>
@@ -5142,6 +8008,275 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Reset the statistics</source>
         <translation>重置统计</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::TuningView</name>
+    <message>
+        <source>Control loop</source>
+        <translation>控制回路</translation>
+    </message>
+    <message>
+        <source>Find Steps</source>
+        <translation>查找阶跃</translation>
+    </message>
+    <message>
+        <source>Looks for steps of the set point and of the output in the recording and makes a model of the process.</source>
+        <translation>在记录中查找设定值和输出的阶跃，并建立过程模型。</translation>
+    </message>
+    <message>
+        <source>Write Parameters</source>
+        <translation>写入参数</translation>
+    </message>
+    <message>
+        <source>Writes all parameters in one scan.</source>
+        <translation>在一个扫描周期内写入全部参数。</translation>
+    </message>
+    <message>
+        <source>Take Back</source>
+        <translation>还原</translation>
+    </message>
+    <message>
+        <source>Writes the parameters that were in force before.</source>
+        <translation>写入之前生效的参数。</translation>
+    </message>
+    <message>
+        <source>Loop:</source>
+        <translation>回路：</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>使用</translation>
+    </message>
+    <message>
+        <source>At</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Moved</source>
+        <translation>变动量</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>从</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>到</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>评价</translation>
+    </message>
+    <message>
+        <source>Steps found</source>
+        <translation>找到的阶跃</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>模型</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>规则</translation>
+    </message>
+    <message>
+        <source>Kind of controller</source>
+        <translation>控制器类型</translation>
+    </message>
+    <message>
+        <source>Calm to brisk</source>
+        <translation>平稳到敏捷</translation>
+    </message>
+    <message>
+        <source>Disturbance to set point</source>
+        <translation>扰动到设定值</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>当前</translation>
+    </message>
+    <message>
+        <source>Proposed</source>
+        <translation>建议</translation>
+    </message>
+    <message>
+        <source>Before and after</source>
+        <translation>前后对比</translation>
+    </message>
+    <message>
+        <source>Model:</source>
+        <translation>模型：</translation>
+    </message>
+    <message>
+        <source>Rule:</source>
+        <translation>规则：</translation>
+    </message>
+    <message>
+        <source>Controller:</source>
+        <translation>控制器：</translation>
+    </message>
+    <message>
+        <source>Calm</source>
+        <translation>平稳</translation>
+    </message>
+    <message>
+        <source>Brisk</source>
+        <translation>敏捷</translation>
+    </message>
+    <message>
+        <source>Disturbance</source>
+        <translation>扰动</translation>
+    </message>
+    <message>
+        <source>Set point</source>
+        <translation>设定值</translation>
+    </message>
+    <message>
+        <source>Start the controller; its recording is what is looked at.</source>
+        <translation>请启动控制器；分析的是其记录。</translation>
+    </message>
+    <message>
+        <source>The program has no controller block.</source>
+        <translation>程序没有控制器块。</translation>
+    </message>
+    <message>
+        <source>Searching…</source>
+        <translation>正在查找…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s) found, %1 used.</source>
+        <translation>
+            <numerusform>找到 %n 个阶跃，使用 %1 个。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, explains %2 %</source>
+        <translation>%1，解释 %2 %</translation>
+    </message>
+    <message>
+        <source>set point</source>
+        <translation>设定值</translation>
+    </message>
+    <message>
+        <source>output</source>
+        <translation>输出</translation>
+    </message>
+    <message>
+        <source>Choose at least one step.</source>
+        <translation>请至少选择一个阶跃。</translation>
+    </message>
+    <message>
+        <source>The rule has no answer for this process.</source>
+        <translation>该规则不适合此过程。</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>任意</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>增益</translation>
+    </message>
+    <message>
+        <source>Integral time</source>
+        <translation>积分时间</translation>
+    </message>
+    <message>
+        <source>Derivative time</source>
+        <translation>微分时间</translation>
+    </message>
+    <message>
+        <source>Sensitivity Ms</source>
+        <translation>灵敏度 Ms</translation>
+    </message>
+    <message>
+        <source>unstable</source>
+        <translation>不稳定</translation>
+    </message>
+    <message>
+        <source>Gain margin</source>
+        <translation>增益裕度</translation>
+    </message>
+    <message>
+        <source>Phase margin</source>
+        <translation>相位裕度</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>超调</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Settling time</source>
+        <translation>稳定时间</translation>
+    </message>
+    <message>
+        <source>Error after a load step</source>
+        <translation>负载阶跃后的误差</translation>
+    </message>
+    <message>
+        <source>Control effort</source>
+        <translation>控制量消耗</translation>
+    </message>
+    <message>
+        <source>Noise in the output</source>
+        <translation>输出噪声</translation>
+    </message>
+    <message>
+        <source>Recorded and modelled</source>
+        <translation>记录与模型</translation>
+    </message>
+    <message>
+        <source>time [s]</source>
+        <translation>时间 [s]</translation>
+    </message>
+    <message>
+        <source>recorded</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>模型</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>当前</translation>
+    </message>
+    <message>
+        <source>proposed</source>
+        <translation>建议</translation>
+    </message>
+    <message>
+        <source>Step of the set point</source>
+        <translation>设定值阶跃</translation>
+    </message>
+    <message>
+        <source>Step of the load</source>
+        <translation>负载阶跃</translation>
+    </message>
+    <message>
+        <source>The last step with these settings</source>
+        <translation>采用这些设置的最后一次阶跃</translation>
+    </message>
+    <message>
+        <source>Tuning</source>
+        <translation>参数整定</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>已写入：%1</translation>
+    </message>
+    <message>
+        <source>Taken back: %1</source>
+        <translation>已还原：%1</translation>
     </message>
 </context>
 <context>
@@ -5281,8 +8416,12 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>数字格式</translation>
     </message>
     <message>
-        <source>As the list</source>
+        <source>As in the list</source>
         <translation>与列表相同</translation>
+    </message>
+    <message>
+        <source>Source of %1 with the values of %2</source>
+        <translation>%1 的源代码，带 %2 的值</translation>
     </message>
 </context>
 <context>
@@ -5341,6 +8480,49 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     </message>
 </context>
 <context>
+    <name>plc::hmi::ArrayArrangementDialog</name>
+    <message>
+        <source>Arrange over array</source>
+        <translation>按数组排列</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>参数</translation>
+    </message>
+    <message>
+        <source>Array</source>
+        <translation>数组</translation>
+    </message>
+    <message>
+        <source>First index</source>
+        <translation>首个下标</translation>
+    </message>
+    <message>
+        <source>Last index</source>
+        <translation>末个下标</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>列</translation>
+    </message>
+    <message>
+        <source>Horizontal gap</source>
+        <translation>水平间距</translation>
+    </message>
+    <message>
+        <source>Vertical gap</source>
+        <translation>垂直间距</translation>
+    </message>
+    <message>
+        <source>In the other arguments, # becomes the index.</source>
+        <translation>在其他实参中，# 变为下标。</translation>
+    </message>
+    <message>
+        <source>Choose an array with one index, for example Plant.Valves.</source>
+        <translation>请选择只有一个下标的数组，例如 Plant.Valves。</translation>
+    </message>
+</context>
+<context>
     <name>plc::hmi::ArrayDialog</name>
     <message>
         <source>Duplicate as array</source>
@@ -5355,18 +8537,16 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>列</translation>
     </message>
     <message>
-        <source>Gap across</source>
-        <translation>水平间距</translation>
-        <source>The unit %1 is not in the text any more</source>
-        <translation>水平间距</translation>
-    </message>
-    <message>
-        <source>Gap down</source>
+        <source>Vertical gap</source>
         <translation>垂直间距</translation>
     </message>
     <message>
         <source>Index step</source>
         <translation>下标步长</translation>
+    </message>
+    <message>
+        <source>Horizontal gap</source>
+        <translation>水平间距</translation>
     </message>
 </context>
 <context>
@@ -5374,12 +8554,6 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Move</source>
         <translation>移动</translation>
-    </message>
-    <message>
-        <source>Resize</source>
-        <translation>调整大小</translation>
-        <source>Select the step from which the branch goes out</source>
-        <translation>调整大小</translation>
     </message>
     <message>
         <source>Move point</source>
@@ -5396,6 +8570,14 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Insert</source>
         <translation>插入</translation>
+    </message>
+    <message>
+        <source>Resize</source>
+        <translation>调整大小</translation>
+    </message>
+    <message>
+        <source>Bind</source>
+        <translation>绑定</translation>
     </message>
 </context>
 <context>
@@ -5430,11 +8612,15 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <source>Search elements</source>
         <translation>搜索元素</translation>
     </message>
+    <message>
+        <source>Faceplates</source>
+        <translation>面板组件</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::PanelDesigner</name>
     <message>
-        <source>Finding</source>
+        <source>Issue</source>
         <translation>问题</translation>
     </message>
     <message>
@@ -5498,11 +8684,11 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>底端对齐</translation>
     </message>
     <message>
-        <source>Equal gaps across</source>
+        <source>Distribute horizontally</source>
         <translation>水平均匀分布</translation>
     </message>
     <message>
-        <source>Equal gaps down</source>
+        <source>Distribute vertically</source>
         <translation>垂直均匀分布</translation>
     </message>
     <message>
@@ -5512,12 +8698,6 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Same height</source>
         <translation>等高</translation>
-    </message>
-    <message>
-        <source>Same size</source>
-        <translation>等大小</translation>
-        <source>%1 is a variable: it has no body</source>
-        <translation>等大小</translation>
     </message>
     <message>
         <source>Bring to front</source>
@@ -5610,6 +8790,22 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Variables</source>
         <translation>变量</translation>
+    </message>
+    <message>
+        <source>Same size</source>
+        <translation>等大小</translation>
+    </message>
+    <message>
+        <source>Paste in place</source>
+        <translation>原位粘贴</translation>
+    </message>
+    <message>
+        <source>Arrange over array…</source>
+        <translation>按数组排列…</translation>
+    </message>
+    <message>
+        <source>Arrange over array</source>
+        <translation>按数组排列</translation>
     </message>
 </context>
 <context>
@@ -5719,6 +8915,52 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>%1 is used by %2</source>
         <translation>%1 被 %2 使用</translation>
+    </message>
+    <message>
+        <source>Import XLIFF</source>
+        <translation>导入 XLIFF</translation>
+    </message>
+    <message>
+        <source>Translations (*.xlf *.xliff)</source>
+        <translation>译文 (*.xlf *.xliff)</translation>
+    </message>
+    <message>
+        <source>Export XLIFF</source>
+        <translation>导出 XLIFF</translation>
+    </message>
+    <message>
+        <source>Translated from</source>
+        <translation>源语言</translation>
+    </message>
+    <message>
+        <source>Translated into</source>
+        <translation>目标语言</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>版本</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n text(s) taken.</source>
+        <translation>
+            <numerusform>采用了 %n 条文本。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n text(s) as they were.</source>
+        <translation>
+            <numerusform>%n 条文本保持不变。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n text(s) without a translation.</source>
+        <translation>
+            <numerusform>%n 条文本没有译文。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>XLIFF %1</source>
+        <translation>XLIFF %1</translation>
     </message>
 </context>
 <context>
@@ -6118,6 +9360,14 @@ Click selects, Ctrl+click shows or hides.</source>
         <source>Move channel</source>
         <translation>移动通道</translation>
     </message>
+    <message>
+        <source>Compared recording</source>
+        <translation>比较的记录</translation>
+    </message>
+    <message>
+        <source>Offset in time</source>
+        <translation>时间偏移</translation>
+    </message>
 </context>
 <context>
     <name>plc::trace::TimeBar</name>
@@ -6155,7 +9405,7 @@ Click selects, Ctrl+click shows or hides.</source>
         <translation>后退一个扫描周期（左箭头）</translation>
     </message>
     <message>
-        <source>One scan forth (Right)</source>
+        <source>One scan forward (Right)</source>
         <translation>前进一个扫描周期（右箭头）</translation>
     </message>
     <message>
@@ -6334,31 +9584,31 @@ Click selects, Ctrl+click shows or hides.</source>
         <translation>记录 (*.rec);;所有文件 (*)</translation>
     </message>
     <message>
-        <source>Trace set-up</source>
+        <source>Trace configuration</source>
         <translation>跟踪配置</translation>
     </message>
     <message>
-        <source>Open set-up…</source>
+        <source>Open configuration…</source>
         <translation>打开配置…</translation>
     </message>
     <message>
-        <source>Open trace set-up</source>
+        <source>Open trace configuration</source>
         <translation>打开跟踪配置</translation>
     </message>
     <message>
-        <source>Trace set-ups (*.trace.json)</source>
+        <source>Trace configurations (*.trace.json)</source>
         <translation>跟踪配置 (*.trace.json)</translation>
     </message>
     <message>
-        <source>Save trace set-up</source>
+        <source>Save trace configuration</source>
         <translation>保存跟踪配置</translation>
     </message>
     <message>
-        <source>Save set-up</source>
+        <source>Save configuration</source>
         <translation>保存配置</translation>
     </message>
     <message>
-        <source>Save set-up as…</source>
+        <source>Save configuration as…</source>
         <translation>配置另存为…</translation>
     </message>
     <message>
@@ -6475,1198 +9725,13 @@ Click selects, Ctrl+click shows or hides.</source>
         <source>Saving the recording…</source>
         <translation>正在保存记录…</translation>
     </message>
-</context>
-<context>
-    <name>Phrases</name>
     <message>
-        <source>a name</source>
-        <translation>名称</translation>
+        <source>%1, %2 later</source>
+        <translation>%1，晚 %2</translation>
     </message>
     <message>
-        <source>a label</source>
-        <translation>标号</translation>
-    </message>
-    <message>
-        <source>an operand</source>
-        <translation>操作数</translation>
-    </message>
-    <message>
-        <source>an expression</source>
-        <translation>表达式</translation>
-    </message>
-    <message>
-        <source>a value</source>
-        <translation>值</translation>
-    </message>
-    <message>
-        <source>a type</source>
-        <translation>类型</translation>
-    </message>
-    <message>
-        <source>an index</source>
-        <translation>下标</translation>
-    </message>
-    <message>
-        <source>an argument</source>
-        <translation>实参</translation>
-    </message>
-    <message>
-        <source>an address</source>
-        <translation>地址</translation>
-    </message>
-    <message>
-        <source>an action</source>
-        <translation>动作</translation>
-    </message>
-    <message>
-        <source>a CASE label</source>
-        <translation>CASE 标号</translation>
-    </message>
-    <message>
-        <source>a block&apos;s name</source>
-        <translation>块的名称</translation>
-    </message>
-    <message>
-        <source>a processor&apos;s name</source>
-        <translation>处理器的名称</translation>
-    </message>
-    <message>
-        <source>a task&apos;s name</source>
-        <translation>任务的名称</translation>
-    </message>
-    <message>
-        <source>a program instance&apos;s name</source>
-        <translation>程序实例的名称</translation>
-    </message>
-    <message>
-        <source>an input or output</source>
-        <translation>输入或输出</translation>
-    </message>
-    <message>
-        <source>a variable&apos;s name</source>
-        <translation>变量的名称</translation>
-    </message>
-    <message>
-        <source>a variable&apos;s path</source>
-        <translation>变量的路径</translation>
-    </message>
-    <message>
-        <source>a step&apos;s name</source>
-        <translation>步的名称</translation>
-    </message>
-    <message>
-        <source>a type&apos;s name</source>
-        <translation>类型的名称</translation>
-    </message>
-    <message>
-        <source>a member&apos;s name</source>
-        <translation>成员的名称</translation>
-    </message>
-    <message>
-        <source>an access name</source>
-        <translation>访问名称</translation>
-    </message>
-    <message>
-        <source>an enumeration value</source>
-        <translation>枚举值</translation>
-    </message>
-    <message>
-        <source>the end of the line</source>
-        <translation>行尾</translation>
-    </message>
-    <message>
-        <source>the end of the file</source>
-        <translation>文件结尾</translation>
-    </message>
-    <message>
-        <source>{0} or {1}</source>
-        <translation>{0} 或 {1}</translation>
-    </message>
-    <message>
-        <source>FOR and a time</source>
-        <translation>FOR 和时间</translation>
-    </message>
-    <message>
-        <source>:= or instructions</source>
-        <translation>:= 或语句</translation>
-    </message>
-    <message>
-        <source>a subrange</source>
-        <translation>子范围</translation>
-    </message>
-    <message>
-        <source>an enumeration</source>
-        <translation>枚举</translation>
-    </message>
-    <message>
-        <source>in parentheses</source>
-        <translation>在括号中</translation>
-    </message>
-    <message>
-        <source>a chart</source>
-        <translation>顺序功能图</translation>
-    </message>
-    <message>
-        <source>a body</source>
-        <translation>主体</translation>
-    </message>
-    <message>
-        <source>in a CLASS</source>
-        <translation>CLASS 中</translation>
-    </message>
-    <message>
-        <source>in a FUNCTION</source>
-        <translation>FUNCTION 中</translation>
-    </message>
-    <message>
-        <source>in a METHOD</source>
-        <translation>METHOD 中</translation>
-    </message>
-    <message>
-        <source>in a PROGRAM</source>
-        <translation>PROGRAM 中</translation>
-    </message>
-    <message>
-        <source>in a FUNCTION_BLOCK</source>
-        <translation>FUNCTION_BLOCK 中</translation>
-    </message>
-    <message>
-        <source>here</source>
-        <translation>此处</translation>
-    </message>
-    <message>
-        <source>in {0}</source>
-        <translation>{0} 中</translation>
-    </message>
-    <message>
-        <source>in an expression</source>
-        <translation>表达式中</translation>
-    </message>
-    <message>
-        <source>in an initial value</source>
-        <translation>初始值中</translation>
-    </message>
-    <message>
-        <source>in this section</source>
-        <translation>此区段中</translation>
-    </message>
-    <message>
-        <source>an initial value</source>
-        <translation>初始值</translation>
-    </message>
-    <message>
-        <source>RETURN with a value</source>
-        <translation>带值的 RETURN</translation>
-    </message>
-    <message>
-        <source>in a declaration that calls FB_Init</source>
-        <translation>调用 FB_Init 的声明中</translation>
-    </message>
-    <message>
-        <source>{0} (VAR_IN_OUT)</source>
-        <translation>{0} (VAR_IN_OUT)</translation>
-    </message>
-    <message>
-        <source>in {0}, which is not abstract itself</source>
-        <translation>本身不是抽象的 {0} 中</translation>
-    </message>
-    <message>
-        <source>address</source>
-        <translation>地址</translation>
-    </message>
-    <message>
-        <source>duration</source>
-        <translation>时长</translation>
-    </message>
-    <message>
-        <source>date</source>
-        <translation>日期</translation>
-    </message>
-    <message>
-        <source>time of day</source>
-        <translation>时刻</translation>
-    </message>
-    <message>
-        <source>date and time</source>
-        <translation>日期和时间</translation>
-    </message>
-    <message>
-        <source>integer</source>
-        <translation>整数</translation>
-    </message>
-    <message>
-        <source>string</source>
-        <translation>字符串</translation>
-    </message>
-    <message>
-        <source>{0} (a constant)</source>
-        <translation>{0}（常量）</translation>
-    </message>
-    <message>
-        <source>{0} (an output)</source>
-        <translation>{0}（输出）</translation>
-    </message>
-    <message>
-        <source>{0} (a local variable of {1})</source>
-        <translation>{0}（{1} 的局部变量）</translation>
-    </message>
-    <message>
-        <source>{0} (an input)</source>
-        <translation>{0}（输入）</translation>
-    </message>
-    <message>
-        <source>{0} (an input; the next scan overwrites it)</source>
-        <translation>{0}（输入；下一个扫描周期会覆盖它）</translation>
-    </message>
-    <message>
-        <source>{0} (a property without SET)</source>
-        <translation>{0}（没有 SET 的属性）</translation>
-    </message>
-    <message>
-        <source>{0} (no instance, or several)</source>
-        <translation>{0}（没有实例，或有多个）</translation>
-    </message>
-    <message>
-        <source>{0} (a type; declare an instance of it)</source>
-        <translation>{0}（类型；请声明其实例）</translation>
-    </message>
-    <message>
-        <source>{0} (a variable, which hides the function of this name)</source>
-        <translation>{0}（变量，隐藏了同名函数）</translation>
-    </message>
-    <message>
-        <source>an output</source>
-        <translation>输出</translation>
-    </message>
-    <message>
-        <source>an input</source>
-        <translation>输入</translation>
-    </message>
-    <message>
-        <source>an IN_OUT parameter</source>
-        <translation>IN_OUT 参数</translation>
-    </message>
-    <message>
-        <source>a power of a computed number</source>
-        <translation>计算值的幂</translation>
-    </message>
-    <message>
-        <source>a call of {0}</source>
-        <translation>对 {0} 的调用</translation>
-    </message>
-    <message>
-        <source>a call without arguments</source>
-        <translation>不带实参的调用</translation>
-    </message>
-    <message>
-        <source>a computed second argument of {0}</source>
-        <translation>{0} 的第二个实参为计算值</translation>
-    </message>
-    <message>
-        <source>{0} outside a loop</source>
-        <translation>循环外的 {0}</translation>
-    </message>
-    <message>
-        <source>this statement</source>
-        <translation>此语句</translation>
-    </message>
-    <message>
-        <source>FOR with this end or step</source>
-        <translation>带此终值或步长的 FOR</translation>
-    </message>
-    <message>
-        <source>an assignment of several variables</source>
-        <translation>对多个变量的赋值</translation>
-    </message>
-    <message>
-        <source>CASE of a computed value</source>
-        <translation>对计算值的 CASE</translation>
-    </message>
-    <message>
-        <source>a text</source>
-        <translation>文本</translation>
-    </message>
-    <message>
-        <source>a number</source>
-        <translation>数字</translation>
-    </message>
-    <message>
-        <source>an integer</source>
-        <translation>整数</translation>
-    </message>
-    <message>
-        <source>a number of seconds</source>
-        <translation>秒数</translation>
-    </message>
-    <message>
-        <source>a list</source>
-        <translation>列表</translation>
-    </message>
-    <message>
-        <source>an object</source>
-        <translation>对象</translation>
-    </message>
-    <message>
-        <source>one of {0}</source>
-        <translation>{0} 之一</translation>
-    </message>
-</context>
-<context>
-    <name>Fixes</name>
-    <message>
-        <source>Replace with {0}</source>
-        <translation>替换为 {0}</translation>
-    </message>
-    <message>
-        <source>Insert {0}</source>
-        <translation>插入 {0}</translation>
-    </message>
-    <message>
-        <source>Did you mean {0}?</source>
-        <translation>是否指 {0}？</translation>
-    </message>
-    <message>
-        <source>Convert with {0}</source>
-        <translation>用 {0} 转换</translation>
-    </message>
-    <message>
-        <source>Move {0} to {1}</source>
-        <translation>将 {0} 移到 {1}</translation>
-    </message>
-    <message>
-        <source>Add the property {0}</source>
-        <translation>添加属性 {0}</translation>
-    </message>
-    <message>
-        <source>Add the method {0}</source>
-        <translation>添加方法 {0}</translation>
-    </message>
-    <message>
-        <source>Add the missing branches</source>
-        <translation>添加缺少的分支</translation>
-    </message>
-    <message>
-        <source>Add ELSE</source>
-        <translation>添加 ELSE</translation>
-    </message>
-    <message>
-        <source>Add () to call it</source>
-        <translation>添加 () 以调用</translation>
-    </message>
-    <message>
-        <source>Compare with 0</source>
-        <translation>与 0 比较</translation>
-    </message>
-    <message>
-        <source>Remove the unused declaration</source>
-        <translation>移除未使用的声明</translation>
-    </message>
-    <message>
-        <source>Replace with IF and ELSIF</source>
-        <translation>替换为 IF 和 ELSIF</translation>
-    </message>
-    <message>
-        <source>Change to a WSTRING literal</source>
-        <translation>改为 WSTRING 字面量</translation>
-    </message>
-    <message>
-        <source>Replace with straight quotes</source>
-        <translation>替换为直引号</translation>
-    </message>
-    <message>
-        <source>Make {0} the initial step</source>
-        <translation>将 {0} 设为初始步</translation>
-    </message>
-    <message>
-        <source>Dereference the pointer with ^</source>
-        <translation>用 ^ 解引用指针</translation>
-    </message>
-</context>
-<context>
-    <name>Notes</name>
-    <message>
-        <source>first declared here</source>
-        <translation>首次在此处声明</translation>
-    </message>
-    <message>
-        <source>declared here</source>
-        <translation>在此处声明</translation>
-    </message>
-    <message>
-        <source>the variable</source>
-        <translation>变量</translation>
-    </message>
-    <message>
-        <source>the first program</source>
-        <translation>第一个程序</translation>
-    </message>
-    <message>
-        <source>overridden here</source>
-        <translation>在此处重写</translation>
-    </message>
-    <message>
-        <source>the first one</source>
-        <translation>第一个</translation>
-    </message>
-    <message>
-        <source>by this transition, while it is active</source>
-        <translation>经由此转换，在其激活期间</translation>
-    </message>
-</context>
-<context>
-    <name>Exchange</name>
-    <message>
-        <source>The file is written in {0}</source>
-        <translation>文件的编码为 {0}</translation>
-    </message>
-    <message>
-        <source>The file was not read: {0}</source>
-        <translation>文件未读取：{0}</translation>
-    </message>
-    <message>
-        <source>The element {0} was not read</source>
-        <translation>元素 {0} 未读取</translation>
-    </message>
-    <message>
-        <source>The vendor&apos;s data {0} is kept in exchange.json</source>
-        <translation>厂商数据 {0} 保存在 exchange.json 中</translation>
-    </message>
-    <message>
-        <source>The body in {0} became structured text; the diagram is kept in exchange.json</source>
-        <translation>{0} 中的主体已变为结构化文本；图保存在 exchange.json 中</translation>
-    </message>
-    <message>
-        <source>The body in {0} is stored in a form that only its own editor reads; export it there as PLCopen XML</source>
-        <translation>{0} 中的主体以只有其自身编辑器可读的形式存储；请在那里导出为 PLCopen XML</translation>
-    </message>
-    <message>
-        <source>A jump leads to the step {0}, which does not exist</source>
-        <translation>跳转通向步 {0}，但该步不存在</translation>
-    </message>
-    <message>
-        <source>The element {0} of the chart is not connected and was left out</source>
-        <translation>顺序功能图的元素 {0} 未连接，已略去</translation>
-    </message>
-    <message>
-        <source>The transition from {0} has no condition; it is written as FALSE</source>
-        <translation>从 {0} 出发的转换没有条件；写为 FALSE</translation>
-    </message>
-    <message>
-        <source>The element {0} takes part in a loop without a block that stores a value; its last value is not kept</source>
-        <translation>元素 {0} 处于没有存储值的块的循环中；不保留其上次的值</translation>
-    </message>
-    <message>
-        <source>The element {0} is not connected and was left out</source>
-        <translation>元素 {0} 未连接，已略去</translation>
-    </message>
-    <message>
-        <source>An edge in a function needs the value of the last call, which a function does not store</source>
-        <translation>函数中的边沿需要上次调用的值，而函数不存储该值</translation>
-    </message>
-    <message>
-        <source>The result of {0} is used in several places and is computed in each</source>
-        <translation>{0} 的结果在多处使用，并在每处计算</translation>
-    </message>
-    <message>
-        <source>The type of the result of {0} is not known; it is computed although EN is FALSE</source>
-        <translation>{0} 的结果类型未知；即使 EN 为 FALSE 也会计算</translation>
-    </message>
-    <message>
-        <source>The library {0} is not part of Stepwise; uses of it are reported by the check</source>
-        <translation>库 {0} 不属于 Stepwise；检查会报告其使用处</translation>
-    </message>
-    <message>
-        <source>Code in C is kept as a comment and is not executed</source>
-        <translation>C 代码作为注释保留，不会执行</translation>
-    </message>
-    <message>
-        <source>There are two units named {0}; the second is in {1}</source>
-        <translation>有两个名为 {0} 的 POU；第二个在 {1} 中</translation>
-    </message>
-    <message>
-        <source>The configuration of the devices was not read; assign the inputs and outputs again</source>
-        <translation>设备配置未读取；请重新分配输入和输出</translation>
-    </message>
-    <message>
-        <source>The task {0} is started by the event {1}, which does not exist here; give it an INTERVAL or a SINGLE</source>
-        <translation>任务 {0} 由事件 {1} 启动，但此处没有该事件；请为其指定 INTERVAL 或 SINGLE</translation>
-    </message>
-    <message>
-        <source>{0} counts %MW1 in words, here it is counted in bytes; check that the addresses do not overlap</source>
-        <translation>{0} 按字计算 %MW1，此处按字节计算；请检查地址是否重叠</translation>
-    </message>
-    <message>
-        <source>A comment outside of the elements was left out: {0}</source>
-        <translation>元素之外的注释已略去：{0}</translation>
-    </message>
-    <message>
-        <source>The diagram in {0} was not read: an expression repeats itself without end</source>
-        <translation>{0} 中的图未读取：表达式无限重复</translation>
-    </message>
-    <message>
-        <source>A condition in {0} needs the call of a block, which a condition cannot make</source>
-        <translation>{0} 中的条件需要调用块，而条件不能这样做</translation>
-    </message>
-    <message>
-        <source>The transition {0} is not a single expression and was not read</source>
-        <translation>转换 {0} 不是单个表达式，未读取</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for panels; they were left out</source>
-        <translation>PLCopen XML 不支持画面；已略去</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for traces; they were left out</source>
-        <translation>PLCopen XML 不支持跟踪；已略去</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for tests; they were left out</source>
-        <translation>PLCopen XML 不支持测试；已略去</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for tests; the TEST &apos;{0}&apos; was left out</source>
-        <translation>PLCopen XML 不支持测试；TEST“{0}”已略去</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for namespaces; a NAMESPACE was left out with its units</source>
-        <translation>PLCopen XML 不支持命名空间；一个 NAMESPACE 及其 POU 已略去</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for USING; it was left out</source>
-        <translation>PLCopen XML 不支持 USING；已略去</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for the name of the transition {0}; it was left out</source>
-        <translation>PLCopen XML 不支持转换 {0} 的名称；已略去</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has one indicator per action; {0} was left out</source>
-        <translation>PLCopen XML 每个动作只有一个指示变量；{0} 已略去</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no methods; {0} was left out</source>
-        <translation>版本 0201 没有方法；{0} 已略去</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no properties; {0} was left out</source>
-        <translation>版本 0201 没有属性；{0} 已略去</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no interfaces; {0} was left out</source>
-        <translation>版本 0201 没有接口；{0} 已略去</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no unions; {0} was left out</source>
-        <translation>版本 0201 没有联合；{0} 已略去</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no inheritance; EXTENDS or IMPLEMENTS of {0} was left out</source>
-        <translation>版本 0201 没有继承；{0} 的 EXTENDS 或 IMPLEMENTS 已略去</translation>
-    </message>
-    <message>
-        <source>Version 0201 does not have the type {0}; other tools will not know it</source>
-        <translation>版本 0201 没有类型 {0}；其他工具将无法识别</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no place for the pragma {0} of a step; it was left out</source>
-        <translation>版本 0201 不支持步的编译指示 {0}；已略去</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no place for {0} of a task; it was left out</source>
-        <translation>版本 0201 不支持任务的 {0}；已略去</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no place for the connections of the program {0}; they were left out</source>
-        <translation>版本 0201 不支持程序 {0} 的连接；已略去</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no place for libraries; {0} was left out</source>
-        <translation>版本 0201 不支持库；{0} 已略去</translation>
-    </message>
-    <message>
-        <source>The file is no program source and was left out</source>
-        <translation>文件不是程序源，已略去</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::ImportDialog</name>
-    <message>
-        <source>Place</source>
-        <translation>位置</translation>
-    </message>
-    <message>
-        <source>Note</source>
-        <translation>提示</translation>
-    </message>
-    <message>
-        <source>Report</source>
-        <translation>报告</translation>
-    </message>
-    <message>
-        <source>Units: %1
-Bodies: %2
-Not kept: %3</source>
-        <translation>POU：%1
-主体：%2
-未保留：%3</translation>
-    </message>
-    <message>
-        <source>Import a Project</source>
-        <translation>导入项目</translation>
-    </message>
-    <message>
-        <source>PLCopen XML, TwinCAT or CODESYS files, structured text</source>
-        <translation>PLCopen XML、TwinCAT 或 CODESYS 文件、结构化文本</translation>
-    </message>
-    <message>
-        <source>File…</source>
-        <translation>文件…</translation>
-    </message>
-    <message>
-        <source>Folder…</source>
-        <translation>文件夹…</translation>
-    </message>
-    <message>
-        <source>Source files</source>
-        <translation>源文件</translation>
-    </message>
-    <message>
-        <source>Preview</source>
-        <translation>预览</translation>
-    </message>
-    <message>
-        <source>Import</source>
-        <translation>导入</translation>
-    </message>
-    <message>
-        <source>From:</source>
-        <translation>来源：</translation>
-    </message>
-    <message>
-        <source>New project in:</source>
-        <translation>新项目位置：</translation>
-    </message>
-    <message>
-        <source>Projects of other tools (%1)</source>
-        <translation>其他工具的项目 (%1)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>所有文件 (*)</translation>
-    </message>
-    <message>
-        <source>This folder is not empty; name a new one</source>
-        <translation>此文件夹不为空；请指定新的文件夹</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::ExportDialog</name>
-    <message>
-        <source>Export the Project</source>
-        <translation>导出项目</translation>
-    </message>
-    <message>
-        <source>PLCopen XML 0200, for CODESYS and TwinCAT</source>
-        <translation>PLCopen XML 0200，用于 CODESYS 和 TwinCAT</translation>
-    </message>
-    <message>
-        <source>PLCopen XML 0201, for Beremiz and OpenPLC</source>
-        <translation>PLCopen XML 0201，用于 Beremiz 和 OpenPLC</translation>
-    </message>
-    <message>
-        <source>File…</source>
-        <translation>文件…</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>导出</translation>
-    </message>
-    <message>
-        <source>Format:</source>
-        <translation>格式：</translation>
-    </message>
-    <message>
-        <source>To:</source>
-        <translation>目标：</translation>
-    </message>
-</context>
-<context>
-    <name>plc::editor::GraphView</name>
-    <message>
-        <source>Show all</source>
-        <translation>全部显示</translation>
-    </message>
-    <message>
-        <source>Export as SVG, PNG or PDF…</source>
-        <translation>导出为 SVG、PNG 或 PDF…</translation>
-    </message>
-    <message>
-        <source>Export the Drawing</source>
-        <translation>导出图形</translation>
-    </message>
-    <message>
-        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
-        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written</source>
-        <translation>无法写入 %1</translation>
-    </message>
-    <message>
-        <source>Print…</source>
-        <translation>打印…</translation>
-    </message>
-    <message>
-        <source>Fix the text first: this is the last good drawing</source>
-        <translation>请先修正文本：这是最后一次正确的图形</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::RenameDialog</name>
-    <message>
-        <source>Rename</source>
-        <translation>重命名</translation>
-    </message>
-    <message>
-        <source>New name of %1, in the whole project:</source>
-        <translation>%1 在整个项目中的新名称：</translation>
-    </message>
-    <message>
-        <source>Place</source>
-        <translation>位置</translation>
-    </message>
-    <message>
-        <source>Text</source>
-        <translation>文本</translation>
-    </message>
-    <message>
-        <source>Places that change</source>
-        <translation>将更改之处</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n place(s) change:</source>
-        <translation>
-            <numerusform>将更改 %n 处：</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>DiskChange</name>
-    <message>
-        <source>Changed outside</source>
-        <translation>在外部被更改</translation>
-    </message>
-    <message>
-        <source>%1 was changed by another program, and here too.</source>
-        <translation>%1 已被其他程序更改，此处也有更改。</translation>
-    </message>
-    <message>
-        <source>Compare both side by side, load the file from disk and lose the changes made here, or keep what is here and replace the file with the next save?</source>
-        <translation>并排比较两者，从磁盘加载文件并放弃此处的更改，还是保留此处的内容并在下次保存时替换文件？</translation>
-    </message>
-    <message>
-        <source>Compare…</source>
-        <translation>比较…</translation>
-    </message>
-    <message>
-        <source>Load from Disk</source>
-        <translation>从磁盘加载</translation>
-    </message>
-    <message>
-        <source>Keep Mine</source>
-        <translation>保留我的版本</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::InstanceBar</name>
-    <message>
-        <source>Instance whose values are shown</source>
-        <translation>显示其值的实例</translation>
-    </message>
-    <message>
-        <source>Values of the instance of %1:</source>
-        <translation>%1 实例的值：</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::MergeDialog</name>
-    <message>
-        <source>Compare %1</source>
-        <translation>比较 %1</translation>
-    </message>
-    <message>
-        <source>Previous</source>
-        <translation>上一处</translation>
-    </message>
-    <message>
-        <source>Next</source>
-        <translation>下一处</translation>
-    </message>
-    <message>
-        <source>Take Over</source>
-        <translation>采用</translation>
-    </message>
-    <message>
-        <source>Take Over All</source>
-        <translation>全部采用</translation>
-    </message>
-    <message>
-        <source>Here (this text is kept)</source>
-        <translation>此处（保留此文本）</translation>
-    </message>
-    <message>
-        <source>On disk</source>
-        <translation>磁盘上</translation>
-    </message>
-    <message>
-        <source>Use the Text on the Left</source>
-        <translation>使用左侧文本</translation>
-    </message>
-    <message>
-        <source>No differences</source>
-        <translation>没有差异</translation>
-    </message>
-    <message>
-        <source>Difference %1 of %2</source>
-        <translation>差异 %1 / %2</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::PanelFiles</name>
-    <message>
-        <source>Texts</source>
-        <translation>文本</translation>
-    </message>
-    <message>
-        <source>Alarms</source>
-        <translation>报警</translation>
-    </message>
-    <message>
-        <source>Panel %1</source>
-        <translation>画面 %1</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::RunsMenu</name>
-    <message>
-        <source>Earlier Runs</source>
-        <translation>以往的运行</translation>
-    </message>
-    <message>
-        <source>%1, ended by a fault, %2</source>
-        <translation>%1，因错误结束，%2</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1，%2</translation>
-    </message>
-    <message>
-        <source>The last run is being written…</source>
-        <translation>正在写入上次运行…</translation>
-    </message>
-    <message>
-        <source>No run has ended yet</source>
-        <translation>尚无已结束的运行</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::TestView</name>
-    <message>
-        <source>Run all tests</source>
-        <translation>运行所有测试</translation>
-    </message>
-    <message>
-        <source>Run the selected tests</source>
-        <translation>运行所选测试</translation>
-    </message>
-    <message>
-        <source>Run the failed tests</source>
-        <translation>运行失败的测试</translation>
-    </message>
-    <message>
-        <source>Test</source>
-        <translation>测试</translation>
-    </message>
-    <message>
-        <source>Result</source>
-        <translation>结果</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>时间</translation>
-    </message>
-    <message>
-        <source>Tests</source>
-        <translation>测试</translation>
-    </message>
-    <message>
-        <source>%1 passed, %2 failed</source>
-        <translation>%1 通过，%2 失败</translation>
-    </message>
-    <message>
-        <source>not run yet</source>
-        <translation>尚未运行</translation>
-    </message>
-    <message>
-        <source>passed</source>
-        <translation>通过</translation>
-    </message>
-    <message>
-        <source>failed</source>
-        <translation>失败</translation>
-    </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
-    <message>
-        <source>Show the Recording of the Failure</source>
-        <translation>显示失败的记录</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::TextPage</name>
-    <message>
-        <source>Line %1: %2</source>
-        <translation>第 %1 行：%2</translation>
-    </message>
-</context>
-<context>
-    <name>plc::editor::RunArchive</name>
-    <message>
-        <source>The recording of the last run was not kept: %1</source>
-        <translation>上次运行的记录未保留：%1</translation>
-    </message>
-</context>
-<context>
-    <name>plc::editor::LadderView</name>
-    <message>
-        <source>Ladder or function block diagram</source>
-        <translation>梯形图或功能块图</translation>
-    </message>
-    <message>
-        <source>Insert a rung below (Ctrl+T)</source>
-        <translation>在下方插入程序段 (Ctrl+T)</translation>
-    </message>
-    <message>
-        <source>Insert a contact on the left (Ctrl+K)</source>
-        <translation>在左侧插入触点 (Ctrl+K)</translation>
-    </message>
-    <message>
-        <source>Insert a contact on the right (Ctrl+D)</source>
-        <translation>在右侧插入触点 (Ctrl+D)</translation>
-    </message>
-    <message>
-        <source>Insert a parallel contact (Ctrl+R)</source>
-        <translation>插入并联触点 (Ctrl+R)</translation>
-    </message>
-    <message>
-        <source>Insert a coil (Ctrl+A)</source>
-        <translation>插入线圈 (Ctrl+A)</translation>
-    </message>
-    <message>
-        <source>Insert a function block (Ctrl+B)</source>
-        <translation>插入功能块 (Ctrl+B)</translation>
-    </message>
-    <message>
-        <source>Edit (F2)</source>
-        <translation>编辑 (F2)</translation>
-    </message>
-    <message>
-        <source>Delete (Del)</source>
-        <translation>删除 (Del)</translation>
-    </message>
-    <message>
-        <source>Breakpoint on the rung (F9)</source>
-        <translation>程序段上的断点 (F9)</translation>
-    </message>
-    <message>
-        <source>Show as a function block diagram</source>
-        <translation>显示为功能块图</translation>
-    </message>
-    <message>
-        <source>Show as a ladder diagram</source>
-        <translation>显示为梯形图</translation>
-    </message>
-    <message>
-        <source>%1 is not in the text any more</source>
-        <translation>%1 已不在文本中</translation>
-    </message>
-    <message>
-        <source>The text has errors: this is the last good drawing</source>
-        <translation>文本有错误：这是最后一次正确的图形</translation>
-    </message>
-    <message>
-        <source>Fix the text first: this is the last good drawing</source>
-        <translation>请先修正文本：这是最后一次正确的图形</translation>
-    </message>
-    <message>
-        <source>Select a rung</source>
-        <translation>请选择程序段</translation>
-    </message>
-    <message>
-        <source>Select a coil</source>
-        <translation>请选择线圈</translation>
-    </message>
-    <message>
-        <source>Select a contact, a coil or a pin with a variable</source>
-        <translation>请选择触点、线圈或带变量的引脚</translation>
-    </message>
-    <message>
-        <source>The rung has no contact yet</source>
-        <translation>程序段尚无触点</translation>
-    </message>
-    <message>
-        <source>Select the rung that gets the block</source>
-        <translation>请选择要添加块的程序段</translation>
-    </message>
-    <message>
-        <source>block</source>
-        <translation>块</translation>
-    </message>
-    <message>
-        <source>Contact on the left; at a coil, the last contact</source>
-        <translation>左侧触点；在线圈处为最后一个触点</translation>
-    </message>
-    <message>
-        <source>Contact on the right</source>
-        <translation>右侧触点</translation>
-    </message>
-    <message>
-        <source>Parallel contact</source>
-        <translation>并联触点</translation>
-    </message>
-    <message>
-        <source>Coil</source>
-        <translation>线圈</translation>
-    </message>
-    <message>
-        <source>Function block in the rung</source>
-        <translation>程序段中的功能块</translation>
-    </message>
-    <message>
-        <source>Rung above</source>
-        <translation>上方程序段</translation>
-    </message>
-    <message>
-        <source>Rung below</source>
-        <translation>下方程序段</translation>
-    </message>
-    <message>
-        <source>Negate a contact, a coil or a pin</source>
-        <translation>取反触点、线圈或引脚</translation>
-    </message>
-    <message>
-        <source>Coil: normal, set, reset</source>
-        <translation>线圈：普通、置位、复位</translation>
-    </message>
-    <message>
-        <source>Comment of the rung</source>
-        <translation>程序段注释</translation>
-    </message>
-    <message>
-        <source>Edit what is selected (or Enter)</source>
-        <translation>编辑所选内容（或 Enter）</translation>
-    </message>
-    <message>
-        <source>Delete what is selected</source>
-        <translation>删除所选内容</translation>
-    </message>
-    <message>
-        <source>Breakpoint on the rung</source>
-        <translation>程序段上的断点</translation>
-    </message>
-    <message>
-        <source>This list</source>
-        <translation>此列表</translation>
-    </message>
-    <message>
-        <source>Arrows</source>
-        <translation>方向键</translation>
-    </message>
-    <message>
-        <source>Select the next part; Up and Down also the next rung</source>
-        <translation>选择下一部分；上下箭头还可选择相邻程序段</translation>
-    </message>
-    <message>
-        <source>Move the rung up; with Down, down</source>
-        <translation>上移程序段；按下箭头则下移</translation>
-    </message>
-    <message>
-        <source>Typed before a name: a negated contact</source>
-        <translation>在名称前输入：取反触点</translation>
-    </message>
-    <message>
-        <source>Keys in Ladder and Function Block Diagrams</source>
-        <translation>梯形图和功能块图中的按键</translation>
-    </message>
-    <message>
-        <source>Insert a Rung Above</source>
-        <translation>在上方插入程序段</translation>
-    </message>
-    <message>
-        <source>Insert a Rung Below</source>
-        <translation>在下方插入程序段</translation>
-    </message>
-    <message>
-        <source>Insert a Contact</source>
-        <translation>插入触点</translation>
-    </message>
-    <message>
-        <source>Insert a Parallel Contact</source>
-        <translation>插入并联触点</translation>
-    </message>
-    <message>
-        <source>Insert a Coil</source>
-        <translation>插入线圈</translation>
-    </message>
-    <message>
-        <source>Insert a Function Block…</source>
-        <translation>插入功能块…</translation>
-    </message>
-    <message>
-        <source>Edit</source>
-        <translation>编辑</translation>
-    </message>
-    <message>
-        <source>Comment…</source>
-        <translation>注释…</translation>
-    </message>
-    <message>
-        <source>Negate</source>
-        <translation>取反</translation>
-    </message>
-    <message>
-        <source>Set or Reset</source>
-        <translation>置位或复位</translation>
-    </message>
-    <message>
-        <source>Move the Rung Up</source>
-        <translation>上移程序段</translation>
-    </message>
-    <message>
-        <source>Move the Rung Down</source>
-        <translation>下移程序段</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>删除</translation>
-    </message>
-    <message>
-        <source>Force TRUE</source>
-        <translation>强制 TRUE</translation>
-    </message>
-    <message>
-        <source>Force FALSE</source>
-        <translation>强制 FALSE</translation>
-    </message>
-    <message>
-        <source>Release</source>
-        <translation>解除强制</translation>
-    </message>
-    <message>
-        <source>Toggle Breakpoint</source>
-        <translation>切换断点</translation>
+        <source>%1, %2 earlier</source>
+        <translation>%1，早 %2</translation>
     </message>
 </context>
 </TS>

@@ -47,7 +47,26 @@ Result<serve::ServeSettings> readSettings(const Arguments& arguments, const proj
         if (!size) return size.error();
         out.recordingLimit = *size;
     }
+    if (arguments.has("--real-time")) out.realTime.emplace();
+    if (const auto text = arguments.value("--core")) {
+        const auto core = parseCount(*text);
+        if (!core || *core >= std::thread::hardware_concurrency()) return Error{errors::NoSuchCore(*text), {}};
+        if (!out.realTime) out.realTime.emplace();
+        out.realTime->core = static_cast<int>(*core);
+    }
     return out;
+}
+
+/// Execution times in powers of two of a microsecond, the greatest lateness of a start beside them.
+void printStatistics(const std::vector<controller::TaskStatistics>& tasks) {
+    for (const controller::TaskStatistics& task : tasks) {
+        std::cout << task.name << ": " << task.count << " runs, " << task.overruns << " overruns, least "
+                  << task.minNs / 1000 << " us, mean " << static_cast<int64_t>(task.meanNs) / 1000 << " us, most "
+                  << task.maxNs / 1000 << " us, latest start " << task.jitterNs / 1000 << " us\n";
+        for (size_t i = 0; i < task.histogram.size(); ++i)
+            if (task.histogram[i] > 0)
+                std::cout << "  up to " << (uint64_t(1) << i) << " us: " << task.histogram[i] << "\n";
+    }
 }
 
 int run(const Arguments& arguments) {
@@ -66,6 +85,7 @@ int run(const Arguments& arguments) {
     if (!state) return wrongUse(state.error());
     session::Settings forSession;
     forSession.retainFile = serve::retainFileOf(*settings);
+    forSession.historyBudget = size_t(64) << 20; // the rest is on disk
     forSession.retainInterval = std::chrono::seconds(1);
     if (auto start = calendarStart(arguments.value("--start").value_or(project->calendarStart)); !start)
         return wrongUse(start.error());
@@ -79,6 +99,7 @@ int run(const Arguments& arguments) {
     if (const Message problem = session.status().retainProblem; !problem.isEmpty())
         std::cerr << "stepwise: " << problem << "\n";
     if (auto served = serve::serve(panels, session, *settings, isInterrupted); !served) return wrongUse(served.error());
+    if (arguments.has("--stats")) printStatistics(session.taskStatistics());
     if (const Message problem = session.status().retainProblem; !problem.isEmpty()) {
         std::cerr << "stepwise: " << problem << "\n";
         return kWrongUse;

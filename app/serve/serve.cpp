@@ -124,7 +124,11 @@ Result<void> serve(const hmi::PanelProject& project, session::Session& session, 
         figures.recordingFiles = now.files;
         figures.recordingProblem = now.problem;
     };
-    session.startThread({session::Pace::Real});
+    session.startThread({session::Pace::Real}, settings.realTime.has_value());
+    if (settings.realTime) {
+        for (const std::string& line : askForRealTime(*settings.realTime)) std::cout << line << "\n";
+        session.start();
+    }
     std::cout << "serving " << settings.server.name << " at " << server.url().toStdString() << "\n"
               << "the access code to operate is in " << tokenPath(settings) << std::endl;
     const ServiceNotes notes;

@@ -1,6 +1,7 @@
 // `stepwise serve` below its command line: the controller in real time on its scan thread, the recording on disk, the
 // server, until somebody asks it to stop. Main thread, an application object must exist.
 #pragma once
+#include "app/serve/real_time.h"
 #include "app/serve/recording_ring.h"
 #include "app/serve/server.h"
 
@@ -11,6 +12,7 @@ struct ServeSettings {
     std::string stateFolder;                       // retained variables, access code, recording
     std::string tokenFile;                         // empty: "access-code" in the state folder, made when missing
     uint64_t recordingLimit = uint64_t(256) << 20; // 0: nothing is recorded on disk
+    std::optional<RealTimeWishes> realTime;
 };
 
 /// The state folder, created when missing, for this process alone as long as this lives.

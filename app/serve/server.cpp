@@ -104,7 +104,8 @@ HttpAnswer Server::answer(const HttpRequest& request) {
                                   ? m_project.startPanel
                                   : m_project.panels.front().name;
         if (!m_project.find(start)) return {404, "text/plain; charset=utf-8", "The project has no panel.\n", {}};
-        return {302, "text/plain; charset=utf-8", {}, "/panel/" + QUrl::toPercentEncoding(start)};
+        const QByteArray query = request.query.isEmpty() ? QByteArray() : '?' + request.query;
+        return {302, "text/plain; charset=utf-8", {}, "/panel/" + QUrl::toPercentEncoding(start) + query};
     }
     if (request.path.startsWith("/panel/") && m_project.find(QString::fromUtf8(request.path.sliced(7))))
         return resource("panel.html", "text/html; charset=utf-8");

@@ -133,7 +133,7 @@ void fillValue(QTreeWidgetItem* item, const types::TypeTable& types, const QStri
 } // namespace
 
 CallPathView::CallPathView(RunControl& control, QWidget* parent) : QWidget(parent), m_control(control) {
-    m_frames = makeTree(this, {tr("Unit"), tr("Instance"), tr("Line")}, tr("Call path"));
+    m_frames = makeTree(this, {tr("Unit"), tr("Instance"), tr("Line")}, tr("Call stack"));
     m_values = makeTree(this, {tr("Variable"), tr("Value")}, tr("Values of the frame"));
     m_values->setRootIsDecorated(true);
     auto* splitter = new QSplitter(this);
@@ -398,6 +398,9 @@ EventLog::EventLog(RunControl& control, QWidget* parent) : QWidget(parent), m_co
     connect(&control, &RunControl::refreshed, this, &EventLog::refresh);
     connect(&control, &RunControl::sessionChanged, this, [this] { m_seen = 0; });
     connect(&control, &RunControl::messageAdded, this, &EventLog::addMessage);
+    connect(m_tree->verticalScrollBar(), &QScrollBar::rangeChanged, this, [this](int, int last) {
+        if (m_follows) m_tree->verticalScrollBar()->setValue(last); // also when the window gets another size
+    });
     connect(m_tree->verticalScrollBar(), &QScrollBar::actionTriggered, this, [this] { // by the user only
         const QScrollBar& bar = *m_tree->verticalScrollBar();
         m_follows = bar.sliderPosition() >= bar.maximum();

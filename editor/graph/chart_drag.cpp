@@ -103,7 +103,7 @@ ChartView::Drop ChartView::dropStep(const QPointF& at) const {
         const QRectF bar = m_scene->barRect(static_cast<int>(i));
         if (!bar.adjusted(-30, 0, 30, 0).contains(at)) continue;
         drop.hint = QRectF(bar.center().x() - kStepLeast / 2, bar.bottom() - 5, kStepLeast, 6);
-        drop.text = tr("%1 behind this transition").arg(drop.select);
+        drop.text = tr("%1 after this transition").arg(drop.select);
         drop.edits = editor().moveStep(step, TransitionId(i));
         return drop;
     }

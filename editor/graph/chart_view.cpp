@@ -34,18 +34,17 @@ ChartView::ChartView(QWidget* parent)
     const auto action = [&](kit::Icon icon, const QString& text, auto run) {
         return addCommand(icon, text, this, run);
     };
-    m_up = action(kit::Icon::Up, tr("To the chart around (Backspace)"), &ChartView::openParent);
-    action(kit::Icon::Add, tr("Insert a step behind (Ins)"), &ChartView::insertStep);
-    action(kit::Icon::Split, tr("Insert a branch beside"), &ChartView::insertAlternative);
+    m_up = action(kit::Icon::Up, tr("To the enclosing chart (Backspace)"), &ChartView::openParent);
+    action(kit::Icon::Add, tr("Insert a step after it (Ins)"), &ChartView::insertStep);
+    action(kit::Icon::Split, tr("Insert an alternative branch"), &ChartView::insertAlternative);
     action(kit::Icon::Layers, tr("Insert a simultaneous branch"), &ChartView::insertSimultaneous);
     action(kit::Icon::Action, tr("Add an action"), &ChartView::insertAction);
     action(kit::Icon::Edit, tr("Edit name or condition (F2)"), &ChartView::editSelected);
     action(kit::Icon::Delete, tr("Delete (Del)"), &ChartView::deleteSelected);
     m_bar->addSeparator();
-    action(kit::Icon::Breakpoint,
-           tr("Breakpoint: stops when the step becomes active, when the transition is taken (F9)"),
+    action(kit::Icon::Breakpoint, tr("Breakpoint: stops when the step becomes active or the transition is taken (F9)"),
            &ChartView::toggleBreakpoint);
-    action(kit::Icon::Force, tr("Force the step on"), [this] { forceSelected(true); });
+    action(kit::Icon::Force, tr("Force the step active"), [this] { forceSelected(true); });
     action(kit::Icon::Unforce, tr("Release the step"), [this] { forceSelected(false); });
     m_bar->addSeparator();
     addSheetCommands();
@@ -54,7 +53,7 @@ ChartView::ChartView(QWidget* parent)
     m_beginText = new QLabel(m_begin);
     m_beginText->setWordWrap(true);
     m_beginText->setAlignment(Qt::AlignCenter);
-    m_beginButton = new QPushButton(kit::icon(kit::Icon::Add), tr("Begin a Chart"), m_begin);
+    m_beginButton = new QPushButton(kit::icon(kit::Icon::Add), tr("Start a Chart"), m_begin);
     connect(m_beginButton, &QPushButton::clicked, this, &ChartView::beginChart);
     auto* column = new QVBoxLayout(m_begin);
     column->addStretch();
@@ -102,7 +101,7 @@ void ChartView::setText(const std::string& text) {
     auto kept = std::make_unique<std::string>(text);
     auto syntax = parse::parseFile(FileId(size_t(0)), *kept, sink);
     const ChartPlace place = findChart(*syntax, m_unit.toStdString());
-    if (!place.pou) return showStale(tr("The unit %1 is not in the text any more").arg(m_unit));
+    if (!place.pou) return showStale(tr("The unit %1 is no longer in the text").arg(m_unit));
     for (const diagnostics::Diagnostic& d : sink.all())
         if (d.severity == diagnostics::Severity::Error && d.range.begin >= place.pou->range.begin &&
             d.range.begin <= place.pou->range.end)
@@ -138,10 +137,10 @@ void ChartView::showNoChart(const std::string& text) {
     m_syntax = parse::parseFile(FileId(size_t(0)), m_text, sink);
     m_place = findChart(*m_syntax, m_unit.toStdString());
     m_beginText->setText(canBegin()
-                             ? tr("%1 has no chart yet. A chart begins with an initial step; more steps are inserted "
-                                  "behind it with Ins, and F2 edits names and conditions.")
+                             ? tr("%1 has no chart yet. A chart starts with an initial step; more steps are inserted "
+                                  "after it with Ins, and F2 edits names and conditions.")
                                    .arg(m_unit)
-                             : tr("%1 is not a chart: its body has statements. A chart can be begun in a program or "
+                             : tr("%1 is not a chart: its body has statements. A chart can be started in a program or "
                                   "function block whose body is empty.")
                                    .arg(m_unit));
     m_beginButton->setVisible(canBegin());
@@ -372,7 +371,7 @@ void ChartView::insertAlternative() {
 void ChartView::insertSimultaneous() {
     const Picked p = picked();
     if (!m_chart || p.kind != ChartScene::Transition)
-        return emit failed(tr("Select the transition behind which the steps run at the same time"));
+        return emit failed(tr("Select the transition after which the steps run at the same time"));
     m_namesInserted = true;
     const std::string name = editor().freeStepName();
     request(editor().insertSimultaneousBranch(TransitionId(p.index), name), QString::fromStdString(name));
@@ -543,17 +542,17 @@ void ChartView::contextMenuEvent(QContextMenuEvent* event) {
         connect(menu.addAction(kit::icon(icon), text), &QAction::triggered, this, run);
     };
     if (!m_isStale) {
-        add(kit::Icon::Add, tr("Insert a Step Behind"), &ChartView::insertStep);
-        add(kit::Icon::Split, tr("Insert a Branch Beside"), &ChartView::insertAlternative);
+        add(kit::Icon::Add, tr("Insert a Step After It"), &ChartView::insertStep);
+        add(kit::Icon::Split, tr("Insert an Alternative Branch"), &ChartView::insertAlternative);
         if (p.kind == ChartScene::Transition)
             add(kit::Icon::Layers, tr("Insert a Simultaneous Branch"), &ChartView::insertSimultaneous);
         if (p.kind == ChartScene::Step) {
             add(kit::Icon::Action, tr("Add an Action"), &ChartView::insertAction);
-            add(kit::Icon::Home, tr("Make It the Initial Step"), &ChartView::makeInitial);
+            add(kit::Icon::Home, tr("Set as Initial Step"), &ChartView::makeInitial);
         }
     }
     if (p.kind == ChartScene::Step) {
-        add(kit::Icon::Force, tr("Force the Step On"), [this] { forceSelected(true); });
+        add(kit::Icon::Force, tr("Force the Step Active"), [this] { forceSelected(true); });
         add(kit::Icon::Unforce, tr("Release the Step"), [this] { forceSelected(false); });
     }
     if (p.kind == ChartScene::Action) add(kit::Icon::Forward, tr("Open Its Chart or Text"), &ChartView::openAction);

@@ -145,12 +145,10 @@ void GraphView::showWhole() {
 }
 
 void GraphView::updateMap() {
-    // What is drawn, not the sheet around it; and a map must not cover most of what it helps to find.
+    // What is drawn, not the sheet around it.
     const QSizeF drawn = m_canvas->scene()->itemsBoundingRect().size() * m_canvas->zoom(),
                  view = m_canvas->maximumViewportSize();
-    const bool hasRoom = view.width() >= 480 && view.height() >= 320;
-    const bool isBig =
-        hasDrawing() && hasRoom && (drawn.width() > view.width() * 1.3 || drawn.height() > view.height() * 1.3);
+    const bool isBig = hasDrawing() && (drawn.width() > view.width() * 1.3 || drawn.height() > view.height() * 1.3);
     if (isBig != m_canvas->isMapVisible()) m_canvas->setMapVisible(isBig);
 }
 

@@ -390,13 +390,26 @@ std::vector<kit::Completion> LadderView::typeCompletions() const {
     return out;
 }
 
+namespace {
+
+/// Nothing is offered for a word that is complete: Enter takes the field as it is.
+std::vector<kit::Completion> unlessComplete(std::vector<kit::Completion> all, const QString& text) {
+    const QString word = text.section(':', -1).trimmed();
+    const bool isComplete = std::any_of(all.begin(), all.end(), [&](const kit::Completion& each) {
+        return each.text.compare(word, Qt::CaseInsensitive) == 0;
+    });
+    return isComplete ? std::vector<kit::Completion>() : all;
+}
+
+} // namespace
+
 std::vector<kit::Completion> LadderView::completions(const QString& text, int cursor) const {
     if (m_fieldKind == FieldKind::Comment || m_fieldKind == FieldKind::Statement) return {};
     if (m_fieldKind == FieldKind::Block) {
         if (!text.left(cursor).contains(':')) return {};
-        return blockCompletions();
+        return unlessComplete(blockCompletions(), text.left(cursor));
     }
-    if (text.left(cursor).contains(':')) return typeCompletions();
+    if (text.left(cursor).contains(':')) return unlessComplete(typeCompletions(), text.left(cursor));
     const QString typed = text.startsWith('/') ? text.mid(1) : text;
     const int shift = static_cast<int>(text.size() - typed.size());
     std::vector<kit::Completion> out = namesAt(typed, cursor - shift, [](const QString&) { return true; });

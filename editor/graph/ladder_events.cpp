@@ -53,9 +53,9 @@ constexpr KeyRow kKeys[] = {
     {Qt::Key_F12, Qt::NoModifier, &LadderView::definitionOfSelected,
      QT_TRANSLATE_NOOP("plc::editor::LadderView", "Go to the declaration")},
     {Qt::Key_F12, Qt::ShiftModifier, &LadderView::usesOfSelected,
-     QT_TRANSLATE_NOOP("plc::editor::LadderView", "All uses of the variable")},
+     QT_TRANSLATE_NOOP("plc::editor::LadderView", "References to the variable")},
     {Qt::Key_Return, Qt::AltModifier, &LadderView::fixSelected,
-     QT_TRANSLATE_NOOP("plc::editor::LadderView", "Apply a fix")},
+     QT_TRANSLATE_NOOP("plc::editor::LadderView", "Quick fix")},
     {Qt::Key_F2, Qt::ControlModifier, &LadderView::toggleBookmark,
      QT_TRANSLATE_NOOP("plc::editor::LadderView", "Bookmark on the rung")},
     {Qt::Key_F9, Qt::NoModifier, &LadderView::toggleBreakpoint,
@@ -167,10 +167,10 @@ void LadderView::contextMenuEvent(QContextMenuEvent* event) {
     }
     if (node && !m_isStale) {
         add(kit::Icon::Rename, tr("Rename…"), &LadderView::renameSelected);
-        add(kit::Icon::Find, tr("Find All Uses"), &LadderView::usesOfSelected);
+        add(kit::Icon::Find, tr("Find References"), &LadderView::usesOfSelected);
         add(kit::Icon::Forward, tr("Go to Definition"), &LadderView::definitionOfSelected);
         if (!m_scene->problemAt(m_scene->picked()).isEmpty())
-            add(kit::Icon::Lightbulb, tr("Apply a Fix"), &LadderView::fixSelected);
+            add(kit::Icon::Lightbulb, tr("Quick Fix"), &LadderView::fixSelected);
         menu.addSeparator();
     }
     if (node && node->operand) {

@@ -16,6 +16,8 @@ using ladder::TextRole;
 
 namespace {
 
+constexpr double kLeastDetail = 0.08;
+
 const QFont& boldFont() {
     static const QFont font = [] {
         QFont f = RungItem::font();
@@ -29,6 +31,13 @@ QColor thinned(const QColor& colour, const QColor& ground, double share) {
     return QColor::fromRgbF(colour.redF() * share + ground.redF() * (1 - share),
                             colour.greenF() * share + ground.greenF() * (1 - share),
                             colour.blueF() * share + ground.blueF() * (1 - share));
+}
+
+/// In the overview a rung is a stroke: its parts are smaller than a pixel.
+void paintStroke(QPainter& painter, const ladder::RungPicture& rung, const LadderScene& scene) {
+    const double w = scene.cellWidth(), h = scene.cellHeight();
+    painter.fillRect(QRectF(5 * w, 0.3 * h, std::max(1, rung.width - 5) * w, std::max(0.6, rung.height - 0.6) * h),
+                     thinned(scene.colors().text, scene.colors().base, 0.35));
 }
 
 } // namespace
@@ -55,6 +64,7 @@ void RungItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget
     painter->setRenderHint(QPainter::Antialiasing, detail > 0.35);
     const bool isLeftOut = m_index < m_scene.m_online.leftOut.size() && m_scene.m_online.leftOut[m_index];
     if (m_scene.m_isFaint || isLeftOut) painter->setOpacity(0.5);
+    if (detail < kLeastDetail) return paintStroke(*painter, m_scene.m_layout->rungs[m_index], m_scene);
     paintSelection(*painter);
     const ladder::RungPicture& rung = m_scene.m_layout->rungs[m_index];
     for (const Shape& shape : rung.shapes)
@@ -99,6 +109,7 @@ void RungItem::paintMargin(QPainter& painter) const {
 QColor RungItem::inkOf(ladder::NodeId node, bool isWire) const {
     const kit::ThemeColors& c = m_scene.m_colors;
     if (!m_scene.m_online.isOn) return c.text;
+    if (m_index < m_scene.m_online.leftOut.size() && m_scene.m_online.leftOut[m_index]) return c.muted;
     // A wire that comes from the rail carries power whenever the controller runs.
     const ladder::Power power = !node.isValid() ? (isWire ? ladder::Power::On : ladder::Power::Unknown)
                                 : node.index() < m_scene.m_online.power.size() ? m_scene.m_online.power[node.index()]
@@ -180,11 +191,14 @@ void RungItem::paintGlyph(QPainter& painter, const Shape& s) const {
     const double left = (s.x + 0.5) * w, right = (s.x + s.w + 0.5) * w, half = h * 0.4;
     const QColor ink = inkOf(s.node, false);
     const bool isLive = m_scene.m_online.isOn && ink == c.good;
-    if (isLive) painter.fillRect(QRectF(left, y - half, right - left, 2 * half), thinned(c.good, c.base, 0.25));
+    const bool isCircuit = m_scene.m_look.symbols == ladder::Symbols::Circuit;
+    const bool isLever = isCircuit && s.kind == ShapeKind::Contact && (s.text == " " || s.text == "/");
+    if (isLive) // a lever is above its wire
+        painter.fillRect(QRectF(left, y - half - (isLever ? 2 : 0), right - left, isLever ? half + 2 : 2 * half),
+                         thinned(c.good, c.base, 0.25));
     painter.setPen(QPen(ink, m_scene.thick(isLive ? 2.4 : 1.9), Qt::SolidLine, Qt::FlatCap));
     painter.setBrush(Qt::NoBrush);
-    const bool isCircuit = m_scene.m_look.symbols == ladder::Symbols::Circuit;
-    if (isCircuit && s.kind == ShapeKind::Contact && (s.text == " " || s.text == "/")) return paintLever(painter, s, y);
+    if (isLever) return paintLever(painter, s, y);
     if (isCircuit && s.kind == ShapeKind::Coil) {
         painter.drawRect(QRectF(left - 1, y - half, right - left + 2, 2 * half));
     } else if (s.kind == ShapeKind::Contact) {

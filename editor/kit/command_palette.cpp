@@ -2,6 +2,7 @@
 
 #include "editor/kit/fuzzy.h"
 #include "editor/kit/icons.h"
+#include "editor/kit/mnemonics.h"
 #include "editor/kit/theme.h"
 
 #include <QAction>
@@ -25,17 +26,10 @@ constexpr int EntryRole = Qt::UserRole + 1, PositionsRole = Qt::UserRole + 2, Sh
               EnabledRole = Qt::UserRole + 4;
 
 QString plainText(const QAction* action) {
-    QString text = action->text();
+    QString text = withoutMnemonic(action->text());
     text.remove(QStringLiteral("..."));
     text.remove(QChar(0x2026));
-    QString result;
-    for (qsizetype i = 0; i < text.size(); ++i) {
-        if (text[i] != QLatin1Char('&'))
-            result += text[i];
-        else if (i + 1 < text.size() && text[i + 1] == QLatin1Char('&'))
-            result += text[i++];
-    }
-    return result.trimmed();
+    return text.replace(QStringLiteral("&&"), QStringLiteral("&")).trimmed();
 }
 
 /// The menu that an action lies in, for "File: Save".
@@ -46,7 +40,9 @@ QString menuOf(const QAction* action) {
     return {};
 }
 
-QString keyOf(const QAction* action) { return action->objectName().isEmpty() ? action->text() : action->objectName(); }
+QString keyOf(const QAction* action) {
+    return action->objectName().isEmpty() ? withoutMnemonic(action->text()) : action->objectName();
+}
 
 /// One row: icon, name with the matched letters in the accent colour, shortcut on the right.
 class RowDelegate : public QStyledItemDelegate {

@@ -191,7 +191,7 @@ double PlotRenderer::legendHeight(const PlotModel& model, int chart, double left
         x += wide + 10;
         any = true;
     };
-    for (int i = 0; model.hasLegend && i < static_cast<int>(model.curves.size()); ++i) {
+    for (int i = 0; model.hasLegend && !m_isTiny && i < static_cast<int>(model.curves.size()); ++i) {
         const PlotCurve& curve = model.curves[static_cast<size_t>(i)];
         if (curve.chart != chart || (curve.style == CurveStyle::Digital && curve.isVisible)) continue;
         add(withUnit(curve.name, curve.unit), i);
@@ -239,6 +239,7 @@ void PlotRenderer::layOut(const PlotModel& model, const QRectF& rect) {
         wanted += pane.isLanes ? laneHeightFor(m_font) * static_cast<double>(pane.curves.size()) + 2 * line : 7 * line;
     if (model.hasTable && (model.cursorA || model.cursorB)) wanted += measureTableHeight(model, m_font);
     m_isLow = inner.height() < wanted;
+    m_isTiny = inner.height() < wanted * 0.7; // whoever looks has the list of channels beside it
     if (!model.title.isEmpty() && !m_isLow) {
         m_titleRect = QRectF(inner.left(), top, inner.width(), QFontMetricsF(m_font).height() * 1.5 + 4);
         top = m_titleRect.bottom() + 2;

@@ -85,7 +85,8 @@ private:
     size_t m_fineSamples = 4000;
     double m_ratio = 1, m_left = 0, m_right = 0, m_width = 0;
     QRectF m_rect, m_titleRect, m_tableRect;
-    bool m_isLow = false; // no room for titles
+    bool m_isLow = false;  // no room for titles
+    bool m_isTiny = false; // nor for a legend
     QString m_timeTitle;
     double m_timeLabel = 40; // width of the widest time label
     std::vector<PlotPane> m_panes;

@@ -20,7 +20,7 @@ FindBar::FindBar(StEditor& editor, QWidget* parent) : QWidget(parent), m_editor(
     m_find->setClearButtonEnabled(true);
     m_find->setAccessibleName(tr("Text to find"));
     m_replace = new QLineEdit(this);
-    m_replace->setPlaceholderText(tr("Replace by"));
+    m_replace->setPlaceholderText(tr("Replace with"));
     m_replace->setAccessibleName(tr("Replacement"));
     const auto toggle = [&](const QString& text, const QString& tip) {
         auto* button = new QToolButton(this);
@@ -157,7 +157,7 @@ void FindBar::countMatches() {
     m_find->setPalette(palette);
     m_editor->highlightAll(m_find->text().isEmpty() ? QString() : pattern, true, m_case->isChecked());
     if (m_find->text().isEmpty() || !regex.isValid())
-        return m_count->setText(regex.isValid() ? QString() : tr("not a pattern"));
+        return m_count->setText(regex.isValid() ? QString() : tr("invalid regular expression"));
     int count = 0;
     for (auto matches = regex.globalMatch(QString::fromStdString(m_editor->utf8())); matches.hasNext() && count < 10000;
          matches.next())

@@ -420,7 +420,8 @@ void StEditor::contextMenuEvent(QContextMenuEvent* event) {
     };
     const uint32_t at = cursorOffset();
     add(kit::Icon::Forward, tr("Go to Definition"), Qt::Key_F12, [this, at] { emit definitionRequested(m_file, at); });
-    add(kit::Icon::Find, tr("Find All Uses"), Qt::SHIFT | Qt::Key_F12, [this, at] { emit usesRequested(m_file, at); });
+    add(kit::Icon::Find, tr("Find References"), Qt::SHIFT | Qt::Key_F12,
+        [this, at] { emit usesRequested(m_file, at); });
     add(kit::Icon::Rename, tr("Rename…"), Qt::Key_F2, [this, at] { emit renameRequested(m_file, at); });
     add(kit::Icon::Watch, tr("Add to Watch"), {},
         [this] { emit watchRequested(hasSelectedText() ? selectedText() : wordUnderCursor()); });

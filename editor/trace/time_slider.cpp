@@ -144,7 +144,7 @@ TimeSlider::TimeSlider(QWidget* parent) : QWidget(parent) {
     layout->setSpacing(3);
     m_steps = {
         makeButton(kit::Icon::StepBack, tr("One scan back (Left)"), [this] { stepScans(-1); }),
-        makeButton(kit::Icon::Step, tr("One scan forth (Right)"), [this] { stepScans(1); }),
+        makeButton(kit::Icon::Step, tr("One scan forward (Right)"), [this] { stepScans(1); }),
         makeButton(kit::Icon::PreviousChange, tr("Previous change of the variable (Ctrl+Left)"),
                    [this] { stepChange(-1); }),
         makeButton(kit::Icon::NextChange, tr("Next change of the variable (Ctrl+Right)"), [this] { stepChange(1); })};

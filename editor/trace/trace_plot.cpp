@@ -1,5 +1,6 @@
 #include "editor/trace/trace_plot.h"
 
+#include "editor/kit/curve_words.h"
 #include "editor/kit/message_text.h"
 #include "editor/kit/plot_scale.h"
 #include "editor/kit/theme.h"
@@ -8,9 +9,34 @@
 #include <QCoreApplication>
 #include <QFileInfo>
 
+#include <cmath>
+
 namespace plc::trace {
 
 namespace {
+
+/// A colour by its name, as it can be seen on the ground of plots; the curve called "red" is red.
+QColor colorOf(const QString& name) {
+    const struct {
+        const char *name, *onLight, *onDark;
+    } all[] = {{"red", "#D6281F", "#F2473C"},
+               {"yellow", "#C89600", "#F7CB36"},
+               {"green", "#2B9A57", "#3FBF74"},
+               {"blue", "#2878C8", "#4A9DF0"},
+               {"orange", "#E87417", "#F68B33"}};
+    const bool isDark = kit::colors().plotGround.lightness() < 128;
+    for (const auto& one : all)
+        if (name == QLatin1String(one.name)) return QColor(QLatin1String(isDark ? one.onDark : one.onLight));
+    return {};
+}
+
+/// A colour chosen on a light ground must also be seen on a dark one, and the other way round.
+QColor readable(const QColor& color) {
+    const double ground = kit::colors().plotGround.lightnessF(), own = color.lightnessF();
+    if (std::abs(ground - own) >= 0.3) return color;
+    return QColor::fromHslF(static_cast<float>(std::max(0.0, static_cast<double>(color.hslHueF()))),
+                            color.hslSaturationF(), static_cast<float>(ground < 0.5 ? ground + 0.45 : ground - 0.45));
+}
 
 kit::AxisMode modeOf(ScaleMode mode) {
     switch (mode) {
@@ -100,7 +126,11 @@ QString markText(int kind, const Message& message) {
 
 QColor channelColor(const TraceSetup& setup, size_t channel) {
     const QColor own(QString::fromStdString(setup.channels[channel].color));
-    return own.isValid() ? own : kit::colors().curve(static_cast<int>(channel));
+    if (own.isValid()) return own;
+    const ChannelSetup& wanted = setup.channels[channel];
+    for (const std::string& words : {wanted.label, wanted.expression})
+        if (const QColor named = colorOf(kit::colorNamed(QString::fromStdString(words))); named.isValid()) return named;
+    return kit::colors().curve(static_cast<int>(channel));
 }
 
 kit::CurveStyle styleOf(const ChannelSetup& channel, const ChannelType* type) {
@@ -153,7 +183,7 @@ void applySetup(kit::PlotModel& model, const TraceSetup& setup, const TraceFeed*
         curve.id = QString::number(i);
         curve.name = QString::fromStdString(channel.label.empty() ? channel.expression : channel.label);
         curve.unit = QString::fromStdString(channel.unit);
-        curve.color = channelColor(setup, i);
+        curve.color = readable(channelColor(setup, i));
         curve.width = channel.width;
         curve.style = styleOf(channel, type);
         curve.chart = channel.chart;

@@ -59,6 +59,7 @@ TraceView::TraceView(QWidget* parent) : QWidget(parent), m_store(std::make_share
     splitter->setStretchFactor(0, 0);
     splitter->setStretchFactor(1, 1);
     splitter->setSizes({260, 900});
+    m_sides = splitter;
     auto* status = new QHBoxLayout;
     status->setContentsMargins(8, 2, 8, 3);
     status->addWidget(m_state);
@@ -196,22 +197,23 @@ void TraceView::makeActions(QToolBar* bar) {
         bar->addWidget(button);
         return menu;
     };
-    QMenu* files = menuButton(kit::Icon::Save, tr("Trace set-up"));
-    files->addAction(kit::icon(kit::Icon::Open), tr("Open set-up…"), this, [this] {
-        const QString path =
-            QFileDialog::getOpenFileName(this, tr("Open trace set-up"), m_folder, tr("Trace set-ups (*.trace.json)"));
+    QMenu* files = menuButton(kit::Icon::Save, tr("Trace configuration"));
+    files->addAction(kit::icon(kit::Icon::Open), tr("Open configuration…"), this, [this] {
+        const QString path = QFileDialog::getOpenFileName(this, tr("Open trace configuration"), m_folder,
+                                                          tr("Trace configurations (*.trace.json)"));
         if (!path.isEmpty()) report(openSetup(path));
     });
     auto saveAs = [this] {
-        QString path = QFileDialog::getSaveFileName(this, tr("Save trace set-up"), m_path.isEmpty() ? m_folder : m_path,
-                                                    tr("Trace set-ups (*.trace.json)"));
+        QString path =
+            QFileDialog::getSaveFileName(this, tr("Save trace configuration"), m_path.isEmpty() ? m_folder : m_path,
+                                         tr("Trace configurations (*.trace.json)"));
         if (path.isEmpty()) return;
         if (!path.endsWith(QLatin1String(".trace.json"))) path += QStringLiteral(".trace.json");
         report(storeSetup(path));
     };
-    files->addAction(kit::icon(kit::Icon::Save), tr("Save set-up"), this,
+    files->addAction(kit::icon(kit::Icon::Save), tr("Save configuration"), this,
                      [this, saveAs] { m_path.isEmpty() ? saveAs() : report(storeSetup(m_path)); });
-    files->addAction(tr("Save set-up as…"), this, saveAs);
+    files->addAction(tr("Save configuration as…"), this, saveAs);
     files->addSeparator();
     files->addAction(tr("Open recording…"), this, [this] {
         const QString path = QFileDialog::getOpenFileName(this, tr("Open recording"), inProject({}),
@@ -274,6 +276,15 @@ void TraceView::exportSamples(const QString& path) {
     const kit::PlotModel model = m_plot->model(); // its own: the view goes on meanwhile
     kit::LongTask task(tr("Saving the samples…"), this);
     report(kit::exportCsv(model, model.from, model.to, path, [&](double share) { return task.reached(share); }));
+}
+
+/// In a narrow window the plot keeps the larger part.
+void TraceView::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    const QList<int> sizes = m_sides->sizes();
+    constexpr int LeastPlot = 360, LeastChannels = 120;
+    if (sizes.value(0) > 0 && sizes.value(1) < LeastPlot && sizes.value(0) > sizes.value(1) / 2)
+        m_sides->setSizes({std::max(LeastChannels, width() - LeastPlot), LeastPlot});
 }
 
 void TraceView::setFolder(const QString& folder) {

@@ -98,6 +98,9 @@ protected:
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     void makeActions(QToolBar* bar);
     void change(const QString& text, const std::function<void(TraceSetup&)>& change, int mergeId = -1);
@@ -126,6 +129,7 @@ private:
     ProgramVariables m_variables;
     TraceSetup m_setup;
     QString m_path, m_folder;
+    QSplitter* m_sides = nullptr; // channels, plot
     std::function<std::shared_ptr<void>()> m_hold;
     QUndoStack m_undo;
     TriggerMachine m_trigger;

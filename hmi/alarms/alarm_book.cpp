@@ -153,6 +153,7 @@ std::vector<AlarmEntry> AlarmBook::entries(const AlarmLifeCycle& states, quint64
     for (size_t i = 0; i < m_definitions.size(); ++i) {
         if (states.state(i) == AlarmState::Normal) continue;
         if (!classes.isEmpty() && !classes.contains(m_definitions[i].className)) continue;
+        if (until == ~quint64(0) && m_suppression.isAside(m_definitions[i].id)) continue; // the past shows all
         AlarmEntry entry = entryOf(i);
         entry.state = states.state(i);
         entry.raised = states.raisedAt(i);
@@ -172,6 +173,7 @@ std::vector<AlarmEntry> AlarmBook::entries(const AlarmLifeCycle& states, quint64
         }
         out.push_back(std::move(entry));
     }
+    markFirstOut(out);
     const auto urgency = [](const AlarmEntry& entry) {
         return entry.state == AlarmState::Unacknowledged ? 0 : entry.state == AlarmState::Returned ? 1 : 2;
     };
@@ -183,6 +185,56 @@ std::vector<AlarmEntry> AlarmBook::entries(const AlarmLifeCycle& states, quint64
         return a.raised.position > b.raised.position;
     });
     return out;
+}
+
+/// Of each group the alarm that was raised first among those that are present.
+void AlarmBook::markFirstOut(std::vector<AlarmEntry>& entries) const {
+    QMap<QString, AlarmEntry*> first;
+    for (AlarmEntry& entry : entries) {
+        const QString& group = m_definitions[entry.alarm].firstOut;
+        if (group.isEmpty()) continue;
+        AlarmEntry*& known = first[group];
+        if (!known || entry.raised.position < known->raised.position) known = &entry;
+    }
+    for (AlarmEntry* entry : first) entry->isFirstOut = true;
+}
+
+std::vector<AlarmEntry> AlarmBook::aside(const QStringList& classes) const {
+    std::vector<AlarmEntry> out;
+    for (size_t i = 0; i < m_definitions.size(); ++i) {
+        if (!m_suppression.isAside(m_definitions[i].id)) continue;
+        if (!classes.isEmpty() && !classes.contains(m_definitions[i].className)) continue;
+        AlarmEntry entry = entryOf(i);
+        entry.state = m_lifeCycle.state(i);
+        entry.raised = m_lifeCycle.raisedAt(i);
+        out.push_back(std::move(entry));
+    }
+    return out;
+}
+
+Result<void> AlarmBook::change(const std::function<Result<void>(AlarmSuppression&)>& how) {
+    Result<void> done = how(m_suppression);
+    emit changed();
+    return done;
+}
+
+std::vector<QString> AlarmBook::expire(const QDateTime& now) {
+    std::vector<QString> back = m_suppression.expire(now);
+    if (!back.empty()) emit changed();
+    return back;
+}
+
+Result<void> AlarmBook::keepAsideIn(const QString& path) {
+    Result<void> opened = m_suppression.open(path);
+    emit changed();
+    return opened;
+}
+
+AlarmStatistics AlarmBook::statistics(Nanoseconds lookedBack) const {
+    Nanoseconds last{};
+    std::vector<AlarmRecord> records = m_records;
+    for (const AlarmRecord& record : records) last = std::max(last, record.at.time);
+    return statisticsOf(std::move(records), std::max(Nanoseconds{}, last - lookedBack), last);
 }
 
 std::vector<AlarmEntry> AlarmBook::present(const QStringList& classes, AlarmOrder order) const {

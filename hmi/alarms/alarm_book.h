@@ -2,6 +2,8 @@
 // brings conditions scan by scan; lists read entries. Owned by the player; main thread.
 #pragma once
 #include "hmi/alarms/alarm_store.h"
+#include "hmi/alarms/statistics.h"
+#include "hmi/alarms/suppression.h"
 #include "hmi/texts/catalog.h"
 
 #include <QObject>
@@ -22,6 +24,7 @@ struct AlarmEntry {
     qint64 raisedClock = 0;
     std::optional<qint64> returnedClock, acknowledgedClock;
     bool isOfEarlierRun = false; // the controller has been started again since
+    bool isFirstOut = false; // came first of its group
 };
 
 enum class AlarmOrder { Priority, Time };
@@ -63,6 +66,17 @@ public:
 
     /// Present alarms (also returned ones that wait for acknowledgement); `classes` empty: all.
     std::vector<AlarmEntry> present(const QStringList& classes, AlarmOrder order) const;
+    /// Those that people have set aside, whether their condition holds or not.
+    std::vector<AlarmEntry> aside(const QStringList& classes) const;
+    const AlarmSuppression& suppression() const { return m_suppression; }
+    /// Changes what is set aside; lists follow.
+    Result<void> change(const std::function<Result<void>(AlarmSuppression&)>& how);
+    /// Shelved alarms whose time is over come back; their ids.
+    std::vector<QString> expire(const QDateTime& now);
+    Result<void> keepAsideIn(const QString& path);
+    /// Of this run, up to its newest event.
+    AlarmStatistics statistics(Nanoseconds lookedBack) const;
+    AlarmEntry entryOf(size_t alarm) const;
     /// As they were at a past scan.
     std::vector<AlarmEntry> presentAt(quint64 position, const QStringList& classes, AlarmOrder order) const;
     /// Past occurrences, newest first by the calendar, with their return and acknowledgement.
@@ -79,16 +93,17 @@ private:
     void record(std::span<const AlarmEvent> events, const ValuesOf& values, const QString& user);
     std::vector<AlarmEntry> entries(const AlarmLifeCycle& states, quint64 until, const QStringList& classes,
                                     AlarmOrder order) const;
-    AlarmEntry entryOf(size_t alarm) const;
     qint64 clockOf(const AlarmRecord& record) const;
     bool isEarlier(const AlarmRecord& record) const;
     AlarmEntry occurrence(const AlarmRecord& raised, const std::optional<AlarmRecord>& returned,
                           const std::optional<AlarmRecord>& acknowledged) const;
+    void markFirstOut(std::vector<AlarmEntry>& entries) const;
 
     std::vector<AlarmDefinition> m_definitions;
     std::vector<AlarmClass> m_classes;
     AlarmLifeCycle m_lifeCycle;
     AlarmStore m_store;
+    AlarmSuppression m_suppression;
     QString m_run;
     qint64 m_newestBefore = 0;                 // number in the store of what was there before this book opened it
     qint64 m_clockAtZero = 946684800000000000; // 2000-01-01, where virtual time begins

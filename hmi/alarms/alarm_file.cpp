@@ -84,6 +84,9 @@ std::vector<AlarmDefinition> AlarmFile::definitions() const {
         one.className = row.text("class");
         one.text = row.text("text");
         one.inhibit = row.text("inhibit");
+        one.help = row.text("help");
+        one.show = row.text("show");
+        one.firstOut = row.text("firstOut");
         one.priority = std::clamp(row.integer("priority"), 1, 4);
         one.onDelay = std::max(0.0, row.number("onDelay"));
         one.offDelay = std::max(0.0, row.number("offDelay"));

@@ -12,6 +12,9 @@ struct AlarmClass {
 
 struct AlarmDefinition {
     QString id, condition, className, text, inhibit;
+    QString help;                     // what it means and what to do: "@key" or text
+    QString show;                     // the panel where its place is seen
+    QString firstOut;                 // of the alarms of one group, the one that came first is marked
     int priority = 2;                 // 1 is the most urgent
     double onDelay = 0, offDelay = 0; // seconds
     bool mustAcknowledge = true;

@@ -57,8 +57,8 @@ ArrayArrangementDialog::ArrayArrangementDialog(const Panel& panel, const Element
     form->addRow(tr("First index"), m_first);
     form->addRow(tr("Last index"), m_last);
     form->addRow(tr("Columns"), m_columns);
-    form->addRow(tr("Gap across"), m_gapX);
-    form->addRow(tr("Gap down"), m_gapY);
+    form->addRow(tr("Horizontal gap"), m_gapX);
+    form->addRow(tr("Vertical gap"), m_gapY);
     auto* note = new QLabel(tr("In the other arguments, # becomes the index."));
     note->setWordWrap(true);
     form->addRow(note);

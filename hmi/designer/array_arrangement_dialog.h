@@ -16,7 +16,7 @@ namespace plc::hmi {
 class ArrayArrangementDialog final : public QDialog {
     Q_OBJECT
 public:
-    /// `element`: the faceplate that is arranged, with what its panel is; `panel` the one that it stands in.
+    /// `element`: the faceplate that is arranged, with what its panel is; `panel` the one that it is in.
     ArrayArrangementDialog(const Panel& panel, const Element& element, const DesignContext& context,
                            QWidget* parent = nullptr);
     ArrayArrangement arrangement() const;

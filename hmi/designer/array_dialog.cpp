@@ -26,8 +26,8 @@ ArrayDialog::ArrayDialog(const ArrayLayout& layout, const QString& example, QWid
     auto* form = new QFormLayout(this);
     form->addRow(tr("Number of elements"), m_count);
     form->addRow(tr("Columns"), m_columns);
-    form->addRow(tr("Gap across"), m_gapX);
-    form->addRow(tr("Gap down"), m_gapY);
+    form->addRow(tr("Horizontal gap"), m_gapX);
+    form->addRow(tr("Vertical gap"), m_gapY);
     form->addRow(tr("Index step"), m_step);
     auto* preview = new QLabel;
     const auto show = [this, preview, example] {

@@ -35,6 +35,7 @@ DesignCanvas::DesignCanvas(PanelDocument& document, Selection& selection, Design
     m_scene.setAlarms(&m_alarms);
     m_scene.setLanguage(context.language());
     m_scene.setFaceplates(context.project().panelLookup());
+    m_scene.setRecipes(&context.project().recipes);
     m_scene.setPanel(document.panel());
     m_scene.refresh(0);
     connect(&m_document, &PanelDocument::changed, this, [this](const Touched& touched) {

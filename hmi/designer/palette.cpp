@@ -2,6 +2,7 @@
 
 #include "editor/kit/fuzzy.h"
 #include "editor/kit/theme.h"
+#include "hmi/designer/choice_titles.h"
 #include "hmi/view/panel_scene.h"
 #include "hmi/view/symbol_art.h"
 
@@ -119,11 +120,8 @@ Palette::Palette(QWidget* parent) : QWidget(parent), m_search(new QLineEdit), m_
             add(kind.category, title, words, newElementFields(kind.kind));
             continue;
         }
-        for (const QString& symbol : symbolNames()) {
-            QString name = symbol;
-            name[0] = name[0].toUpper();
-            add(kind.category, name, words, newElementFields(kind.kind, symbol));
-        }
+        for (const QString& symbol : symbolNames())
+            add(kind.category, symbolTitle(symbol), words + u' ' + symbol, newElementFields(kind.kind, symbol));
     }
     connect(m_search, &QLineEdit::textChanged, this, &Palette::setFilter);
     connect(m_tree, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* item) {

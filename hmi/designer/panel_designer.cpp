@@ -54,7 +54,7 @@ PanelDesigner::PanelDesigner(DesignContext& context, const QString& panelName, Q
     new kit::OwnKeys(this);
     setFocusProxy(m_canvas);
     m_pages->addWidget(m_canvas);
-    m_findingList->setHeaderLabels({tr("Finding"), tr("Element"), tr("Language")});
+    m_findingList->setHeaderLabels({tr("Issue"), tr("Element"), tr("Language")});
     m_findingList->setRootIsDecorated(false);
     m_findingList->header()->setSectionResizeMode(0, QHeaderView::Stretch);
     m_findingList->header()->setStretchLastSection(false);
@@ -143,6 +143,7 @@ PanelDesigner::PanelDesigner(DesignContext& context, const QString& panelName, Q
 }
 
 PanelDesigner::~PanelDesigner() {
+    delete m_sheet; // a choice that is open in it would still ask for the document
     m_context.closeDocument(&m_document);
     m_document.disconnect(this);
     m_document.undoStack().disconnect(this);
@@ -225,9 +226,9 @@ void PanelDesigner::makeActions() {
     for (const auto& [name, title, icon, alignment] : alignments)
         addEdit(QString::fromLatin1(name), title, icon, {},
                 [=, how = alignment] { return align(panel(), ids(), how); });
-    addEdit(QStringLiteral("distribute-x"), tr("Equal gaps across"), Icon::DistributeX, {},
+    addEdit(QStringLiteral("distribute-x"), tr("Distribute horizontally"), Icon::DistributeX, {},
             [=] { return distribute(panel(), ids(), Direction::Horizontal); });
-    addEdit(QStringLiteral("distribute-y"), tr("Equal gaps down"), Icon::DistributeY, {},
+    addEdit(QStringLiteral("distribute-y"), tr("Distribute vertically"), Icon::DistributeY, {},
             [=] { return distribute(panel(), ids(), Direction::Vertical); });
     addEdit(QStringLiteral("same-width"), tr("Same width"), Icon::ZoomX, {},
             [=] { return makeSameSize(panel(), ids(), SameSize::Width); });

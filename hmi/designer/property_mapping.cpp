@@ -1,6 +1,7 @@
 #include "hmi/designer/property_mapping.h"
 
 #include "editor/kit/texts.h"
+#include "hmi/designer/choice_titles.h"
 #include "hmi/view/panel_theme.h"
 
 #include <QCoreApplication>
@@ -36,7 +37,7 @@ std::vector<kit::PropertyChoice> colorChoices() {
     std::vector<kit::PropertyChoice> out{{QStringLiteral(""), Hmi::tr("as it is"), {}},
                                          {QStringLiteral("none"), Hmi::tr("none"), {}}};
     for (const QString& role : PanelTheme::roles())
-        out.push_back({role, role, {}, PanelTheme::of(PanelThemeKind::Light).color(role)});
+        out.push_back({role, roleTitle(role), {}, PanelTheme::of(PanelThemeKind::Light).color(role)});
     out.push_back({QStringLiteral("?"), Hmi::tr("Other…"), {}});
     return out;
 }
@@ -47,10 +48,10 @@ QString toolTipOf(const PropertyDescriptor& property) {
     if (property.type == PropertyType::Expression || property.type == PropertyType::Target) {
         const QString what =
             property.type == PropertyType::Target ? Hmi::tr("A variable that is written") : Hmi::tr("An ST expression");
-        return property.hint.empty() ? what : QStringLiteral("%1 (%2)").arg(what, kit::fromView(property.hint));
+        return property.hint.empty() ? what : QStringLiteral("%1 (%2)").arg(what, valueKindTitle(property.hint));
     }
     if (property.type == PropertyType::Text)
-        return Hmi::tr("Shown to the operator. A typed text gets its key by itself; @key names one.");
+        return Hmi::tr("Shown to the operator. A typed text gets its key automatically; @key uses an existing one.");
     return {};
 }
 
@@ -151,8 +152,11 @@ std::vector<kit::PropertyDescriptor> gridRows(const PropertyDescriptor& property
     case PropertyType::Choice:
     case PropertyType::Symbol:
         row.kind = kit::PropertyKind::Enumeration;
-        for (const std::string_view choice : property.choices())
-            row.choices.push_back({kit::fromView(choice), kit::fromView(choice), {}});
+        for (const std::string_view choice : property.choices()) {
+            const QString word = kit::fromView(choice);
+            const bool isSymbol = property.type == PropertyType::Symbol;
+            row.choices.push_back({word, isSymbol ? symbolTitle(word) : choiceTitle(property.key, choice), {}});
+        }
         break;
     case PropertyType::Color:
         row.kind = kit::PropertyKind::Enumeration;

@@ -44,8 +44,8 @@ void TextEditor::askForXliff() {
         for (QComboBox* box : {from, to}) box->addItem(QStringLiteral("%1 (%2)").arg(nativeName(tag), tag), tag);
     to->setCurrentIndex(to->count() > 1 ? 1 : 0);
     auto* version = new QComboBox;
-    version->addItem(QStringLiteral("XLIFF 2.0"));
-    version->addItem(QStringLiteral("XLIFF 1.2"));
+    version->addItem(tr("XLIFF %1").arg(QStringLiteral("2.0")));
+    version->addItem(tr("XLIFF %1").arg(QStringLiteral("1.2")));
     auto* form = new QFormLayout(&dialog);
     form->addRow(tr("Translated from"), from);
     form->addRow(tr("Translated into"), to);

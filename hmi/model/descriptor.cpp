@@ -165,7 +165,7 @@ QString titleOf(PropertyGroup group) {
     case PropertyGroup::Geometry:
         return QCoreApplication::translate("Hmi", "Geometry");
     case PropertyGroup::Look:
-        return QCoreApplication::translate("Hmi", "Look");
+        return QCoreApplication::translate("Hmi", "Appearance");
     case PropertyGroup::Text:
         return QCoreApplication::translate("Hmi", "Text");
     case PropertyGroup::Value:

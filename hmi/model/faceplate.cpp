@@ -1,5 +1,7 @@
 #include "hmi/model/faceplate.h"
 
+#include "hmi/model/layout.h"
+
 #include <QRegularExpression>
 #include <QSet>
 
@@ -234,14 +236,15 @@ Panel withArguments(const Panel& panel, const Arguments& arguments) {
 
 namespace {
 
-void appendContents(const Element& faceplate, const PanelLookup& panels, QStringList& open, std::vector<Element>& out) {
-    const QString name = faceplate.text("panel");
+void appendContents(const Element& faceplate, const QString& name, const Arguments& given, const PanelLookup& panels,
+                    QStringList& open, std::vector<Element>& out) {
     const Panel* panel = panels && !name.isEmpty() ? panels(name) : nullptr;
     if (!panel || open.contains(name) || open.size() >= kDeepest) return;
     open += name;
-    const Arguments arguments = completed(parametersOf(*panel), argumentsOf(faceplate.at("arguments")));
+    const Arguments arguments = completed(parametersOf(*panel), given);
+    const Panel shown = laidOut(*panel, sizeFor(*panel, faceplate.rect().size()));
     const QString prefix = faceplate.id() + u'/';
-    for (const Element& inner : panel->elements()) {
+    for (const Element& inner : shown.elements()) {
         Element placed(substituted(inner.descriptor(), inner.fields(), arguments));
         const ElementId parent = inner.parent();
         placed.set("id", toUtf8(prefix + inner.id()));
@@ -249,7 +252,7 @@ void appendContents(const Element& faceplate, const PanelLookup& panels, QString
         out.push_back(std::move(placed));
         if (inner.kind() == ElementKind::Faceplate) {
             const Element nested = out.back();
-            appendContents(nested, panels, open, out);
+            appendContents(nested, nested.text("panel"), argumentsOf(nested.at("arguments")), panels, open, out);
         }
     }
     open.removeLast();
@@ -271,9 +274,14 @@ bool reaches(const Panel& panel, const QString& name, const PanelLookup& panels,
 } // namespace
 
 std::vector<Element> contentsOf(const Element& faceplate, const PanelLookup& panels) {
+    return contentsOf(faceplate, faceplate.text("panel"), argumentsOf(faceplate.at("arguments")), panels);
+}
+
+std::vector<Element> contentsOf(const Element& area, const QString& panel, const Arguments& arguments,
+                                const PanelLookup& panels) {
     std::vector<Element> out;
     QStringList open;
-    appendContents(faceplate, panels, open, out);
+    appendContents(area, panel, arguments, panels, open, out);
     return out;
 }
 

@@ -1,5 +1,5 @@
 // Faceplates: a panel with parameters that other panels place as an element and give arguments. Inside, `$valve.Open`
-// names a member of what the parameter `valve` stands for. Pure functions over panels; any thread.
+// names a member of what the parameter `valve` is given. Pure functions over panels; any thread.
 #pragma once
 #include "hmi/model/panel.h"
 
@@ -33,7 +33,7 @@ Arguments completed(const std::vector<Parameter>& parameters, Arguments given);
 
 /// `$name` in an ST expression, in order, outside of its texts.
 QStringList parameterNames(const QString& expression);
-/// The expression with its parameters replaced; empty where one of them stands for nothing.
+/// The expression with its parameters replaced; empty where one of them is given nothing.
 QString withArguments(const QString& expression, const Arguments& arguments);
 /// The same in a text, a colour, a name of a file…: the argument takes the place as it is written.
 QString textWithArguments(const QString& text, const Arguments& arguments);
@@ -42,9 +42,12 @@ Json substituted(const ElementDescriptor& descriptor, const Json& fields, const 
 /// The panel as it is shown with these arguments.
 Panel withArguments(const Panel& panel, const Arguments& arguments);
 
-/// What a faceplate shows at its place, in drawing order, what lies in nested ones included. Ids begin with the
+/// What a faceplate shows at its place, in drawing order, what is in nested ones included. Ids begin with the
 /// faceplate's ("valve3/lamp1"), places are those in the faceplate's panel.
 std::vector<Element> contentsOf(const Element& faceplate, const PanelLookup& panels);
+/// The same for an element that is given its panel and arguments: the area of a frame.
+std::vector<Element> contentsOf(const Element& area, const QString& panel, const Arguments& arguments,
+                                const PanelLookup& panels);
 /// The panel places `name`, itself or through others.
 bool placesPanel(const Panel& panel, const QString& name, const PanelLookup& panels);
 

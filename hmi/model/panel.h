@@ -66,7 +66,9 @@ public:
     QRectF rect() const { return Properties::rect("rect"); }
     bool isContainer() const { return kind() == ElementKind::Group || kind() == ElementKind::Tab; }
     /// What is drawn in it moves and hides with it.
-    bool hasContents() const { return isContainer() || kind() == ElementKind::Faceplate; }
+    bool hasContents() const { return isContainer() || showsPanel(); }
+    /// Another panel is drawn in it.
+    bool showsPanel() const { return kind() == ElementKind::Faceplate || kind() == ElementKind::PanelArea; }
 };
 
 class Panel : public Properties {

@@ -1,5 +1,7 @@
 #include "hmi/player/keypad.h"
 
+#include "hmi/player/keypad_letters.h"
+
 #include <QGridLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -80,21 +82,6 @@ bool Overlay::eventFilter(QObject* watched, QEvent* event) {
 }
 
 // ---- keypad
-
-namespace {
-
-QString moreLetters(const QString& tag) {
-    const struct {
-        const char *language, *letters;
-    } rows[] = {{"de", "äöüß"},       {"da", "æøå"},     {"nb", "æøå"},        {"sv", "åäö"},    {"fi", "åäö"},
-                {"fr", "éèêàâçùûîô"}, {"es", "ñáéíóúü"}, {"pt", "ãõáéíóúâêç"}, {"it", "àèéìòù"}, {"nl", "éëïóö"}};
-    for (const auto& row : rows)
-        if (tag.section(u'-', 0, 0).compare(QLatin1String(row.language), Qt::CaseInsensitive) == 0)
-            return QString::fromUtf8(row.letters);
-    return {};
-}
-
-} // namespace
 
 Keypad::Keypad(const EntryRequest& request, const OverlayLook& look, QWidget* parent)
     : Overlay(look, parent), m_request(request) {
@@ -184,26 +171,13 @@ void Keypad::addNumberKeys(QGridLayout* grid) {
 }
 
 void Keypad::addLetterKeys(QGridLayout* grid) {
-    const char* const rows[] = {"1234567890", "qwertyuiop", "asdfghjkl-", "zxcvbnm_./"};
-    for (int row = 0; row < 4; ++row)
-        for (int column = 0; column < 10; ++column) {
-            auto* button = key(QString(QLatin1Char(rows[row][column])));
-            if (row > 0) m_letters.push_back(button);
-            connect(button, &QPushButton::clicked, this, [this, button] { type(button->text()); });
-            grid->addWidget(button, row, column);
-        }
-    // Letters of the language that the Latin rows do not have.
-    const QString more = moreLetters(m_look.tag);
-    int below = 4;
-    if (!more.isEmpty()) {
-        for (int column = 0; column < more.size(); ++column) {
-            auto* button = key(QString(more[column]));
-            m_letters.push_back(button);
-            connect(button, &QPushButton::clicked, this, [this, button] { type(button->text()); });
-            grid->addWidget(button, below, column);
-        }
-        ++below;
-    }
+    // Letters of the language that the Latin rows do not have come below them.
+    const QStringList latin{QStringLiteral("1234567890"), QStringLiteral("qwertyuiop"), QStringLiteral("asdfghjkl-"),
+                            QStringLiteral("zxcvbnm_./"), moreLetters(m_look.tag)};
+    const QStringList own = letterRows(m_look.tag);
+    for (int row = 0; row < latin.size(); ++row) addKeys(grid, row, latin[row], own.isEmpty() || row == 0);
+    for (int row = 0; row < own.size(); ++row) addKeys(grid, row + 1, own[row], true);
+    constexpr int below = 5;
     auto* shift = key(QStringLiteral("⇧"));
     connect(shift, &QPushButton::clicked, this, [this] {
         m_shift = !m_shift;
@@ -216,9 +190,30 @@ void Keypad::addLetterKeys(QGridLayout* grid) {
     auto* back = key(QStringLiteral("⌫"));
     connect(back, &QPushButton::clicked, this, [this] { type(QStringLiteral("⌫")); });
     grid->addWidget(shift, below, 0, 1, 2);
-    grid->addWidget(space, below, 2, 1, 6);
+    grid->addWidget(space, below, 2, 1, own.isEmpty() ? 6 : 4);
+    if (!own.isEmpty()) {
+        auto* script = key(QStringLiteral("ABC"));
+        script->setObjectName(QStringLiteral("script"));
+        connect(script, &QPushButton::clicked, this, [this, script, name = own[1].left(3)] {
+            for (QPushButton* letter : m_letters) letter->setVisible(letter->isHidden());
+            script->setText(script->text() == QStringLiteral("ABC") ? name : QStringLiteral("ABC"));
+        });
+        grid->addWidget(script, below, 6, 1, 2);
+    }
     grid->addWidget(back, below, 8, 1, 2);
     addCommands(grid, below + 1, 10);
+}
+
+void Keypad::addKeys(QGridLayout* grid, int row, const QString& letters, bool isShown) {
+    for (int column = 0; column < letters.size(); ++column) {
+        auto* button = key(QString(letters[column]));
+        if (row > 0) {
+            m_letters.push_back(button);
+            button->setVisible(isShown);
+        }
+        connect(button, &QPushButton::clicked, this, [this, button] { type(button->text()); });
+        grid->addWidget(button, row, column);
+    }
 }
 
 QString Keypad::entered() const { return m_edit->text(); }

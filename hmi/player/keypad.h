@@ -64,6 +64,7 @@ protected:
 private:
     void addNumberKeys(QGridLayout* grid);
     void addLetterKeys(QGridLayout* grid);
+    void addKeys(QGridLayout* grid, int row, const QString& letters, bool isShown);
     void addCommands(QGridLayout* grid, int row, int columns);
     void complain(const QString& text);
     std::optional<double> number() const;

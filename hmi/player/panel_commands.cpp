@@ -3,6 +3,7 @@
 
 #include "hmi/model/errors.h"
 #include "hmi/player/panel_player.h"
+#include "hmi/player/recipe_transfer.h"
 
 #include <QApplication>
 #include <QCryptographicHash>
@@ -40,6 +41,7 @@ QImage renderPanel(const PanelProject& project, session::Session* session, const
     scene.setAlarms(&alarms);
     scene.setLanguage(language);
     scene.setFaceplates(project.panelLookup());
+    scene.setRecipes(&project.recipes);
     scene.setPanel(panel);
     scene.setValues(values.get());
     return scene.picture(scale);
@@ -83,6 +85,16 @@ std::vector<Finding> checkPanels(const PanelProject& project, const driver::Chec
         out.push_back(
             {FindingKind::UnknownKind, true, QString::fromStdString(problem.place), 0, {}, {}, {}, problem.message});
     for (Finding& finding : checkPanels(input)) out.push_back(std::move(finding));
+    if (checked.analysis)
+        for (RecipeFinding& one : checkRecipes(project.recipes, checked))
+            out.push_back({FindingKind::WrongRecipe,
+                           true,
+                           project.placeOf(project.recipesPath()),
+                           0,
+                           one.recipe,
+                           one.variable,
+                           {},
+                           std::move(one.message)});
     if (const QString variable = project.texts.settings().variable; !variable.isEmpty() && input.checkBinding) {
         Message complaint = checkBinding(checked, variable, "any", true);
         if (!complaint.isEmpty())
@@ -112,6 +124,7 @@ int playPanels(const PanelProject& project, session::Session& session, const QSt
     }
     player.setWindowTitle(project.texts.text(player.scene().panel().text("title"), player.language()));
     session.startThread(session::RunMode{session::Pace::Real, 1.0});
+    player.keepLanguageInProject();
     if (fullScreen)
         player.showFullScreen();
     else

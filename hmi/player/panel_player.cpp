@@ -3,7 +3,10 @@
 
 #include "editor/kit/post.h"
 #include "hmi/player/player_status.h"
+#include "hmi/player/pop_up.h"
+#include "projects/storage/project_file.h"
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QKeyEvent>
 #include <QLayout>
@@ -12,22 +15,36 @@
 
 namespace plc::hmi {
 
+namespace {
+QString languageFileOf(const PanelProject& project) {
+    return project.folder + QStringLiteral("/.stepwise/operator_language");
+}
+} // namespace
+
 PanelPlayer::PanelPlayer(const PanelProject& project, session::Session* session, QWidget* parent)
-    : QWidget(parent), m_project(project), m_session(nullptr), m_view(new PanelView(this)),
-      m_status(new PlayerStatus(this)) {
+    : QWidget(parent), m_project(project), m_session(nullptr), m_navigation(project.panelLookup()),
+      m_logIn(project.people), m_view(new PanelView(this)), m_status(new PlayerStatus(this)) {
     setFocusPolicy(Qt::StrongFocus);
     m_alarms.setFile(project.alarms);
     m_alarmFile = project.alarms.write();
     if (project.hasAlarms) (void)m_alarms.openStore(QStringLiteral(":memory:"));
-    connectScene();
+    connectScene(scene());
+    connect(&m_navigation, &Navigation::panelChanged, this, &PanelPlayer::showCurrent);
+    connect(&m_navigation, &Navigation::popUpsChanged, this, &PanelPlayer::syncPopUps);
+    if (!project.people.isEmpty() && !project.folder.isEmpty())
+        if (const auto kept = keepAuditIn(project.folder + QStringLiteral("/.stepwise/audit.csv")); !kept)
+            m_refusal = kit::messageText(kept.error());
+    if (project.people.timeout() > 0) QCoreApplication::instance()->installEventFilter(this);
     scene().setFolder(project.folder);
     scene().setPicturesOutside(project.picturesOutside);
     scene().setFaceplates(project.panelLookup());
+    m_recipes = project.recipes;
+    scene().setRecipes(&m_recipes);
     scene().setTexts(&project.texts);
     scene().setAlarms(&m_alarms);
     scene().setLanguage(project.texts.settings().languages.value(0, QStringLiteral("en")));
     setSession(session);
-    if (!project.startPanel.isEmpty()) showPanel(project.startPanel);
+    if (!project.startPanel.isEmpty()) m_navigation.start({project.startPanel, {}});
     m_timer.setInterval(33);
     connect(&m_timer, &QTimer::timeout, this, &PanelPlayer::frame);
     m_timer.start();
@@ -36,55 +53,15 @@ PanelPlayer::PanelPlayer(const PanelProject& project, session::Session* session,
 
 PanelPlayer::~PanelPlayer() {
     // A button that is down must not stay down because the window was closed.
+    while (m_navigation.closePopUp()) {
+    }
     if (scene().pressedView()) scene().release(QPointF(-1e6, -1e6));
     scene().setValues(nullptr);
 }
 
-void PanelPlayer::connectScene() {
-    const auto look = [this] { return OverlayLook{&scene().theme(), &m_project.texts, language()}; };
-    connect(&scene(), &PanelScene::writeRequested, this, [this](const WriteRequest& write) { post(write); });
-    connect(&scene(), &PanelScene::confirmRequested, this, [this, look](const ConfirmRequest& confirm) {
-        if (refusesLocked()) return;
-        auto* question = new Question(confirm, look(), this);
-        connect(question, &Question::confirmed, this, [this](const WriteRequest& write) {
-            post(write);
-            if (write.kind == WriteKind::Press)
-                post(WriteRequest{write.element, write.target, WriteKind::Release, write.released, write.released});
-        });
-    });
-    connect(&scene(), &PanelScene::entryRequested, this, [this, look](const EntryRequest& entry) {
-        if (refusesLocked()) return;
-        auto* keypad = new Keypad(entry, look(), this);
-        connect(keypad, &Keypad::accepted, this, [this](const EntryRequest& request, const Value& value) {
-            post(WriteRequest{request.element, request.target, WriteKind::Write, value, {}});
-        });
-    });
-    connect(&scene(), &PanelScene::choiceRequested, this, [this, look](const ChoiceRequest& choice) {
-        if (!choice.isLanguage && refusesLocked()) return;
-        auto* list = new ChoiceList(choice, look(), this);
-        connect(list, &ChoiceList::chosen, this, [this](const ChoiceRequest& request, int index) {
-            const Value& value = request.values[static_cast<size_t>(index)];
-            if (request.isLanguage)
-                requestLanguage(value.text());
-            else
-                post(WriteRequest{request.element, request.target, WriteKind::Write, value, {}});
-        });
-    });
-    connect(&scene(), &PanelScene::acknowledgeRequested, this, [this](const AcknowledgeRequest& acknowledge) {
-        if (m_recording) return refuse(systemText(m_project.texts, SystemText::InThePast, language()));
-        AlarmWatch* const watch = alarmWatch();
-        if (!watch || refusesLocked()) return;
-        if (acknowledge.all)
-            watch->acknowledgeAll(acknowledge.classes);
-        else
-            watch->acknowledge(acknowledge.alarm);
-    });
-    connect(&scene(), &PanelScene::panelRequested, this,
-            [this](const QString& name) { kit::post(this, [this, name] { showPanel(name); }); });
-    connect(&scene(), &PanelScene::languageRequested, this, &PanelPlayer::requestLanguage);
-}
-
 void PanelPlayer::setSession(session::Session* session) {
+    while (m_navigation.closePopUp()) { // they show values of the controller that goes
+    }
     scene().setValues(nullptr);
     m_watch.reset();
     m_values.reset();
@@ -118,18 +95,22 @@ QString PanelPlayer::alarmStoreOf(const PanelProject& project) {
 }
 
 Result<void> PanelPlayer::keepAlarmsInProject() {
-    QDir().mkpath(m_project.folder + QStringLiteral("/.stepwise"));
+    const QString folder = m_project.folder + QStringLiteral("/.stepwise");
+    QDir().mkpath(folder);
+    if (const auto aside = m_alarms.keepAsideIn(folder + QStringLiteral("/alarms_aside.json")); !aside)
+        refuse(kit::messageText(aside.error(), language()));
     return m_alarms.openStore(alarmStoreOf(m_project));
 }
 
 bool PanelPlayer::showPanel(const QString& name) {
-    const NamedPanel* panel = m_project.find(name);
-    if (!panel) return false;
-    showPanel(name, panel->panel);
-    return true;
+    if (!m_project.find(name)) return false;
+    if (m_navigation.current().panel == name && m_panelName == name) showCurrent(); // as it is now
+    return m_navigation.open({name, {}});
 }
 
 void PanelPlayer::showPanel(const QString& name, const Panel& panel) {
+    m_showsFrame = false;
+    scene().setCurrentPanel(name);
     scene().setPanel(withArguments(panel, argumentsFor(panel)));
     m_shown = shownState();
     const bool isNew = std::exchange(m_panelName, name) != name;
@@ -159,6 +140,15 @@ std::string PanelPlayer::shownState() const {
             add(*placed);
         }
     };
+    if (const NamedPanel* now = m_project.find(m_panelName)) {
+        out += now->panel.write();
+        add(now->panel);
+    }
+    if (m_showsFrame)
+        if (const NamedPanel* frame = m_project.find(m_project.frame)) {
+            out += frame->panel.write();
+            add(frame->panel);
+        }
     add(scene().panel());
     return out;
 }
@@ -166,9 +156,9 @@ std::string PanelPlayer::shownState() const {
 void PanelPlayer::projectChanged() {
     scene().setTexts(&m_project.texts);
     // What is edited in a designer is seen here, too, as is a faceplate that this panel places.
-    if (const NamedPanel* now = m_project.find(m_panelName)) {
-        const Panel panel = withArguments(now->panel, argumentsFor(now->panel));
-        if (panel.write() != scene().panel().write() || shownState() != m_shown) showPanel(m_panelName, now->panel);
+    if (m_navigation.current().panel == m_panelName && m_project.find(m_panelName)) {
+        const std::string before = m_shown;
+        if (shownState() != before) showCurrent();
     }
     if (m_project.alarms.write() != m_alarmFile) {
         m_watch.reset();
@@ -184,13 +174,30 @@ void PanelPlayer::projectChanged() {
 void PanelPlayer::setLanguage(const QString& tag) {
     if (tag.isEmpty() || tag == language()) return;
     scene().setLanguage(tag);
+    for (PopUp* popUp : popUps()) popUp->scene().setLanguage(tag);
     updateStatus();
     emit languageChanged(tag);
+}
+
+/// What an operator chose stays chosen when the panel is started again.
+void PanelPlayer::rememberLanguage(const QString& tag) const {
+    if (!m_remembersLanguage || m_project.folder.isEmpty()) return;
+    QDir().mkpath(m_project.folder + QStringLiteral("/.stepwise"));
+    // A folder that cannot be written forgets; the panel works all the same.
+    (void)projects::writeFileAtomically(toUtf8(languageFileOf(m_project)), toUtf8(tag) + "\n");
+}
+
+void PanelPlayer::keepLanguageInProject() {
+    m_remembersLanguage = true;
+    const auto text = projects::readFile(toUtf8(languageFileOf(m_project)));
+    const QString tag = text ? QString::fromStdString(*text).trimmed() : QString();
+    if (m_project.texts.settings().languages.contains(tag)) requestLanguage(tag);
 }
 
 void PanelPlayer::requestLanguage(const QString& tag) {
     if (!m_project.texts.settings().languages.contains(tag)) return;
     setLanguage(tag);
+    rememberLanguage(tag);
     // The program reads the language; until it has it, its older value must not switch back.
     if (!m_values || !m_languageBinding.isValid() || m_hasOwnLanguage) return;
     const ValueKind kind = m_values->facts(m_languageBinding).kind;
@@ -279,7 +286,7 @@ void PanelPlayer::evaluateRecorded() {
     if (!more) m_recordedEvaluator.reset();
 }
 
-QString PanelPlayer::post(const WriteRequest& write) {
+QString PanelPlayer::post(const WriteRequest& write, const QString& comment) {
     const auto say = [&](SystemText text) { return systemText(m_project.texts, text, language()); };
     const auto no = [&](const QString& reason) {
         refuse(reason);
@@ -294,6 +301,9 @@ QString PanelPlayer::post(const WriteRequest& write) {
         return {};
     }
     if (m_values->position()) return no(say(SystemText::InThePast));
+    const PanelScene* shownIn = nullptr;
+    if (const ElementView* view = viewOf(write.element, &shownIn); view && !shownIn->isAllowed(*view))
+        return no(say(SystemText::OnlyFor).arg(titlesOf(shownIn->rolesFor(*view))));
     const controller::State state = m_session->status().state;
     if (state == controller::State::Stopped || state == controller::State::Fault)
         return no(say(SystemText::NotRunning));
@@ -308,7 +318,12 @@ QString PanelPlayer::post(const WriteRequest& write) {
     if (!value)
         return no(whyNot(factsOf(target->types(), target->type(), true), write.value,
                          kit::messageText(value.error().message, language())));
-    const std::string origin = "panel " + m_panelName.toStdString() + ", " + write.element.toStdString(); // journal
+    const QString from = m_panelName + QStringLiteral(", ") + write.element;
+    std::string origin = "panel " + from.toStdString(); // journal
+    if (m_logIn.isLoggedIn()) origin += ", user " + m_logIn.user().toStdString();
+    const BindingId before = m_values->bind(write.target);
+    record(QStringLiteral("write"), write.target, m_values->value(before).toLiteral(), write.value.toLiteral(), from,
+           comment);
     if (write.kind == WriteKind::Write) {
         m_session->write(path, *value, origin);
         return {};
@@ -392,6 +407,12 @@ void PanelPlayer::frame() {
         if (m_session && !m_station) // taken once, by who keeps what all share
             for (const Error& refusal : m_session->takeRefusals()) refuse(kit::messageText(refusal, language()));
     }
+    if (m_logIn.expire(std::chrono::steady_clock::now())) {
+        record(QStringLiteral("log out"), {}, {}, {}, {}, QStringLiteral("timeout"));
+        userChanged();
+    }
+    for (const QString& alarm : m_alarms.expire(QDateTime::currentDateTimeUtc()))
+        record(QStringLiteral("alarm back"), alarm, {}, {}, {}, QStringLiteral("time is over"));
     updateStatus();
     if (!m_refusal.isEmpty() && m_refusalAge.isValid() && m_refusalAge.elapsed() > 4000) {
         m_refusal.clear();
@@ -427,9 +448,21 @@ void PanelPlayer::placeView() {
 }
 
 void PanelPlayer::resizeEvent(QResizeEvent*) {
+    const bool isPortrait = height() > width();
+    const bool hasTurned = std::exchange(m_isPortrait, isPortrait) != isPortrait;
+    if (hasTurned && m_navigation.current().panel == m_panelName && !m_panelName.isEmpty()) showCurrent();
     placeView();
     m_status->setGeometry(rect());
     m_status->raise();
+}
+
+/// Whoever touches the panel, or what lies over it, is still there.
+bool PanelPlayer::eventFilter(QObject* watched, QEvent* event) {
+    const QEvent::Type type = event->type();
+    if (type == QEvent::MouseButtonPress || type == QEvent::KeyPress || type == QEvent::TouchBegin)
+        if (auto* widget = qobject_cast<QWidget*>(watched); widget && (widget == this || isAncestorOf(widget)))
+            m_logIn.touched(std::chrono::steady_clock::now());
+    return QWidget::eventFilter(watched, event);
 }
 
 void PanelPlayer::keyPressEvent(QKeyEvent* event) {

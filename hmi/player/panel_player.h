@@ -2,7 +2,10 @@
 // and what the controller's state means for what is seen. A widget for a dock or full screen, also used for pictures.
 // The project and the session must outlive it; main thread.
 #pragma once
+#include "hmi/people/audit_trail.h"
+#include "hmi/people/log_in.h"
 #include "hmi/player/alarm_evaluator.h"
+#include "hmi/player/navigation.h"
 #include "hmi/player/panel_project.h"
 #include "hmi/player/plc_values.h"
 #include "hmi/view/panel_view.h"
@@ -12,7 +15,10 @@
 namespace plc::hmi {
 
 class Overlay;
+struct OverlayLook;
+enum class AlarmAction;
 class PlayerStatus;
+class PopUp;
 
 class PanelPlayer final : public QWidget {
     Q_OBJECT
@@ -22,6 +28,19 @@ public:
 
     bool showPanel(const QString& name);
     QString panelName() const { return m_panelName; }
+    /// Where the operator is: the way back, pop-ups.
+    Navigation& navigation() { return m_navigation; }
+    /// The panels over the present one, the last on top.
+    std::vector<PopUp*> popUps() const;
+    /// The recipes as they are edited here; saved after each change.
+    const RecipeFile& recipes() const { return m_recipes; }
+    // People: who operates, and the trail of what they did.
+    const LogIn& people() const { return m_logIn; }
+    LogIn::Answer logIn(const QString& user, const QString& password);
+    void logOut(const QString& why = {});
+    /// Goes on with the audit trail in this file.
+    Result<void> keepAuditIn(const QString& path) { return m_audit.open(path); }
+
     /// The panel that is edited, while the designer shows it live.
     void showPanel(const QString& name, const Panel& panel);
     void follow(const Panel& panel, const Touched& touched);
@@ -51,6 +70,8 @@ public:
     /// The same in `.stepwise` of the project's folder, where the studio and `stepwise panel --play` both look.
     Result<void> keepAlarmsInProject();
     static QString alarmStoreOf(const PanelProject& project);
+    /// The language that the operator chose last, also in a later run.
+    void keepLanguageInProject();
 
     PanelView& view() { return *m_view; }
     PanelScene& scene() { return m_view->scene(); }
@@ -70,7 +91,7 @@ public:
     QString lastRefusal() const { return m_refusal; }
 
     /// Posts a write as a press on the panel would; the answer says why it was refused, or nothing.
-    QString post(const WriteRequest& write);
+    QString post(const WriteRequest& write, const QString& comment = {});
 
 signals:
     void languageChanged(const QString& tag);
@@ -81,10 +102,40 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void showEvent(QShowEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    void connectScene();
+    void connectScene(PanelScene& scene);
+    OverlayLook look();
+    void showCurrent();
+    QString onThisScreen(const QString& panel) const;
+    void syncPopUps();
+    /// A write that a person has asked for: questions first where the element is critical.
+    void submit(const WriteRequest& write);
+    void confirm(const ConfirmRequest& request);
+    void confirmed(const WriteRequest& write, const QString& comment);
+    void askForSignature(const WriteRequest& write);
+    void answerAccess(const AccessRequest& request);
+    void answerAlarm(const AlarmDetailRequest& request);
+    void act(AlarmAction action, const QString& alarm);
+    void answerRecipe(const RecipeRequest& request, PanelScene& scene);
+    void chooseSet(const RecipeRequest& request, PanelScene& scene);
+    void editValue(const RecipeRequest& request);
+    void writeSet(const RecipeRequest& request);
+    void readSet(const RecipeRequest& request);
+    void changeSets(const RecipeRequest& request, PanelScene& scene);
+    /// Saves; a change that cannot be saved is taken back.
+    bool keepRecipes(RecipeFile changed);
+    void askForPassword(const QString& user);
+    void userChanged();
+    QString passwordRefusal(LogIn::Answer answer) const;
+    QString titlesOf(const QString& roles) const;
+    const ElementView* viewOf(const ElementId& element, const PanelScene** scene = nullptr) const;
+    void record(const QString& action, const QString& what, const QString& from, const QString& to,
+                const QString& place, const QString& comment = {});
     void requestLanguage(const QString& tag);
+    void rememberLanguage(const QString& tag) const;
+    bool m_remembersLanguage = false;
     void followLanguageVariable();
     void updateStatus();
     void placeView(); // below the strip that tells the state: it covers nothing
@@ -97,7 +148,12 @@ private:
     struct Look;
     const PanelProject& m_project;
     session::Session* m_session;
+    Navigation m_navigation;
+    LogIn m_logIn;
+    AuditTrail m_audit;
+    RecipeFile m_recipes;
     Arguments m_arguments;
+    bool m_isPortrait = false, m_showsFrame = false;
     std::string m_shown;
     std::string m_alarmFile; // what the watch was made of
     std::unique_ptr<PlcValues> m_values;

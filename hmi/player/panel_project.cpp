@@ -30,6 +30,18 @@ CheckInput PanelProject::checkInput() const {
     input.hasAlarms = hasAlarms;
     input.folder = folder;
     input.picturesOutside = picturesOutside;
+    input.frame = frame;
+    for (const Role& role : people.roles()) input.roles += role.name;
+    for (const Recipe& recipe : recipes.recipes()) {
+        if (isTextKey(recipe.title)) input.keysUsedElsewhere += keyOf(recipe.title);
+        for (const RecipeVariable& one : recipe.variables)
+            if (isTextKey(one.title)) input.keysUsedElsewhere += keyOf(one.title);
+    }
+    for (const Role& role : people.roles())
+        if (isTextKey(role.title)) input.keysUsedElsewhere += keyOf(role.title);
+    input.hasPeople = !people.isEmpty();
+    for (const Role& role : people.roles()) input.startPanels += role.startPanel;
+    for (const User& user : people.users()) input.startPanels += user.startPanel;
     return input;
 }
 
@@ -37,6 +49,8 @@ QString PanelProject::panelPath(const QString& name) const {
     return QDir(folder).filePath(QStringLiteral("hmi/%1.panel.json").arg(name));
 }
 QString PanelProject::textsPath() const { return QDir(folder).filePath(QStringLiteral("hmi/texts.csv")); }
+QString PanelProject::recipesPath() const { return QDir(folder).filePath(QStringLiteral("hmi/recipes.json")); }
+QString PanelProject::peoplePath() const { return QDir(folder).filePath(QStringLiteral("hmi/people.json")); }
 QString PanelProject::alarmsPath() const { return QDir(folder).filePath(QStringLiteral("hmi/alarms.json")); }
 
 QString PanelProject::placeOf(const QString& path) const { return QDir(folder).relativeFilePath(path); }
@@ -98,6 +112,27 @@ bool PanelProject::readAlarms() {
     });
 }
 
+bool PanelProject::readRecipes() {
+    return readInto(*this, recipesPath(), [&](const std::string& bytes, const QString& place) -> Result<void> {
+        auto parsed = RecipeFile::parse(bytes, place);
+        if (!parsed) return parsed.error();
+        recipes = std::move(*parsed);
+        return {};
+    });
+}
+
+bool PanelProject::readPeople() {
+    const bool isGood =
+        readInto(*this, peoplePath(), [&](const std::string& bytes, const QString& place) -> Result<void> {
+            auto parsed = PeopleFile::parse(bytes, place);
+            if (!parsed) return parsed.error();
+            people = std::move(*parsed);
+            return {};
+        });
+    if (!isGood) people = PeopleFile::nobody();
+    return isGood;
+}
+
 QStringList panelsOnDisk(const QString& folder) {
     QStringList out;
     for (const QString& file :
@@ -113,6 +148,8 @@ PanelProject loadPanelProject(const projects::Project& project) {
     if (const auto hmi = project.json.find("hmi"); hmi != project.json.end()) {
         settings = LanguageSettings::fromJson(*hmi);
         out.picturesOutside = hmi->is_object() && hmi->contains("picturesOutside") && (*hmi)["picturesOutside"] == true;
+        if (const auto frame = hmi->find("frame"); hmi->is_object() && frame != hmi->end() && frame->is_string())
+            out.frame = QString::fromStdString(frame->get<std::string>());
     }
     out.startPanel = QString::fromStdString(project.startPanel);
     TextTable empty;
@@ -120,12 +157,15 @@ PanelProject loadPanelProject(const projects::Project& project) {
     out.texts = TextCatalog(std::move(empty), std::move(settings));
     if (QFileInfo::exists(out.textsPath())) out.readTexts();
     if (QFileInfo::exists(out.alarmsPath())) out.readAlarms();
+    if (QFileInfo::exists(out.peoplePath())) out.readPeople();
+    if (QFileInfo::exists(out.recipesPath())) out.readRecipes();
     for (const QString& name : panelsOnDisk(out.folder)) out.readPanel(name);
     if (out.startPanel.endsWith(QStringLiteral(".panel.json"))) out.startPanel.chop(11);
     if (out.find(out.startPanel)) return out;
     out.startPanel.clear();
     for (const NamedPanel& panel : out.panels) // a faceplate shows nothing by itself
-        if (out.startPanel.isEmpty() && parametersOf(panel.panel).empty()) out.startPanel = panel.name;
+        if (out.startPanel.isEmpty() && parametersOf(panel.panel).empty() && panel.name != out.frame)
+            out.startPanel = panel.name;
     if (out.startPanel.isEmpty() && !out.panels.empty()) out.startPanel = out.panels.front().name;
     return out;
 }
@@ -143,6 +183,14 @@ Result<void> savePanel(const PanelProject& project, const NamedPanel& panel) {
 
 Result<void> saveTexts(const PanelProject& project) {
     return write(project, project.textsPath(), project.texts.table().write());
+}
+
+Result<void> saveRecipes(const PanelProject& project, const RecipeFile& recipes) {
+    return write(project, project.recipesPath(), recipes.write());
+}
+
+Result<void> savePeople(const PanelProject& project) {
+    return write(project, project.peoplePath(), project.people.write());
 }
 
 Result<void> saveAlarms(const PanelProject& project) {

@@ -2,7 +2,9 @@
 // designer and the command line. A value, main thread.
 #pragma once
 #include "hmi/alarms/alarm_file.h"
+#include "hmi/people/people_file.h"
 #include "hmi/player/disk_state.h"
+#include "hmi/recipes/recipe_file.h"
 #include "hmi/texts/catalog.h"
 #include "hmi/view/panel_check.h"
 #include "projects/model/project.h"
@@ -18,6 +20,9 @@ struct PanelProject {
     std::vector<NamedPanel> panels; // by name
     TextCatalog texts;
     AlarmFile alarms;
+    QString frame; // the panel around the others: header, footer, navigation; empty: none
+    PeopleFile people;
+    RecipeFile recipes;
     bool hasTexts = false, hasAlarms = false;
     std::vector<Error> problems; // what could not be read; the rest is there
     /// What the files held; null: nobody minds what is written over.
@@ -32,6 +37,8 @@ struct PanelProject {
     QString panelPath(const QString& name) const;
     QString textsPath() const;
     QString alarmsPath() const;
+    QString peoplePath() const;
+    QString recipesPath() const;
     /// The place of a file in findings: "hmi/main.panel.json".
     QString placeOf(const QString& path) const;
 
@@ -40,6 +47,9 @@ struct PanelProject {
     bool readPanel(const QString& name);
     bool readTexts();
     bool readAlarms();
+    /// What could not be understood gives nobody a right.
+    bool readPeople();
+    bool readRecipes();
 };
 
 /// The panels in the folder, by name.
@@ -49,5 +59,7 @@ PanelProject loadPanelProject(const projects::Project& project);
 Result<void> savePanel(const PanelProject& project, const NamedPanel& panel);
 Result<void> saveTexts(const PanelProject& project);
 Result<void> saveAlarms(const PanelProject& project);
+Result<void> savePeople(const PanelProject& project);
+Result<void> saveRecipes(const PanelProject& project, const RecipeFile& recipes);
 
 } // namespace plc::hmi

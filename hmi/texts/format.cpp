@@ -69,6 +69,19 @@ QString numberText(const Value& value, const NumberFormat& format, QLocale local
     return pad(digits, format);
 }
 
+/// TRUE and FALSE as the operator says them.
+QString truth(bool isTrue, const QLocale& locale) {
+    const struct {
+        QLocale::Language language;
+        const char *yes, *no;
+    } words[] = {{QLocale::German, "WAHR", "FALSCH"},      {QLocale::Danish, "SAND", "FALSK"},
+                 {QLocale::Spanish, "VERDADERO", "FALSO"}, {QLocale::French, "VRAI", "FAUX"},
+                 {QLocale::Arabic, "صحيح", "خطأ"},         {QLocale::Chinese, "真", "假"}};
+    for (const auto& word : words)
+        if (word.language == locale.language()) return QString::fromUtf8(isTrue ? word.yes : word.no);
+    return isTrue ? QStringLiteral("TRUE") : QStringLiteral("FALSE");
+}
+
 QDateTime dateTimeOf(qint64 nanoseconds) {
     return QDateTime::fromMSecsSinceEpoch(static_cast<qint64>(std::floor(static_cast<double>(nanoseconds) / 1e6)),
                                           Qt::UTC);
@@ -123,7 +136,7 @@ QString formatValue(const Value& value, const QString& format, const QLocale& lo
     case ValueKind::Text:
         return parsed ? parsed->before + pad(value.text(), {{}, {}, 's', parsed->width}) + parsed->after : value.text();
     case ValueKind::Bool:
-        return parsed && parsed->conversion == 'd' ? QString::number(value.toInteger()) : value.toLiteral();
+        return parsed && parsed->conversion == 'd' ? QString::number(value.toInteger()) : truth(value.toBool(), locale);
     case ValueKind::Time:
         if (parsed && parsed->conversion != 's')
             return parsed->before + numberText(value, *parsed, locale) + parsed->after;

@@ -35,6 +35,26 @@ constexpr UnitPair kUnits[] = {
     {"Nm", "lbf·ft", 0.7375621493, 0},
 };
 
+/// Units that are words, in the languages of the panel's own texts; the others are the same everywhere.
+struct UnitWord {
+    const char *unit, *language, *word;
+};
+constexpr UnitWord kUnitWords[] = {
+    {"pcs", "de", "Stk"},    {"pcs", "da", "stk"},    {"pcs", "es", "uds"},   {"pcs", "fr", "pcs"},
+    {"pcs", "ar", "قطعة"},   {"pcs", "zh", "件"},     {"rpm", "de", "U/min"}, {"rpm", "da", "o/min"},
+    {"rpm", "fr", "tr/min"}, {"rpm", "ar", "دورة/د"}, {"rpm", "zh", "转/分"}, {"min", "ar", "د"},
+    {"min", "zh", "分钟"},   {"s", "ar", "ث"},        {"s", "zh", "秒"},      {"h", "ar", "س"},
+    {"h", "zh", "小时"},     {"h", "da", "t"},        {"d", "de", "Tage"},    {"d", "zh", "天"},
+};
+
+QString unitWord(const QString& tag, const QString& unit) {
+    const QString language = tag.section(u'-', 0, 0).toLower();
+    for (const UnitWord& one : kUnitWords)
+        if (unit == QLatin1String(one.unit) && language == QLatin1String(one.language))
+            return QString::fromUtf8(one.word);
+    return unit;
+}
+
 } // namespace
 
 LanguageSettings LanguageSettings::fromJson(const Json& project) {
@@ -80,13 +100,14 @@ UnitView LanguageSettings::unitFor(const QString& tag, const QString& unit) cons
         if (!shown.isEmpty()) break;
         if (one.compare(tag, Qt::CaseInsensitive) == 0 && !tag.contains(u'-')) break;
     }
-    if (shown.isEmpty() || shown == unit) return {unit};
+    if (shown.isEmpty()) return {unitWord(tag, unit)};
+    if (shown == unit) return {unit};
     for (const UnitPair& pair : kUnits) {
         const QString from = QString::fromUtf8(pair.from), to = QString::fromUtf8(pair.to);
         if (from == unit && to == shown) return {shown, pair.factor, pair.offset};
         if (to == unit && from == shown) return {shown, 1 / pair.factor, -pair.offset / pair.factor};
     }
-    return {unit};
+    return {shown}; // another word for the same unit
 }
 
 QStringList LanguageSettings::fontFamilies(const QString& tag) const {
@@ -149,6 +170,13 @@ Value LanguageSettings::valueOf(const QString& tag, ValueKind kind) const {
 QLocale localeOf(const QString& tag) {
     if (tag.compare(kPseudoTag, Qt::CaseInsensitive) == 0) return QLocale(QStringLiteral("en"));
     QLocale locale(tag);
+    // Arabic is written with two sets of digits; the tag chooses as BCP 47 says: ar-u-nu-latn, ar-u-nu-arab.
+    if (const qsizetype digits = tag.indexOf(QStringLiteral("-u-nu-"), 0, Qt::CaseInsensitive); digits > 0) {
+        locale = QLocale(tag.left(digits));
+        const bool isLatin = tag.mid(digits + 6).startsWith(QStringLiteral("latn"), Qt::CaseInsensitive);
+        if (locale.language() == QLocale::Arabic)
+            locale = QLocale(QLocale::Arabic, isLatin ? QLocale::UnitedArabEmirates : QLocale::Egypt);
+    }
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
     return locale;
 }
@@ -157,7 +185,7 @@ bool isRightToLeft(const QString& tag) { return localeOf(tag).textDirection() ==
 
 QString nativeName(const QString& tag) {
     if (tag.compare(kPseudoTag, Qt::CaseInsensitive) == 0) return pseudoText(QStringLiteral("Pseudo"));
-    const QLocale locale(tag);
+    const QLocale locale(tag.section(QStringLiteral("-u-"), 0, 0));
     // Without a region Qt names the variant of the largest country ("American English").
     if (!tag.contains(u'-')) {
         if (locale.language() == QLocale::English) return QStringLiteral("English");

@@ -27,7 +27,7 @@ enum class SystemText {
     Unacknowledged,
     Acknowledged,
     Returned,
-    Gone, // states of alarms
+    Gone,         // states of alarms
     UntilRestart, // neither gone nor acknowledged when the controller was started again
     Stopped,
     Paused,
@@ -45,6 +45,21 @@ enum class SystemText {
     NotRunning,
     InThePast,
     NotWritable,
+    Password,
+    WrongPassword,
+    TooManyTries,
+    OnlyFor,
+    ConfirmWrite, // "Write %2 to %1?"
+    Acknowledge,
+    ShowMe,
+    ShelveFor,
+    ShelvedUntil,
+    OutOfService,
+    PutBack,
+    AlarmsPerHour,
+    AlarmFloods,
+    StandingAlarms,
+    ChatteringAlarms,
 };
 
 QString systemText(const TextCatalog& texts, SystemText text, const QString& tag);

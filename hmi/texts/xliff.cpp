@@ -160,7 +160,7 @@ struct Writer {
     }
 };
 
-/// Reads the text of an element with its inline codes; the reader stands on its start.
+/// Reads the text of an element with its inline codes; the reader is at its start.
 QString inlineText(QXmlStreamReader& xml, const QMap<QString, QString>& data, int depth = 0) {
     QString out;
     if (depth > kDeepest) xml.raiseError(QStringLiteral("too many elements within each other"));

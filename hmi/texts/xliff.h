@@ -1,5 +1,5 @@
 // Texts for translators' tools: XLIFF 2.0 and 1.2, out of the text table and back into it. Placeholders are inline
-// codes, so that a tool keeps them; where a text is used stands in notes. Pure functions, any thread.
+// codes, so that a tool keeps them; notes say where a text is used. Pure functions, any thread.
 #pragma once
 #include "hmi/texts/text_table.h"
 

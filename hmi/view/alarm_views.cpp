@@ -92,6 +92,8 @@ std::vector<AlarmEntry> AlarmListView::entries() const {
     std::vector<AlarmEntry> all;
     if (isHistory())
         all = book->history(classes(), 500);
+    else if (isAside())
+        all = book->aside(classes());
     else
         all = scene().alarmPosition() ? book->presentAt(*scene().alarmPosition(), classes(), order())
                                       : book->present(classes(), order());
@@ -193,7 +195,7 @@ QRectF AlarmListView::mirrored(const QRectF& area) const {
 }
 
 QRectF AlarmListView::acknowledgeAllArea() const {
-    if (!hasKeys() || isHistory()) return {};
+    if (!hasKeys() || isHistory() || isAside()) return {};
     const double w = std::min(width() * 0.36, num("fontSize") * 11);
     return mirrored({width() - w - 4, 3, w, headHeight() - 6});
 }
@@ -243,8 +245,13 @@ void AlarmListView::drawRow(QPainter& painter, const AlarmEntry& entry, int row)
     painter.setPen(QPen(theme().color("faint"), 1));
     painter.drawLine(line.bottomLeft(), line.bottomRight());
     const double side = std::min(h * 0.5, 20.0);
-    drawPriority(painter, mirrored({(markWidth() - side) / 2, top + (h - side) / 2, side, side}), entry.priority, color,
+    const QRectF mark = mirrored({(markWidth() - side) / 2, top + (h - side) / 2, side, side});
+    drawPriority(painter, mark, entry.priority, color,
                  entry.state == AlarmState::Unacknowledged || entry.state == AlarmState::Acknowledged);
+    if (entry.isFirstOut) { // which of them all came first
+        painter.setPen(PanelTheme::inkOn(color));
+        drawText(painter, textBox(QStringLiteral("1"), mark, size * 0.8, TextAlign::Center, "", true));
+    }
     const bool isGone = entry.state == AlarmState::Returned || entry.state == AlarmState::Normal;
     const QRectF words = textArea(row);
     painter.setPen(theme().color("muted"));
@@ -260,8 +267,8 @@ void AlarmListView::drawRow(QPainter& painter, const AlarmEntry& entry, int row)
     painter.setPen(isGone ? theme().color("muted") : inkColor(theme().color("text")));
     drawText(painter,
              textBox(AlarmBook::render(entry, scene().texts(), tag()), words, size, TextAlign::Start, "", isOpen));
-    const bool canAcknowledge =
-        !isHistory() && hasKeys() && (isOpen || entry.state == AlarmState::Returned) && !scene().alarmPosition();
+    const bool canAcknowledge = !isHistory() && !isAside() && hasKeys() &&
+                                (isOpen || entry.state == AlarmState::Returned) && !scene().alarmPosition();
     if (!canAcknowledge) return;
     const QRectF key = acknowledgeArea(row).adjusted(2, 2, -2, -2);
     drawKey(painter, key, 4, theme().color("button"),
@@ -385,10 +392,10 @@ void AlarmListView::release(QPointF at, bool inside) {
     if (isHistory() || !hasKeys() || scene().alarmPosition()) return;
     const std::vector<AlarmEntry> all = entries();
     const int row = static_cast<int>((at.y() - headHeight()) / rowHeight());
-    if (at.y() < headHeight() || m_top + row >= static_cast<int>(all.size()) ||
-        !acknowledgeArea(row).adjusted(-8, -2, 8, 2).contains(at))
-        return;
+    if (at.y() < headHeight() || m_top + row >= static_cast<int>(all.size())) return;
     const AlarmEntry& entry = all[static_cast<size_t>(m_top + row)];
+    if (isAside() || !acknowledgeArea(row).adjusted(-8, -2, 8, 2).contains(at))
+        return scene().request(AlarmDetailRequest{element().id(), entry.alarm});
     if (entry.state == AlarmState::Unacknowledged || entry.state == AlarmState::Returned)
         scene().request(AcknowledgeRequest{false, entry.alarm, {}});
 }
@@ -440,6 +447,9 @@ void AlarmBannerView::draw(QPainter& painter) {
     if (all.empty()) {
         painter.setBrush(theme().color("surface"));
         painter.drawRoundedRect(box().adjusted(0.5, 0.5, -0.5, -0.5), 3, 3);
+        painter.setPen(theme().color("muted"));
+        drawText(painter, textBox(systemText(scene().texts(), SystemText::NoAlarms, tag()),
+                                  box().adjusted(12, 2, -12, -2), num("fontSize") * 0.9, TextAlign::Start, ""));
         return;
     }
     const AlarmEntry& first = all.front();

@@ -26,6 +26,7 @@ private:
     std::vector<AlarmEntry> entries() const;
     QStringList classes() const;
     bool isHistory() const { return text("shows") == QStringLiteral("history"); }
+    bool isAside() const { return text("shows") == QStringLiteral("aside"); }
     /// Keys to acknowledge, to sort and to filter by.
     bool hasKeys() const { return flag("buttons"); }
     AlarmOrder order() const;

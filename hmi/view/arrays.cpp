@@ -179,8 +179,13 @@ QRectF ArrayTableView::cell(int visibleRow, size_t column) const {
         if (i < column) before += m_columns[i].width;
     }
     const double room = width() - index - bar;
-    return {index + room * before / total, visibleRow < 0 ? 0 : headHeight() + visibleRow * rowHeight(),
-            room * m_columns[column].width / total, visibleRow < 0 ? headHeight() : rowHeight()};
+    return mirrored({index + room * before / total, visibleRow < 0 ? 0 : headHeight() + visibleRow * rowHeight(),
+                     room * m_columns[column].width / total, visibleRow < 0 ? headHeight() : rowHeight()});
+}
+
+/// Where people read from right to left, the first column is at the right.
+QRectF ArrayTableView::mirrored(const QRectF& area) const {
+    return isRightToLeft(tag()) ? QRectF(width() - area.right(), area.top(), area.width(), area.height()) : area;
 }
 
 TextBox ArrayTableView::header(size_t column, const QString& forTag) const {
@@ -213,8 +218,9 @@ void ArrayTableView::draw(QPainter& painter) {
         else if (i % 2)
             painter.fillRect(line, theme().color("surface").lighter(theme().isDark() ? 92 : 103));
         painter.setPen(isSelected ? PanelTheme::inkOn(theme().color("accent")) : theme().color("muted"));
-        drawText(painter, textBox(QString::number(first + m_top + i), QRectF(0, line.top(), num("fontSize") * 2.2, row),
-                                  num("fontSize") * 0.9, TextAlign::End, ""));
+        drawText(painter,
+                 textBox(QString::number(first + m_top + i), mirrored({0, line.top(), num("fontSize") * 2.2, row}),
+                         num("fontSize") * 0.9, TextAlign::End, ""));
         for (size_t column = 0; column < m_columns.size(); ++column) {
             const Value& held = value(m_cells[static_cast<size_t>(i)][column]);
             painter.setPen(isSelected ? PanelTheme::inkOn(theme().color("accent")) : inkColor(theme().color("text")));
@@ -225,7 +231,7 @@ void ArrayTableView::draw(QPainter& painter) {
     }
     for (size_t column = 0; column < m_columns.size(); ++column) {
         painter.setPen(QPen(theme().color("faint"), 1));
-        const double x = cell(-1, column).left();
+        const double x = isRightToLeft(tag()) ? cell(-1, column).right() : cell(-1, column).left();
         painter.drawLine(QPointF(x, 1),
                          QPointF(x, std::min(height() - 1, head + static_cast<double>(m_cells.size()) * row)));
         painter.setPen(theme().color("text"));
@@ -238,7 +244,8 @@ void ArrayTableView::draw(QPainter& painter) {
         painter.setPen(Qt::NoPen);
         painter.setBrush(theme().color("off"));
         painter.drawRoundedRect(
-            QRectF(width() - 8, head + 2 + (room - length) * m_top / std::max(1, count() - visibleRows()), 5, length),
+            mirrored(
+                {width() - 8, head + 2 + (room - length) * m_top / std::max(1, count() - visibleRows()), 5, length}),
             2.5, 2.5);
     }
     if (m_columns.empty()) drawSample(painter);

@@ -59,6 +59,7 @@ private:
     int visibleRows() const;
     int count() const { return std::max(0, element().integer("count")); }
     QRectF cell(int visibleRow, size_t column) const; // row -1 is the header
+    QRectF mirrored(const QRectF& area) const;
     TextBox header(size_t column, const QString& tag) const;
     QString contents(const Value& value, const Column& column) const;
     void scrollTo(int top);

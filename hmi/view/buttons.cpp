@@ -155,11 +155,24 @@ void ButtonView::perform() {
     case ButtonAction::Write:
         return put(value(m_write));
     case ButtonAction::Panel:
+        if (const Arguments arguments = argumentsOf(element().at("arguments")); !arguments.isEmpty())
+            return scene().request(NavigationRequest{NavigationKind::Open, text("panel"), arguments});
         return scene().requestPanel(text("panel"));
     case ButtonAction::Language:
         return scene().requestLanguage(text("tag"));
     case ButtonAction::Acknowledge:
         return scene().request(AcknowledgeRequest{});
+    case ButtonAction::PopUp:
+        return scene().request(
+            NavigationRequest{NavigationKind::PopUp, text("panel"), argumentsOf(element().at("arguments"))});
+    case ButtonAction::Close:
+        return scene().request(NavigationRequest{NavigationKind::Close, {}, {}});
+    case ButtonAction::Back:
+        return scene().request(NavigationRequest{NavigationKind::Back, {}, {}});
+    case ButtonAction::Home:
+        return scene().request(NavigationRequest{NavigationKind::Home, {}, {}});
+    case ButtonAction::LogOut:
+        return scene().request(AccessRequest{element().id(), {}, true});
     }
 }
 

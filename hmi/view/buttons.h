@@ -4,7 +4,21 @@
 
 namespace plc::hmi {
 
-enum class ButtonAction { Momentary, Toggle, Set, Reset, Write, Panel, Language, Acknowledge };
+enum class ButtonAction {
+    Momentary,
+    Toggle,
+    Set,
+    Reset,
+    Write,
+    Panel,
+    Language,
+    Acknowledge,
+    PopUp,
+    Close,
+    Back,
+    Home,
+    LogOut
+};
 enum class ButtonIcon { None, Play, Stop, Pause, Up, Down, Left, Right, Plus, Minus, Home, Reset };
 
 class ButtonView final : public ElementView {

@@ -1,4 +1,5 @@
 // Makes views by kind. elements.def names the kinds, so a kind without a view does not compile.
+#include "hmi/view/alarm_statistics_view.h"
 #include "hmi/view/alarm_views.h"
 #include "hmi/view/analog_controls.h"
 #include "hmi/view/arrays.h"
@@ -10,8 +11,11 @@
 #include "hmi/view/entries.h"
 #include "hmi/view/faceplate_view.h"
 #include "hmi/view/meters.h"
+#include "hmi/view/navigation_views.h"
+#include "hmi/view/recipe_view.h"
 #include "hmi/view/selectors.h"
 #include "hmi/view/shapes.h"
+#include "hmi/view/user_view.h"
 
 namespace plc::hmi {
 

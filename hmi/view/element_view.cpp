@@ -166,14 +166,19 @@ void ElementView::echo(const Value& value) {
 void ElementView::paint(QPainter& painter) {
     m_blinking = m_appearance.blinks;
     if (!m_appearance.visible && !isDesigning()) return;
+    const bool isLocked = isInteractive() && !m_scene.isAllowed(*this);
     double opacity = 1;
     if (!m_appearance.visible)
         opacity = 0.25;
-    else if (!m_appearance.enabled)
+    else if (!m_appearance.enabled || isLocked)
         opacity = 0.45;
     if (m_appearance.blinks && !isLit()) opacity *= 0.35;
     if (opacity < 1) painter.setOpacity(painter.opacity() * opacity);
     draw(painter);
+    if (isLocked) {
+        painter.setOpacity(1);
+        paintLock(painter);
+    }
     if (!m_hasProblem) return;
     // A value that is missing is never shown as if it were there: a mark in the corner says so.
     painter.setOpacity(1);
@@ -182,6 +187,18 @@ void ElementView::paint(QPainter& painter) {
     painter.setPen(Qt::NoPen);
     painter.setBrush(theme().color("low"));
     painter.drawPolygon(corner);
+}
+
+/// Kept for others: said by a shape, not by paleness alone.
+void ElementView::paintLock(QPainter& painter) const {
+    const double side = std::clamp(std::min(width(), height()) * 0.4, 10.0, 18.0);
+    const QRectF body(width() - side - 2, height() - side * 0.62 - 2, side, side * 0.62);
+    painter.setPen(QPen(theme().color("text"), side * 0.13));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawArc(QRectF(body.left() + side * 0.2, body.top() - side * 0.36, side * 0.6, side * 0.72), 0, 180 * 16);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(theme().color("text"));
+    painter.drawRoundedRect(body, 2, 2);
 }
 
 QRectF ElementView::touchArea() const {

@@ -134,6 +134,7 @@ protected:
 
 private:
     void evaluateAppearance();
+    void paintLock(QPainter& painter) const;
     struct Bound {
         BindingId id;
         QString expression;

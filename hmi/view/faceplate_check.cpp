@@ -20,7 +20,7 @@ Finding findingIn(const NamedPanel& panel, const ElementId& element, const QStri
     return {kind, isError, panelFile(panel.name), 0, element, property, {}, std::move(message)};
 }
 
-/// A variable of each parameter's type stands for the parameter where nothing is given.
+/// A variable of each parameter's type takes its place where nothing is given.
 Arguments sampleArguments(const CheckInput& input, const std::vector<Parameter>& parameters) {
     Arguments out;
     for (const Parameter& parameter : parameters) {
@@ -73,6 +73,10 @@ struct PlacementChecker {
     void check(const Element& element) {
         const QString name = element.text("panel");
         const Panel* placed = name.isEmpty() ? nullptr : panels(name);
+        if (element.kind() != ElementKind::Faceplate) { // a button that leads to it
+            if (placed) checkArguments(element, name, parametersOf(*placed));
+            return;
+        }
         if (name.isEmpty()) return add(element, QStringLiteral("panel"), errors::FaceplateWithoutPanel());
         if (!placed) return; // said for every property that names a panel
         if (name == panel.name || placesPanel(*placed, panel.name, panels))
@@ -115,7 +119,7 @@ std::vector<Arguments> argumentsGiven(const CheckInput& input, const NamedPanel&
     std::vector<Arguments> out;
     const PanelLookup panels = input.panelLookup();
     const auto take = [&](const Element& element) {
-        if (element.kind() != ElementKind::Faceplate || element.text("panel") != faceplate.name) return;
+        if (!element.descriptor().property("arguments") || element.text("panel") != faceplate.name) return;
         const Arguments given = argumentsOf(element.at("arguments"));
         const bool isGood = std::all_of(parameters.begin(), parameters.end(), [&](const Parameter& one) {
             return one.isText() || complaintOf(input, one, given.value(one.name.toLower())).isEmpty();
@@ -203,7 +207,7 @@ PanelLookup CheckInput::panelLookup() const { return lookupIn(panels); }
 std::vector<Finding> checkPlacements(const CheckInput& input, const NamedPanel& panel) {
     PlacementChecker checker{input, panel};
     for (const Element& element : panel.panel.elements())
-        if (element.kind() == ElementKind::Faceplate) checker.check(element);
+        if (element.descriptor().property("arguments")) checker.check(element);
     return checker.found;
 }
 

@@ -1,11 +1,12 @@
 #include "hmi/view/faceplate_view.h"
 
+#include "hmi/model/layout.h"
 #include "hmi/view/panel_scene.h"
 
 namespace plc::hmi {
 
 const Panel* FaceplateView::panel() const {
-    const QString name = text("panel");
+    const QString name = panelName();
     return name.isEmpty() ? nullptr : scene().panelNamed(name);
 }
 
@@ -14,7 +15,7 @@ void FaceplateView::setUp() {
     m_ground = {};
     const Panel* placed = panel();
     if (!placed) return;
-    const QSizeF size = placed->size();
+    const QSizeF size = m_size = sizeFor(*placed, rect().size());
     double sx = width() / size.width(), sy = height() / size.height();
     if (text("fit") != QStringLiteral("stretch")) sx = sy = std::min(sx, sy);
     m_contents.translate((width() - size.width() * sx) / 2, (height() - size.height() * sy) / 2);
@@ -27,7 +28,7 @@ void FaceplateView::draw(QPainter& painter) {
     if (placed && m_ground.isValid()) {
         painter.setPen(Qt::NoPen);
         painter.setBrush(stateColor(m_ground));
-        painter.drawRoundedRect(m_contents.mapRect(QRectF(QPointF(), QSizeF(placed->size()))), 4, 4);
+        painter.drawRoundedRect(m_contents.mapRect(QRectF(QPointF(), m_size)), 4, 4);
     }
     if (placed) return;
     // Nothing to show: said where it should be, also to the operator.
@@ -35,7 +36,7 @@ void FaceplateView::draw(QPainter& painter) {
     painter.setBrush(Qt::NoBrush);
     painter.drawRoundedRect(box().adjusted(1, 1, -1, -1), 6, 6);
     painter.setPen(theme().color("muted"));
-    const QString name = text("panel");
+    const QString name = panelName();
     drawText(painter, textBox(name.isEmpty() ? QStringLiteral("?") : name, box().adjusted(6, 6, -6, -6), 14,
                               TextAlign::Center, "panel"));
 }

@@ -5,13 +5,14 @@
 
 namespace plc::hmi {
 
-class FaceplateView final : public ElementView {
+class FaceplateView : public ElementView {
 public:
     using ElementView::ElementView;
     /// From the faceplate's panel to this element's own coordinates.
     const QTransform& contents() const { return m_contents; }
     /// The panel that is placed, or null.
     const Panel* panel() const;
+    virtual QString panelName() const { return text("panel"); }
 
 protected:
     void setUp() override;
@@ -19,6 +20,7 @@ protected:
 
 private:
     QTransform m_contents;
+    QSizeF m_size;
     QColor m_ground;
 };
 

@@ -2,6 +2,7 @@
 
 #include "hmi/model/errors.h"
 #include "hmi/model/walk.h"
+#include "hmi/view/application_check.h"
 #include "hmi/view/arrays.h"
 #include "hmi/view/faceplate_check.h"
 #include "hmi/view/property_check.h"
@@ -150,6 +151,7 @@ struct Checker {
         for (PropertyFinding& one : checkProperties(input, named.panel))
             add(one.kind, one.isError, file, one.element, one.property, std::move(one.message));
         append(checkPlacements(input, named));
+        append(checkAccess(input, named));
         if (!parametersOf(named.panel).empty()) append(checkParameterBindings(input, named));
     }
 
@@ -306,6 +308,7 @@ std::vector<Finding> checkPanels(const CheckInput& input) {
     Checker checker{input, {}, {}};
     for (const NamedPanel& panel : input.panels) checker.checkPanel(panel);
     if (input.hasAlarms) checker.checkAlarms();
+    checker.append(checkApplication(input));
     checker.checkTable();
     checker.checkFonts();
     for (const NamedPanel& panel : input.panels) checker.checkFit(panel);

@@ -29,6 +29,9 @@ enum class FindingKind {
     BadFormat,
     WrongArgument,
     FaceplateInItself,
+    UnknownRole,
+    WrongFrame,
+    WrongRecipe,
     BadPicture = 30, // H1031
     OutOfRange,
     UnknownProperty,
@@ -73,7 +76,11 @@ struct CheckInput {
     QStringList languages; // to measure in; empty: all of the project
     QStringList keysUsedElsewhere;
     bool picturesOutside = false; // the project allows pictures outside its folder
-    BindingCheck checkBinding;    // may be empty, and those below with it
+    QString frame;                // of the project
+    QStringList roles;            // of its people
+    QStringList startPanels;      // of its people
+    bool hasPeople = false;
+    BindingCheck checkBinding; // may be empty, and those below with it
     TypeNames typeNames;
     AnInstance anInstance;
     std::function<bool(const QString& type)> isType; // a block or structure of the program or its libraries

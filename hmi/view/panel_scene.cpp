@@ -1,5 +1,6 @@
 #include "hmi/view/panel_scene.h"
 
+#include "hmi/model/layout.h"
 #include "hmi/view/faceplate_view.h"
 
 #include <QTransform>
@@ -20,8 +21,55 @@ PanelScene::PanelScene(QObject* parent)
 PanelScene::~PanelScene() = default;
 
 void PanelScene::setPanel(const Panel& panel) {
-    m_panel = panel;
+    take(panel);
     rebuild();
+}
+
+void PanelScene::take(const Panel& panel) {
+    m_designed = panel;
+    m_panel = m_screen.isEmpty() ? panel : laidOut(panel, sizeFor(panel, m_screen));
+}
+
+void PanelScene::setScreen(QSizeF screen) {
+    if (screen == m_screen) return;
+    m_screen = screen;
+    if (!isAdapting(m_designed)) return;
+    take(m_designed);
+    rebuild();
+}
+
+void PanelScene::setArea(const QString& panel, const Arguments& arguments) {
+    m_area = panel;
+    m_areaArguments = arguments;
+    if (!m_views.empty()) rebuild();
+}
+
+void PanelScene::setCurrentPanel(const QString& name) {
+    if (name == m_current) return;
+    m_current = name;
+    for (const auto& view : m_views)
+        if (view->element().kind() == ElementKind::NavigationBar) markDirty(*view);
+}
+
+void PanelScene::setRecipes(const RecipeFile* recipes) {
+    m_recipes = recipes;
+    for (const auto& view : m_views)
+        if (view->element().kind() == ElementKind::RecipeTable) {
+            view->prepare();
+            markDirty(*view);
+        }
+}
+
+void PanelScene::setAccess(AccessCheck check) {
+    m_access = std::move(check);
+    m_allDirty = true;
+    emit dirtied();
+}
+
+void PanelScene::setUser(const QString& name) {
+    m_user = name;
+    m_allDirty = true; // what is locked or hidden is other things now
+    emit dirtied();
 }
 
 void PanelScene::rebuild() {
@@ -34,8 +82,11 @@ void PanelScene::rebuild() {
     m_views.clear();
     for (const Element& element : m_panel.elements()) {
         addView(element, false);
-        if (element.kind() != ElementKind::Faceplate) continue;
-        for (const Element& inner : contentsOf(element, m_panels)) addView(inner, true);
+        if (!element.showsPanel()) continue;
+        const bool isArea = element.kind() == ElementKind::PanelArea;
+        for (const Element& inner :
+             isArea ? contentsOf(element, m_area, m_areaArguments, m_panels) : contentsOf(element, m_panels))
+            addView(inner, true);
     }
     prepareAll();
 }
@@ -61,14 +112,14 @@ void PanelScene::prepareAll() {
 void PanelScene::follow(const Panel& panel, const Touched& touched) {
     const auto isFaceplate = [&](const ElementId& id) {
         const Element* element = panel.find(id);
-        return element && element->kind() == ElementKind::Faceplate;
+        return element && element->showsPanel();
     };
-    if (touched.panel || touched.structure ||
+    if (touched.panel || touched.structure || isAdapting(panel) ||
         std::any_of(touched.elements.begin(), touched.elements.end(), isFaceplate)) {
         setPanel(panel);
         return;
     }
-    m_panel = panel;
+    take(panel);
     for (const ElementId& id : touched.elements) {
         const int index = m_panel.indexOf(id);
         ElementView* old = view(id);
@@ -188,8 +239,24 @@ const FaceplateView* PanelScene::faceplateOf(const ElementView& view) const {
     int guard = 0;
     for (const ElementView* outer = this->view(view.element().parent()); outer && guard < 32;
          outer = this->view(outer->element().parent()), ++guard)
-        if (outer->element().kind() == ElementKind::Faceplate) return static_cast<const FaceplateView*>(outer);
+        if (outer->element().showsPanel()) return static_cast<const FaceplateView*>(outer);
     return nullptr;
+}
+
+/// The view, or what it lies in, that is kept for others; null: it may be operated.
+const ElementView* PanelScene::refusedAt(const ElementView& view) const {
+    if (!m_access || m_designing) return nullptr;
+    const ElementView* one = &view;
+    for (int guard = 0; one && guard < 32; ++guard, one = this->view(one->element().parent()))
+        if (const QString roles = one->element().text("access"); !roles.isEmpty() && !m_access(roles)) return one;
+    return nullptr;
+}
+
+bool PanelScene::isAllowed(const ElementView& view) const { return !refusedAt(view); }
+
+QString PanelScene::rolesFor(const ElementView& view) const {
+    const ElementView* refused = refusedAt(view);
+    return refused ? refused->element().text("access") : QString();
 }
 
 bool PanelScene::isEnabled(const ElementView& view) const {
@@ -201,6 +268,9 @@ bool PanelScene::isEnabled(const ElementView& view) const {
 
 bool PanelScene::isShown(const ElementView& view) const {
     if (!view.appearance().visible && !m_designing) return false;
+    if (const ElementView* refused = refusedAt(view);
+        refused && refused->element().text("denied") == QStringLiteral("hidden"))
+        return false;
     const ElementView* inner = &view;
     for (int guard = 0; guard < 32; ++guard) {
         const ElementView* outer = this->view(inner->element().parent());
@@ -277,6 +347,7 @@ void PanelScene::press(QPointF at) {
     if (m_designing || m_pressed) return;
     ElementView* view = viewAt(at);
     if (!view || !isEnabled(*view)) return;
+    if (!isAllowed(*view)) return request(AccessRequest{view->element().id(), rolesFor(*view), false});
     m_pressed = view;
     view->setPressed(true);
     view->press(transformOf(*view).inverted().map(at));
@@ -297,14 +368,16 @@ void PanelScene::release(QPointF at) {
 void PanelScene::wheel(QPointF at, double steps) {
     if (m_designing) return;
     ElementView* view = viewAt(at);
-    if (view && isEnabled(*view)) view->wheel(steps);
+    if (view && isEnabled(*view) && isAllowed(*view)) view->wheel(steps);
 }
 
 void PanelScene::request(const WriteRequest& write, const QString& confirm) {
-    if (confirm.isEmpty())
+    const ElementView* from = view(write.element);
+    const bool isCritical = from && from->element().isSet("critical") && write.kind != WriteKind::Release;
+    if (confirm.isEmpty() && !isCritical)
         emit writeRequested(write);
     else
-        emit confirmRequested(ConfirmRequest{confirm, write});
+        emit confirmRequested(ConfirmRequest{confirm, write, isCritical});
 }
 
 } // namespace plc::hmi

@@ -16,6 +16,7 @@
 namespace plc::hmi {
 
 class FaceplateView;
+class RecipeFile;
 
 class PanelScene final : public QObject {
     Q_OBJECT
@@ -32,6 +33,23 @@ public:
     void setAlarms(AlarmBook* alarms);
     /// Where faceplates are found; before the panel, or the panel is made again.
     void setFaceplates(PanelLookup panels);
+    /// What a frame's panel area shows; none: nothing.
+    void setArea(const QString& panel, const Arguments& arguments);
+    const QString& areaPanel() const { return m_area; }
+    /// The name of the panel that the operator is on, for navigation bars.
+    void setCurrentPanel(const QString& name);
+    const QString& currentPanel() const { return m_current; }
+    /// The screen's size, which panels with anchors take; empty: as designed.
+    void setScreen(QSizeF screen);
+    /// The project's recipes; they must outlive the scene. Called again when they are others.
+    void setRecipes(const RecipeFile* recipes);
+    const RecipeFile* recipes() const { return m_recipes; }
+    /// Who may operate an element that names roles; none: everybody.
+    using AccessCheck = std::function<bool(const QString& roles)>;
+    void setAccess(AccessCheck check);
+    /// Who is logged in, as user fields show it; empty: nobody.
+    void setUser(const QString& name);
+    const QString& user() const { return m_user; }
     void setLanguage(const QString& tag);
     /// Folder to which image files are relative (the project's).
     void setFolder(const QString& folder) { m_folder = folder; }
@@ -82,6 +100,10 @@ public:
     QRectF shownRect(const ElementView& view) const;
     bool isShown(const ElementView& view) const;
     bool isEnabled(const ElementView& view) const;
+    /// What it and what it lies in may be operated by who is logged in.
+    bool isAllowed(const ElementView& view) const;
+    /// The roles that the view, or the first around it that is refused, is kept for.
+    QString rolesFor(const ElementView& view) const;
     /// The faceplate in which a view is drawn, or null for an element of the panel itself.
     const FaceplateView* faceplateOf(const ElementView& view) const;
     /// A view of what a placed faceplate contains: no element of the panel.
@@ -93,6 +115,10 @@ public:
     void request(const EntryRequest& entry) { emit entryRequested(entry); }
     void request(const ChoiceRequest& choice) { emit choiceRequested(choice); }
     void request(const AcknowledgeRequest& acknowledge) { emit acknowledgeRequested(acknowledge); }
+    void request(const NavigationRequest& navigation) { emit navigationRequested(navigation); }
+    void request(const AlarmDetailRequest& alarm) { emit alarmDetailRequested(alarm); }
+    void request(const RecipeRequest& recipe) { emit recipeRequested(recipe); }
+    void request(const AccessRequest& access) { emit accessRequested(access); }
     void requestPanel(const QString& name) { emit panelRequested(name); }
     void requestLanguage(const QString& tag) { emit languageRequested(tag); }
 
@@ -102,6 +128,10 @@ signals:
     void entryRequested(const plc::hmi::EntryRequest& entry);
     void choiceRequested(const plc::hmi::ChoiceRequest& choice);
     void acknowledgeRequested(const plc::hmi::AcknowledgeRequest& acknowledge);
+    void navigationRequested(const plc::hmi::NavigationRequest& navigation);
+    void alarmDetailRequested(const plc::hmi::AlarmDetailRequest& alarm);
+    void recipeRequested(const plc::hmi::RecipeRequest& recipe);
+    void accessRequested(const plc::hmi::AccessRequest& access);
     void panelRequested(const QString& name);
     void languageRequested(const QString& tag);
     void dirtied();
@@ -113,7 +143,16 @@ private:
     QTransform transformOf(const ElementView& view) const;
     void addDirty(const ElementView& view, const QRectF& before);
 
-    Panel m_panel;
+    void take(const Panel& panel);
+    const ElementView* refusedAt(const ElementView& view) const;
+
+    Panel m_designed; // as its file has it
+    Panel m_panel;    // as the screen shows it
+    QSizeF m_screen;
+    QString m_area, m_current, m_user;
+    Arguments m_areaArguments;
+    AccessCheck m_access;
+    const RecipeFile* m_recipes = nullptr;
     const PanelTheme* m_theme;
     ValueSource* m_values = nullptr;
     TextCatalog m_noTexts;

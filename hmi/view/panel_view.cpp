@@ -72,8 +72,11 @@ void PanelView::paintEvent(QPaintEvent* event) {
     ++m_painted;
     QPainter painter(this);
     const QRectF area = panelRect();
-    QRegion outside = event->region() - area.toAlignedRect();
-    for (const QRect& rect : outside)
+    // Pixels that the panel covers in part are filled too: what was there before would shine through.
+    const QRect covered(
+        QPoint(static_cast<int>(std::ceil(area.left())), static_cast<int>(std::ceil(area.top()))),
+        QPoint(static_cast<int>(std::floor(area.right())) - 1, static_cast<int>(std::floor(area.bottom())) - 1));
+    for (const QRect& rect : event->region() - covered)
         painter.fillRect(rect, m_scene.theme().color("background").darker(m_scene.theme().isDark() ? 130 : 108));
     const QRegion inside = event->region() & area.toAlignedRect();
     if (inside.isEmpty()) return;
@@ -86,7 +89,10 @@ void PanelView::paintEvent(QPaintEvent* event) {
                   QTransform::fromTranslate(area.left(), area.top()).scale(zoom(), zoom()));
 }
 
-void PanelView::resizeEvent(QResizeEvent*) { update(); }
+void PanelView::resizeEvent(QResizeEvent*) {
+    if (m_fit == PanelFit::Whole) m_scene.setScreen(size());
+    update();
+}
 
 void PanelView::showEvent(QShowEvent*) { m_timer.start(); }
 

@@ -1,6 +1,6 @@
 // What a view asks for when it is operated. The player answers; a view alone changes nothing. Values.
 #pragma once
-#include "hmi/model/panel.h"
+#include "hmi/model/faceplate.h"
 #include "hmi/model/value.h"
 
 namespace plc::hmi {
@@ -45,16 +45,48 @@ struct ChoiceRequest {
     QRectF place;
 };
 
+enum class NavigationKind { Open, PopUp, Close, Back, Home };
+
+/// Another panel is to be shown, in the place of the present one or over it.
+struct NavigationRequest {
+    NavigationKind kind = NavigationKind::Open;
+    QString panel;
+    Arguments arguments;
+};
+
+/// Somebody wants to log in or out; or was refused, and which roles would be let in.
+struct AccessRequest {
+    ElementId element;
+    QString roles; // empty: asked for by hand
+    bool isLogOut = false;
+};
+
+enum class RecipeRequestKind { Choose, Edit, Write, Read, Add, Remove };
+
+/// A recipe is operated: another set chosen, a value of it typed, the set written to or read from the controller.
+struct RecipeRequest {
+    ElementId element;
+    RecipeRequestKind kind = RecipeRequestKind::Choose;
+    QString recipe, set, variable;
+};
+
 struct AcknowledgeRequest {
     bool all = true;
     size_t alarm = 0;
     QStringList classes;
 };
 
+/// More about one alarm: its help, its place, setting it aside.
+struct AlarmDetailRequest {
+    ElementId element;
+    size_t alarm = 0;
+};
+
 /// A question that must be answered with yes before the request is passed on.
 struct ConfirmRequest {
     QString question;
     WriteRequest write;
+    bool isCritical = false; // confirmed by the password of who is logged in
 };
 
 } // namespace plc::hmi

@@ -196,7 +196,9 @@ QByteArray WebPanel::describe() {
     Json panels = Json::array(), languages = Json::array();
     for (const NamedPanel& panel : m_project.panels) panels.push_back(panel.name.toStdString());
     for (const QString& tag : m_project.texts.settings().languages) {
-        const QString native = localeOf(tag).nativeLanguageName();
+        // Qt calls plain English American.
+        const QString native =
+            tag == QStringLiteral("en") ? QStringLiteral("English") : localeOf(tag).nativeLanguageName();
         languages.push_back({tag.toStdString(), (native.isEmpty() ? tag : native).toStdString()});
     }
     const auto say = [&](SystemText text) { return words(text).toStdString(); };

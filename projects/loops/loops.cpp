@@ -157,6 +157,19 @@ Result<Loop> findLoop(const image::CompiledProgram& program, const std::string& 
     return Error{errors::NoLoop(name, names), ""};
 }
 
+namespace {
+/// In parts, so that an hour of scans needs no memory of its own.
+template <class Visit>
+void forEachSample(const history::History& history, const expression::Expression& expression,
+                   const history::Recompile& recompile, history::PositionRange range, const Visit& visit) {
+    constexpr history::Position kPart = history::Position(1) << 18;
+    for (history::Position at = range.begin; at < range.end; at += kPart)
+        for (const history::Sample& sample :
+             history.samples(expression, recompile, at, std::min(at + kPart, range.end)))
+            visit(sample);
+}
+} // namespace
+
 Signals signalsOf(const Loop& loop) {
     return {loop.pin(loop.form->input), loop.pin(loop.form->output), loop.pin(loop.form->setPoint)};
 }
@@ -165,9 +178,9 @@ Result<tuning::LoopSeries> seriesOf(const history::History& history, const Signa
     const history::Statistics all = history.statistics();
     tuning::LoopSeries out;
     const auto ranges = history::chainTo(history.branches(), all.end);
-    for (const auto& [text, target] :
-         {std::pair{channels.input, &tuning::LoopSeries::input}, std::pair{channels.output, &tuning::LoopSeries::output},
-          std::pair{channels.setPoint, &tuning::LoopSeries::setPoint}}) {
+    for (const auto& [text, target] : {std::pair{channels.input, &tuning::LoopSeries::input},
+                                       std::pair{channels.output, &tuning::LoopSeries::output},
+                                       std::pair{channels.setPoint, &tuning::LoopSeries::setPoint}}) {
         if (text.empty()) continue;
         const Meaning meaning(history, text);
         const auto expression = meaning.newest();
@@ -179,11 +192,11 @@ Result<tuning::LoopSeries> seriesOf(const history::History& history, const Signa
         const bool wantsTime = out.time.empty();
         std::vector<double>& values = out.*target;
         for (const history::PositionRange& range : ranges)
-            for (const history::Sample& sample :
-                 history.samples(*expression, meaning.recompile(), std::max(range.begin, all.first), range.end)) {
-                if (wantsTime) out.time.push_back(std::chrono::duration<double>(sample.at.time).count());
-                values.push_back(sample.hasValue ? sample.value : values.empty() ? 0.0 : values.back());
-            }
+            forEachSample(history, *expression, meaning.recompile(), {std::max(range.begin, all.first), range.end},
+                          [&](const history::Sample& sample) {
+                              if (wantsTime) out.time.push_back(std::chrono::duration<double>(sample.at.time).count());
+                              values.push_back(sample.hasValue ? sample.value : values.empty() ? 0.0 : values.back());
+                          });
         if (values.size() != out.time.size()) { // scans came while we were reading
             const size_t count = std::min(values.size(), out.time.size());
             for (std::vector<double>* column : {&out.time, &out.input, &out.output, &out.setPoint})

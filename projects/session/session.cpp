@@ -1,6 +1,7 @@
 #include "projects/session/session.h"
 
 #include "projects/session/session_state.h"
+#include "projects/session/write_together.h"
 #include "runtime/base/assert.h"
 #include "runtime/base/messages.h"
 #include "runtime/controller/leave_hook.h"
@@ -204,6 +205,14 @@ void Session::write(std::string path, types::Value value, std::string origin) {
                 s->writes.write(std::move(path), std::move(value), std::move(origin));
                 if (!s->isQueueing.load()) s->writes.apply(s->controller, false, s->newRefusals);
             });
+}
+
+void Session::writeTogether(std::vector<Assignment> values, std::string origin) {
+    m->post(When::Now, [s = m.get(), values = std::move(values), origin = std::move(origin)] {
+        s->controller.actFor(origin);
+        if (auto done = writeAllOrNone(s->controller, values); !done) s->newRefusals.push_back(done.error());
+        s->controller.actFor({});
+    });
 }
 
 void Session::press(std::string path, types::Value pressed, types::Value released, std::string origin) {

@@ -55,6 +55,12 @@ struct Settings {
     bool record = true;
 };
 
+/// One of several values that belong together.
+struct Assignment {
+    std::string path;
+    types::Value value;
+};
+
 class Session {
 public:
     explicit Session(driver::Built built, Settings settings = {});
@@ -86,6 +92,8 @@ public:
     void reset(controller::ResetKind kind);
     /// `origin`: who it comes from, in words ("panel Main, button Start"); the journal keeps it.
     void write(std::string path, types::Value value, std::string origin = {});
+    /// All of them before one scan, or none: what is refused then is among the refusals.
+    void writeTogether(std::vector<Assignment> values, std::string origin = {});
     /// Momentary button: released no earlier than after every cyclic task ran once with the press.
     void press(std::string path, types::Value pressed, types::Value released, std::string origin = {});
     void release(std::string path);

@@ -153,6 +153,17 @@ void cutRest(const Context& context, FoundStep& step) {
     }
 }
 
+/// Scans that a busy machine left out, or a stretch that was not recorded; a table that has only the changes has none.
+bool hasGap(const LoopSeries& series, const FoundStep& step, double noise) {
+    constexpr double kMost = 5; // usual intervals
+    const double longest = kMost * usualInterval(series);
+    for (size_t i = step.begin + 1; i < step.end; ++i)
+        if (series.time[i] - series.time[i - 1] > longest &&
+            std::abs(series.output[i] - series.output[i - 1]) > std::max(0.02 * step.outputChange, 5 * noise))
+            return true;
+    return false;
+}
+
 void judge(const Context& context, FoundStep& step) {
     const LoopSeries& series = context.series;
     const size_t after = step.end - step.step;
@@ -170,6 +181,7 @@ void judge(const Context& context, FoundStep& step) {
     };
     constexpr size_t kLeast = 15;
     if (after < kLeast) return say(Verdict::TooShort, errors::StepTooShort(after));
+    if (hasGap(series, step, context.noise)) return say(Verdict::Disturbed, errors::StepHasGap());
     if (step.moved == Moved::SetPoint && context.inputRange > 0) {
         const double near = 1e-6 * context.inputRange;
         size_t limited = 0;

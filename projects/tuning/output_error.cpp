@@ -313,7 +313,9 @@ std::vector<Excerpt> thinned(const std::vector<Excerpt>& excerpts, size_t most) 
 bool isDegenerate(const ProcessModel& model, double least, const Shape& shape) {
     for (const double lag : model.lags)
         if (lag < least || (shape.hasZero && std::abs(model.zero - lag) < 1e-2 * lag)) return true;
-    if (model.oscillation && 1 / model.oscillation->frequency < least) return true;
+    // above damping 1 it is two lags
+    if (const auto& o = model.oscillation; o && (1 / o->frequency < least || o->damping > 1)) return true;
+    if (shape.hasZero && std::abs(model.zero) < least) return true;
     return shape.hasDelay && model.deadTime < least;
 }
 

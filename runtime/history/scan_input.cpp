@@ -1,6 +1,6 @@
 // The journal as the scan thread writes it and as readers find it again (D13).
-#include "runtime/history/history_state.h"
 #include "runtime/base/messages.h"
+#include "runtime/history/history_state.h"
 
 #include <algorithm>
 
@@ -81,9 +81,8 @@ JournalEntry History::State::journalAt(const Segment& segment, uint32_t index,
 }
 
 Result<ScanInput> History::inputOf(Position position) const {
-    const Error gone{"this scan is not in the recording any more", {}};
-    const Error noBefore{"the scan before it is not in the recording, so it is not known what this scan began from",
-                         {}};
+    const Error gone{errors::ScanNoLongerRecorded(), {}};
+    const Error noBefore{errors::ScanBeforeNotRecorded(), {}};
     ScanInput input;
     JournalEntry entry;
     {

@@ -8,6 +8,7 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QPushButton>
+#include <QTextBlock>
 
 namespace plc::app {
 namespace {
@@ -24,6 +25,22 @@ TEST_F(GuideTest, AnExampleOpensWithItsReadmeAndAPanelThatCanBeRead) {
     ASSERT_TRUE(panel);
     EXPECT_GT(panel->width(), 560);
     EXPECT_GT(panel->height(), 330);
+}
+
+TEST_F(GuideTest, OnlyHeadingsAreHeadingsAlsoAfterTheWidthHasChanged) {
+    write("README.md", "# A machine\n\nIt runs. Press Start.\n");
+    GuideView view;
+    view.show();
+    view.resize(300, 200);
+    ASSERT_TRUE(view.showProject(folder.path()));
+    view.resize(500, 200);
+    QApplication::processEvents();
+    const QTextBlock first = view.document()->firstBlock();
+    EXPECT_EQ(first.blockFormat().headingLevel(), 1);
+    EXPECT_EQ(first.next().text(), "It runs. Press Start.");
+    EXPECT_EQ(first.next().blockFormat().headingLevel(), 0);
+    EXPECT_NE(first.next().begin().fragment().charFormat().fontWeight(), QFont::Bold);
+    EXPECT_EQ(GuideView::summaryOf(folder.path()), "It runs. Press Start.");
 }
 
 TEST_F(GuideTest, FilesThatTheReadmeNamesOpenAndOtherPlacesAreLeftAlone) {

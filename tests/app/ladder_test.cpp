@@ -74,6 +74,11 @@ protected:
         return {};
     }
     [[nodiscard]] QPoint on(QPointF scenePoint) const { return view->canvas().mapFromScene(scenePoint); }
+    /// Only rungs that are seen are looked into.
+    void seeAll() {
+        QApplication::processEvents();
+        view->canvas().zoomToFit();
+    }
     /// On the wire right of a contact.
     [[nodiscard]] QPoint behind(const char* label) const {
         const QRectF rect = view->scene().rectOf(pickOf(label));
@@ -94,6 +99,8 @@ protected:
     void drop(const char* text, QPoint at) {
         QMimeData mime;
         mime.setText(text);
+        QDragEnterEvent enter(at, Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(view->canvas().viewport(), &enter);
         QDropEvent event(QPointF(at), Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
         QApplication::sendEvent(view->canvas().viewport(), &event);
     }
@@ -199,6 +206,7 @@ TEST_F(LadderTest, F1ListsTheKeys) {
 TEST_F(LadderTest, ANewUserDrawsAMotorThatHoldsItselfInUnderFortyKeys) {
     const QString empty = folder.path() + "/new";
     ASSERT_TRUE(createProject(empty.toStdString(), "New", "empty"));
+    window->tabs().saveAll(); // of the other project
     ASSERT_TRUE(window->openProject(empty));
     ASSERT_TRUE(waitFor([&] { return window->workspace().model() && window->tabs().openFile("src/main.st"); }));
     QWidget* text = editor().viewport();
@@ -262,6 +270,7 @@ END_PROGRAM
 /// `early` is FALSE at the end of each scan, and was TRUE where it was read first.
 TEST_F(LadderTest, LiveFlowIsWhatWasReadThereAndNotTheValueAtTheEnd) {
     open(kRewritten);
+    seeAll();
     window->action("run.start")->trigger();
     ASSERT_TRUE(waitFor([&] { return view->scene().online().isOn && view->scene().online().isExact; }));
     EXPECT_EQ(powerBehind("early"), ladder::Power::On);
@@ -306,6 +315,7 @@ TEST_F(LadderTest, HaltedItShowsHowFarTheScanCameAndTheRungWhereItStands) {
 
 TEST_F(LadderTest, AnEditedLineShowsTheLastValuesAndTheOthersStayExact) {
     open(kRewritten);
+    seeAll();
     window->action("run.start")->trigger();
     ASSERT_TRUE(waitFor([&] { return view->scene().online().isExact; }));
     const auto at = static_cast<uint32_t>(editor().utf8().find("early OR late"));
@@ -419,18 +429,19 @@ TEST_F(LadderTest, FindInTheTextSelectsInTheDrawing) {
     window->action("edit.find")->trigger();
     QWidget* line = QApplication::focusWidget();
     ASSERT_NE(line, nullptr);
-    QTest::keyClicks(line, "lamp := ");
+    QTest::keyClicks(line, "NOT sto");
     QTest::keyClick(line, Qt::Key_Return);
     EXPECT_TRUE(waitFor([&] {
         const editor::LadderPick pick = view->scene().picked();
-        return pick.node.isValid() && view->diagram()[pick.node].label == "lamp";
+        return pick.node.isValid() && view->diagram()[pick.node].label == "stop";
     }));
 }
 
 TEST_F(LadderTest, UsesAndDefinitionComeFromTheElement) {
     select("stop");
     press(Qt::Key_F12);
-    EXPECT_TRUE(waitFor([&] { return editor().cursorOffset() == editor().utf8().find("stop, motor"); }));
+    const size_t declared = editor().utf8().find("stop, motor");
+    EXPECT_TRUE(waitFor([&] { return editor().cursorOffset() - declared <= 4; })) << "at or behind the name";
     view->canvas().setFocus();
     select("stop");
     uint32_t asked = 0;
@@ -484,7 +495,7 @@ TEST_F(LadderTest, WhatIsShownIsChosenAndKept) {
     const auto choose = [&](const QString& part) {
         emit menu->aboutToShow();
         for (QAction* action : menu->actions())
-            if (action->text().contains(part)) return action->trigger();
+            if (action->text().remove(u'&').contains(part)) return action->trigger();
         ADD_FAILURE() << qPrintable(part);
     };
     choose("Names and Addresses");

@@ -10,6 +10,7 @@
 #include <QDialog>
 #include <QHeaderView>
 #include <QLineEdit>
+#include <QMenu>
 #include <QTimer>
 #include <QTreeWidget>
 
@@ -99,6 +100,30 @@ TEST_F(OnlineSourceTest, TheCallPathChoosesTheInstance) {
     ASSERT_TRUE(waitFor([&] { return window->control().status().state == controller::State::Halted; }));
     EXPECT_TRUE(waitFor([&] { return bar().shownInstance() == "Main.b"; }));
     window->control().setBreakpoints({});
+}
+
+TEST_F(OnlineSourceTest, TheWatchChoosesTheInstance) {
+    run();
+    editor().goTo(at("n := n + 1"));
+    window->watch().add("Main.b.pos");
+    auto* tree = window->watch().findChild<QTreeWidget*>();
+    ASSERT_TRUE(tree && tree->topLevelItemCount() > 0);
+    bool isOffered = false;
+    QTimer::singleShot(300, tree, [&] {
+        auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+        if (!menu) return;
+        for (QAction* action : menu->actions())
+            if (action->text() == "Source of Axis with the values of Main.b") {
+                isOffered = true;
+                action->trigger();
+            }
+        menu->close();
+    });
+    const QTreeWidgetItem* row = tree->topLevelItem(tree->topLevelItemCount() - 1);
+    emit tree->customContextMenuRequested(tree->visualItemRect(row).center());
+    EXPECT_TRUE(isOffered);
+    EXPECT_EQ(window->control().preferredInstance("Axis"), "Main.b");
+    EXPECT_EQ(editor().cursorOffset(), at("Axis"));
 }
 
 TEST_F(OnlineSourceTest, ValuesAreBesideDeclarations) {

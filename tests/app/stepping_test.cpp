@@ -92,7 +92,7 @@ protected:
             if (each->accessibleName() == name) return each;
         return nullptr;
     }
-    QTreeWidget* callPath() { return treeCalled("Call path"); }
+    QTreeWidget* callPath() { return treeCalled("Call stack"); }
     QTreeWidget* frameValues() { return treeCalled("Values of the frame"); }
     std::string frames() {
         QStringList out;

@@ -85,7 +85,7 @@ TEST_F(StudioTest, AShortcutThatClashesIsTakenFromTheOtherAction) {
     {
         SettingsDialog dialog(window->settings(), window->allActions(), window.get());
         for (QAbstractButton* each : dialog.findChildren<QAbstractButton*>())
-            if (each->text() == "All Defaults") each->click();
+            if (each->text() == "Restore Defaults") each->click();
         dialog.accept();
     }
     EXPECT_EQ(step->shortcut(), keys);

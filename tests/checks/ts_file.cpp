@@ -20,6 +20,8 @@ std::string replaced(std::string text, std::string_view what, std::string_view b
 std::string fromXml(std::string text) {
     constexpr std::array<std::array<const char*, 2>, 5> entities{
         {{"&lt;", "<"}, {"&gt;", ">"}, {"&quot;", "\""}, {"&apos;", "'"}, {"&amp;", "&"}}};
+    constexpr std::array<std::array<const char*, 2>, 2> blanks{{{"&#xa0;", "\u00A0"}, {"&#x202f;", "\u202F"}}};
+    for (const auto& [entity, character] : blanks) text = replaced(std::move(text), entity, character);
     for (const auto& [entity, character] : entities) text = replaced(std::move(text), entity, character);
     return text;
 }

@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <map>
@@ -35,6 +36,8 @@ struct Known {
     std::string text;
     bool isExecuted = false;
 };
+
+constexpr size_t kClockEnd = 24; // of the image's header
 
 uint64_t keyOf(SourceRange range) { return uint64_t(range.begin) << 32 | range.end; }
 
@@ -154,12 +157,29 @@ private:
         return known;
     }
 
+    /// Between the simulation and the tasks of the PLC.
+    void applyForces(const Look& look, uint32_t activation, std::vector<std::byte>& image) const {
+        const uint32_t task = look.activations()[activation].task;
+        if (task < m_program->tasks.size() && m_program->tasks[task].isSimulation) return;
+        for (const image::ForcedBytes& force : look.input().start.forces) {
+            if (force.bit < 0) {
+                std::copy(force.bytes.begin(), force.bytes.end(), image.begin() + force.offset);
+                continue;
+            }
+            const auto mask = static_cast<std::byte>(1 << force.bit);
+            image[force.offset] = (image[force.offset] & ~mask) | (force.bytes.at(0) & mask);
+        }
+    }
+
     /// Follows the scan's writes and evaluates what each statement of the activation asks, as it begins.
     KnownAt follow(const Text& text, const Drawn& drawn, const Look& look, uint32_t activation,
                    const std::string& instance) {
         KnownAt known;
         std::vector<std::byte> image = look.input().image;
+        std::memcpy(image.data(), look.image().data(), kClockEnd); // set when the scan began
         for (const Event& event : look.events()) {
+            if (event.kind == image::WatchKind::Begin && look.activations()[event.activation].parent == inside::kNone)
+                applyForces(look, event.activation, image);
             if (event.kind == image::WatchKind::Write && event.offset + event.size <= image.size()) {
                 if (event.size > 8)
                     std::memcpy(image.data() + event.offset, look.image().data() + event.offset, event.size);
@@ -243,7 +263,9 @@ private:
                 if (!node.isShort) (void)compareNode(diagram, child, before, known, power, where);
             behind = both(before, valueOf(known, node.expr->range));
         } else if (node.kind == NodeKind::Box && !node.instance.empty()) {
-            return flowOf(power[id.index()]); // its output is the next statement's
+            return flowOf(power[id.index()]);        // its output is the next statement's
+        } else if (node.kind == NodeKind::Operand) { // a circle at the pin inverts it
+            behind = both(before, valueOf(known, ladder::questionOf({}, diagram, id).range));
         } else if (node.expr) {
             behind = both(before, valueOf(known, node.expr->range));
         }
@@ -271,7 +293,19 @@ private:
         const auto at = known.find(keyOf(question.range));
         const auto* shown = places.at(question.range);
         if (!shown || at == known.end() || at->second.text.empty()) return;
+        const types::TypeTable& types = *m_program->layout.types;
+        // Of a long write only the beginning is known here, so texts cannot be followed; a REAL whose literals stand
+        // alone is computed as LREAL by the evaluator.
+        if (!shown->value.type.isValid() || types.isText(shown->value.type) || types.isAggregate(shown->value.type))
+            return;
         ++values;
+        if (types.family(shown->value.type) == types::Family::Real) {
+            const double here = std::strtod(types::toText(types, shown->value).c_str(), nullptr);
+            const double there = std::strtod(at->second.text.c_str(), nullptr);
+            EXPECT_LE(std::abs(here - there), 1e-5 * std::max({std::abs(here), std::abs(there), 1e-3}))
+                << question.text;
+            return;
+        }
         EXPECT_EQ(types::toText(*m_program->layout.types, shown->value), at->second.text)
             << question.text << " scan " << places.look().position();
     }

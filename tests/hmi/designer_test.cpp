@@ -331,7 +331,7 @@ TEST(Designer, RecordsAreEditedInTheirDialog) {
 TEST(Designer, ThePaletteFindsElementsByWhatTheyAreCalledElsewhere) {
     Palette palette;
     palette.setFilter(QStringLiteral("potentiometer"));
-    EXPECT_EQ(palette.shownTitles().join(u' ').toStdString(), "Turning knob");
+    EXPECT_EQ(palette.shownTitles().join(u' ').toStdString(), "Rotary knob");
     palette.setFilter(QStringLiteral("pump"));
     EXPECT_EQ(palette.shownTitles().join(u' ').toStdString(), "Pump");
     palette.setFilter({});

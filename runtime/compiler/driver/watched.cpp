@@ -1,5 +1,5 @@
-#include "runtime/compiler/driver/driver.h"
 #include "runtime/base/messages.h"
+#include "runtime/compiler/driver/driver.h"
 #include "runtime/compiler/driver/keeps_analysis.h"
 #include "runtime/compiler/facts/program_facts.h"
 #include "runtime/compiler/jit/jit.h"

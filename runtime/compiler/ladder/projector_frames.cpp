@@ -100,10 +100,12 @@ void Projector::annotate(Rung& rung, uint32_t floor) {
         }
         note(*at);
     }
-    for (const lex::Token& token : m_file.tokens.tokens) {
-        if (token.begin >= rung.range.begin) break;
-        if (token.kind != TokenKind::Pragma || token.begin < floor) continue;
-        if (std::string title = titleOf(m_text.substr(token.begin, token.end - token.begin)); !title.empty())
+    const auto& tokens = m_file.tokens.tokens;
+    auto token = std::lower_bound(tokens.begin(), tokens.end(), floor,
+                                  [](const lex::Token& t, uint32_t offset) { return t.begin < offset; });
+    for (; token != tokens.end() && token->begin < rung.range.begin; ++token) {
+        if (token->kind != TokenKind::Pragma) continue;
+        if (std::string title = titleOf(m_text.substr(token->begin, token->end - token->begin)); !title.empty())
             rung.title = std::move(title);
     }
     m_floor = behind;

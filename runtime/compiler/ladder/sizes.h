@@ -10,6 +10,7 @@ namespace plc::ladder {
 inline constexpr int kLeastContact = 6; // columns of a contact with its wires
 inline constexpr int kLongest = 44;     // characters of a label; what is longer is cut, the tip shows all
 inline constexpr int kLongestComment = 22;
+inline constexpr int kValueColumns = 6; // left of a variable at a pin, for its value
 
 inline std::string cut(const std::string& text, int longest = kLongest) {
     if (columnsOf(text) <= longest) return text;
@@ -73,7 +74,7 @@ public:
             before = size.below;
             plan.inputs.push_back(line);
             leftNames = std::max(leftNames, columnsOf(pin.name));
-            if (pin.node.isValid()) plan.left = std::max(plan.left, size.w + (pin.negated ? 1 : 0));
+            if (pin.node.isValid()) plan.left = std::max(plan.left, size.w + (pin.negated ? 1 : 0) + valueOf(pin));
         }
         for (size_t i = 0; i < box.outputs.size(); ++i) {
             const OutputPin& pin = box.outputs[i];
@@ -96,6 +97,14 @@ public:
     }
 
 private:
+    /// A box straight at the rail leaves room for the values of what it reads.
+    [[nodiscard]] int valueOf(const Pin& pin) const {
+        const Node& node = m_diagram[pin.node];
+        const bool isShown = m_diagram.form == Form::Ladder && node.kind == NodeKind::Operand && node.operand &&
+                             node.operand->kind != syntax::ExprKind::Literal;
+        return isShown ? kValueColumns : 0;
+    }
+
     /// With `more` columns for the wires beside what is written above.
     Size captioned(const Node& node, int least, int more) {
         Size size{least, 0, 0};

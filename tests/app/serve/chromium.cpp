@@ -119,6 +119,12 @@ void Page::mouse(const char* type, QPointF at) {
 }
 
 void Page::click(QPointF at) {
+    const auto origin = [&](const char* side) {
+        return evaluate(QStringLiteral("document.getElementById('canvas').getBoundingClientRect().%1")
+                            .arg(QLatin1String(side)))
+            .toDouble();
+    };
+    at += QPointF(origin("left"), origin("top"));
     mouse("mousePressed", at);
     mouse("mouseReleased", at);
 }

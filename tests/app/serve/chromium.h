@@ -29,6 +29,7 @@ public:
     QJsonValue evaluate(const QString& expression);
     bool waitFor(const QString& expression, int milliseconds = 20'000);
     void mouse(const char* type, QPointF at);
+    /// A place of the canvas.
     void click(QPointF at);
     void key(const QString& key);
     /// The pixels of the page's canvas.

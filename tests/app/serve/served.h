@@ -14,7 +14,7 @@ inline constexpr const char* kCode = "correct horse";
 /// Takes any free port.
 struct Served {
     hmi::PanelProject panels;
-    std::unique_ptr<session::Session> session;
+    std::unique_ptr<session::Session> machine;
     std::unique_ptr<Server> server;
 
     void open(const std::string& folder, ServerSettings settings = {}) {
@@ -26,17 +26,17 @@ struct Served {
     void build(const driver::BuildInput& input, ServerSettings settings = {}) {
         driver::Built built = driver::build(input);
         ASSERT_TRUE(built.program) << built.failure.english();
-        session = std::make_unique<session::Session>(std::move(built));
+        machine = std::make_unique<session::Session>(std::move(built));
         settings.port = 0;
-        server = std::make_unique<Server>(panels, *session, byAccessCode(kCode), std::move(settings));
+        server = std::make_unique<Server>(panels, *machine, byAccessCode(kCode), std::move(settings));
         const auto started = server->start();
         ASSERT_TRUE(started) << started.error().english();
     }
     QString url(const QString& path) const { return server->url().chopped(1) + path; }
     double number(const std::string& path) const {
-        const auto expression = session->expression(path);
+        const auto expression = machine->expression(path);
         EXPECT_TRUE(expression) << path;
-        const std::vector<std::byte> image = session->snapshot();
+        const std::vector<std::byte> image = machine->snapshot();
         if (!expression || image.empty()) return 0;
         const types::Value value = expression->evaluate(image).value;
         const int64_t* whole = std::get_if<int64_t>(&value.data);

@@ -74,8 +74,8 @@ TEST(Server, PagesStatusAndMetricsSayWhatRuns) {
     ServerSettings settings;
     settings.name = "machine <1>";
     openMachine(served, settings);
-    served.session->startThread({session::Pace::Real});
-    ASSERT_TRUE(waitUntil([&] { return served.session->status().scans > 20; }));
+    served.machine->startThread({session::Pace::Real});
+    ASSERT_TRUE(waitUntil([&] { return served.machine->status().scans > 20; }));
     EXPECT_TRUE(get(served, "/").contains("machine &lt;1&gt;"));
     const QByteArray status = get(served, "/status");
     const QJsonObject json = QJsonDocument::fromJson(status.mid(status.indexOf("\r\n\r\n") + 4)).object();
@@ -125,7 +125,7 @@ TEST(Server, WhoDoesNotSpeakLikeABrowserIsClosed) {
     for (int i = 0; i < 5000; ++i) flood.say(QStringLiteral(R"({"t":"move","x":1,"y":1})"));
     EXPECT_TRUE(waitUntil([&] { return flood.isClosed(); }));
     EXPECT_TRUE(waitUntil([&] { return served.server->figures().browsers == 0; }));
-    EXPECT_GE(served.server->figures().droppedBrowsers, 8u);
+    EXPECT_GE(served.server->figures().droppedBrowsers, 7u);
 }
 
 TEST(Server, ABrowserThatHangsGetsNothingMoreAndComesBackWithTheWholePicture) {
@@ -133,14 +133,15 @@ TEST(Server, ABrowserThatHangsGetsNothingMoreAndComesBackWithTheWholePicture) {
     ServerSettings settings;
     settings.link.drawnWithin = 600'000;
     openMachine(served, settings);
-    served.session->startThread({session::Pace::Real});
+    served.machine->startThread({session::Pace::Real});
     Client hanging(served), other(served);
     ASSERT_TRUE(waitUntil([&] { return hanging.frames > 2 && other.frames > 2; }));
     hanging.draws = false;
     const int frames = hanging.frames;
+    const uint64_t scans = served.machine->status().scans;
     ASSERT_TRUE(waitUntil([&] { return other.frames > 60; }));
     EXPECT_LE(hanging.frames, frames + 3);
-    EXPECT_EQ(served.session->status().skippedScans, 0u);
+    EXPECT_GT(served.machine->status().scans, scans + 50);
     hanging.draws = true;
     hanging.say(QStringLiteral(R"({"t":"drawn","n":%1})").arg(hanging.last));
     EXPECT_TRUE(waitUntil([&] { return hanging.frames > frames + 10; }));
@@ -151,7 +152,7 @@ TEST(Server, ABrowserThatNeverDrawsIsDroppedInTheEnd) {
     ServerSettings settings;
     settings.link.drawnWithin = 300;
     openMachine(served, settings);
-    served.session->startThread({session::Pace::Real});
+    served.machine->startThread({session::Pace::Real});
     Client hanging(served);
     hanging.draws = false;
     EXPECT_TRUE(waitUntil([&] { return hanging.frames > 0 && hanging.isClosed(); }));
@@ -160,7 +161,7 @@ TEST(Server, ABrowserThatNeverDrawsIsDroppedInTheEnd) {
 TEST(Server, TheCodeLetsOperateAndNothingElseDoes) {
     Served served;
     openMachine(served);
-    served.session->startThread({session::Pace::Real});
+    served.machine->startThread({session::Pace::Real});
     Client client(served);
     ASSERT_TRUE(waitUntil([&] { return client.frames > 0; }));
     const auto press = [&] {

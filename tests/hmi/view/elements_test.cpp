@@ -10,7 +10,7 @@ namespace {
 
 QImage drawn(const Element& element, ValueSource* values, bool designing = false) {
     Panel panel;
-    panel.set("size", Json::array({700, 400}));
+    panel.set("size", Json::array({900, 600}));
     panel.elements().push_back(element);
     static const TextCatalog texts = galleryTexts();
     PanelScene scene;
@@ -23,7 +23,7 @@ QImage drawn(const Element& element, ValueSource* values, bool designing = false
 
 QImage empty() {
     Panel panel;
-    panel.set("size", Json::array({700, 400}));
+    panel.set("size", Json::array({900, 600}));
     PanelScene scene;
     scene.setPanel(panel);
     return scene.picture();

@@ -87,6 +87,20 @@ TEST(FindSteps, SaysWhyOneIsNotUsable) {
     EXPECT_FALSE(found[3].startsAtRest);
 }
 
+TEST(FindSteps, OneWithAGapIsNotUsed) {
+    Plan plan;
+    plan.samples = 3000;
+    plan.inputs = {{500, 4}, {1500, 0}};
+    LoopSeries series = play(plan);
+    for (std::vector<double>* column : {&series.time, &series.input, &series.output})
+        column->erase(column->begin() + 515, column->begin() + 545);
+    const std::vector<FoundStep> found = findSteps(series);
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_FALSE(found[0].isUsable());
+    EXPECT_NE(found[0].reason.english().find("gap"), std::string::npos);
+    EXPECT_TRUE(found[1].isUsable());
+}
+
 namespace {
 
 /// A PI controller on the process, the set point stepped; the input is limited.

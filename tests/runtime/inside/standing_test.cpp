@@ -61,7 +61,7 @@ protected:
 } // namespace
 
 TEST_F(StandingScan, ShowsWhatWasComputedUntilThere) {
-    haltAt(9);
+    haltAt(10);
     const auto found = look();
     ASSERT_TRUE(found);
     EXPECT_EQ(shown(*found, "n + step"), "1");
@@ -73,7 +73,7 @@ TEST_F(StandingScan, ShowsWhatWasComputedUntilThere) {
 }
 
 TEST_F(StandingScan, ComesToTheRightPassOfALoop) {
-    haltAt(7);
+    haltAt(8);
     for (uint64_t pass = 1; pass <= 3; ++pass) {
         const auto found = look();
         ASSERT_TRUE(found);
@@ -88,7 +88,7 @@ class WrittenBefore : public StandingScan {
 protected:
     std::optional<StandingLook> lookAfterWriting(const char* path, int64_t value) {
         haltAt(4);
-        session.setBreakpoints({{FileId(0), 9, {}, 0, {}, true}});
+        session.setBreakpoints({{FileId(0), 10, {}, 0, {}, true}});
         session.pause();
         session.resume();
         EXPECT_TRUE(waitFor([&] { return session.status().halts == 2; }));

@@ -1,0 +1,23 @@
+// A letter to press with Alt for every entry of a menu and every button and field of a dialog, no two alike, in each
+// language. A letter written with & in a text is kept. GUI thread.
+#pragma once
+#include <QStringList>
+
+class QApplication;
+class QWidget;
+
+namespace plc::kit {
+
+/// The texts with one & each. `hints` are names whose letters serve texts in Chinese, which get theirs as “(&X)”.
+[[nodiscard]] QStringList withMnemonics(const QStringList& texts, const QStringList& hints);
+
+/// "&Save" without its mark, "保存(&S)" without the letter.
+[[nodiscard]] QString withoutMnemonic(const QString& text);
+
+/// To a menu bar, a menu or a dialog as it is now.
+void giveMnemonics(QWidget& of);
+
+/// To every menu and dialog of the application when it opens. Once is enough.
+void keepMnemonics(QApplication& application);
+
+} // namespace plc::kit

@@ -1,0 +1,82 @@
+// The dock that tunes a control loop out of the recording: the steps that were found, the model drawn over them, the
+// settings by a rule with two sliders, what they would have done, and the buttons that write them in one scan and take
+// them back. Owned by its dock; GUI thread; the search runs on a thread of its own and holds the session meanwhile.
+#pragma once
+#include "editor/debug/run_control.h"
+#include "projects/loops/trial.h"
+#include "projects/tuning/find.h"
+#include "projects/tuning/proposal.h"
+
+#include <QTimer>
+#include <QWidget>
+
+#include <thread>
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QSlider;
+class QTreeWidget;
+
+namespace plc::editor {
+
+class CurveView;
+
+class TuningView : public QWidget {
+    Q_OBJECT
+public:
+    explicit TuningView(RunControl& control, QWidget* parent = nullptr);
+    ~TuningView() override;
+
+    void findSteps();
+    void writeParameters();
+    void takeBack();
+
+signals:
+    void message(const QString& text, bool isError);
+
+private:
+    struct Finding { // of the search; immutable once shown
+        loops::Loop loop;
+        loops::ProgramPointer program;
+        tuning::LoopSeries series;
+        tuning::Study study;
+        loops::Settings settings;
+        history::Position from = 0, to = 0;
+    };
+    QWidget* makeHead();
+    QWidget* makeSettings();
+    QWidget* makeCharts();
+    void listLoops();
+    void runAside(std::function<Result<std::shared_ptr<Finding>>()> work);
+    void show(std::shared_ptr<Finding> finding);
+    void showSteps();
+    void fitChosenSteps();
+    void propose();
+    void showCharts();
+    void showTable();
+    void tryOut();
+    void refreshButtons();
+    [[nodiscard]] std::optional<loops::Loop> chosenLoop() const;
+    [[nodiscard]] tuning::Wish wish() const;
+    [[nodiscard]] tuning::ProcessModel model() const;
+    [[nodiscard]] std::vector<loops::ParameterWrite> writes() const;
+
+    RunControl& m_control;
+    QComboBox *m_loop, *m_model, *m_rule, *m_kind;
+    QPushButton *m_find, *m_write, *m_back;
+    QSlider *m_brisk, *m_tracking;
+    QTreeWidget *m_steps, *m_figures;
+    QLabel *m_state, *m_formula, *m_words;
+    CurveView *m_data, *m_setPoint, *m_load, *m_trial;
+    std::shared_ptr<Finding> m_finding;
+    std::optional<tuning::Assessment> m_now, m_proposal;
+    std::vector<tuning::ParameterValue> m_parameters;
+    std::vector<loops::ParameterWrite> m_before; // what the last write replaced
+    QTimer m_trialTimer;                         // a trial follows when the slider rests
+    std::thread m_worker;
+    bool m_isSearching = false;
+    bool m_isFilling = false; // the view changes its own controls
+};
+
+} // namespace plc::editor

@@ -1,0 +1,27 @@
+// What can be done with one alarm: its help, the panel that shows its place, acknowledging, shelving, taking out of
+// service, putting back. Over the player, which owns it; main thread.
+#pragma once
+#include "hmi/alarms/alarm_book.h"
+#include "hmi/player/keypad.h"
+
+namespace plc::hmi {
+
+enum class AlarmAction { Acknowledge, Show, ShelveShort, ShelveLong, OutOfService, PutBack };
+
+class AlarmSheet final : public Overlay {
+    Q_OBJECT
+public:
+    AlarmSheet(const AlarmBook& book, size_t alarm, const OverlayLook& look, QWidget* parent);
+    /// The key of an action, or null where it makes no sense for this alarm.
+    QPushButton* keyOf(AlarmAction action) const { return m_keys.value(static_cast<int>(action)); }
+
+signals:
+    void chosen(plc::hmi::AlarmAction action, const QString& alarm);
+
+private:
+    void addKey(AlarmAction action, const QString& text, QGridLayout* grid);
+    QString m_alarm;
+    QMap<int, QPushButton*> m_keys;
+};
+
+} // namespace plc::hmi
