@@ -45,7 +45,8 @@ const std::vector<Command>& commands() {
     static const std::vector<Command> all = {checkCommand(),   runCommand(),    formatCommand(), testCommand(),
                                              traceCommand(),   replayCommand(), panelCommand(),  docCommand(),
                                              convertCommand(), importCommand(), exportCommand(), ladderCommand(),
-                                             whyCommand(),     tuneCommand(),   serveCommand(),  textsCommand()};
+                                             whyCommand(),     tuneCommand(),   serveCommand(),  textsCommand(),
+                                             recipeCommand(),  peopleCommand(), alarmsCommand()};
     return all;
 }
 

@@ -37,6 +37,9 @@ int runCommandLine(const std::vector<std::string>& words);
 [[nodiscard]] Command tuneCommand();
 [[nodiscard]] Command serveCommand();
 [[nodiscard]] Command textsCommand();
+[[nodiscard]] Command recipeCommand();
+[[nodiscard]] Command peopleCommand();
+[[nodiscard]] Command alarmsCommand();
 
 // --- shared by the commands
 /// Whether several programs without a CONFIGURATION are an error: nothing runs them, but each can be checked.

@@ -118,10 +118,40 @@ ControllerKind kindFor(const Question& question, const std::optional<loops::Loop
     return kinds.size() > 1 ? ControllerKind::Pi : ControllerKind::P;
 }
 
+Result<void> writeText(const std::string& path, const std::string& text) {
+    std::ofstream file(path, std::ios::binary);
+    file << text;
+    if (!file.flush()) return Error{errors::OutputNotWritten(), path};
+    return {};
+}
+
+/// Without a step there is no model, but how the loop is doing can be said.
+int reportHealth(const TuneReport& report, const std::string& path) {
+    if (auto written = writeText(path, pageOf(report)); !written) return wrongUse(written.error());
+    std::cout << healthText(report);
+    return kGood;
+}
+
+tuning::LoopLimits limitsOf(const TuneReport& report, const std::optional<loops::Settings>& settings) {
+    tuning::LoopLimits limits;
+    if (!settings) return limits;
+    limits.low = settings->low;
+    limits.high = settings->high;
+    if (!report.now) return limits;
+    limits.sensitivity = report.now->figures.sensitivity;
+    limits.crossover = report.now->figures.crossover;
+    return limits;
+}
+
 /// Models and settings from what is in the report already: channels, series, loop and its present settings.
 int answer(const Arguments& arguments, const Question& question, TuneReport& report,
            const std::optional<loops::Settings>& settings) {
-    if (auto studied = studyInto(question, report); !studied) return wrongUse(studied.error());
+    const auto page = arguments.value("--report");
+    if (auto studied = studyInto(question, report); !studied) {
+        if (!page) return wrongUse(studied.error());
+        report.health = tuning::healthOf(report.series, limitsOf(report, settings));
+        return reportHealth(report, *page);
+    }
     report.cycle = question.cycle.value_or(settings && settings->cycle > 0 ? settings->cycle
                                                                            : tuning::usualInterval(report.series));
     report.kind = kindFor(question, report.loop);
@@ -135,10 +165,12 @@ int answer(const Arguments& arguments, const Question& question, TuneReport& rep
     if (settings) report.now = tuning::assess(process, settings->gains, conditions);
     if (const RuleAnswer* chosen = report.answer(); chosen && report.loop)
         report.parameters = tuning::parametersOf(*report.loop->form, chosen->assessment.gains, report.cycle);
-    if (const auto path = arguments.value("--picture")) {
-        std::ofstream file(*path, std::ios::binary);
-        file << pictureOf(report, arguments.has("--dark"));
-        if (!file.flush()) return wrongUse({errors::OutputNotWritten(), *path});
+    if (const auto path = arguments.value("--picture"))
+        if (auto written = writeText(*path, pictureOf(report, arguments.has("--dark"))); !written)
+            return wrongUse(written.error());
+    if (page) {
+        report.health = tuning::healthOf(report.series, limitsOf(report, settings));
+        if (auto written = writeText(*page, pageOf(report)); !written) return wrongUse(written.error());
     }
     std::cout << (arguments.wantsJson() ? jsonOf(report) : textOf(report));
     return report.answer() ? kGood : kProgramWrong;
@@ -253,6 +285,7 @@ Command tuneCommand() {
           {"--cycle", "100ms", "interval of the calls (default: as the program says, or that of the samples)"},
           {"--step", "3", "use this step for the model (repeatable; default: the clearest ones)"},
           {"--picture", "out.svg", "draw data and model, the responses and the Bode plot"},
+          {"--report", "out.html", "write a page on how the loop is doing, with charts, model and settings"},
           {"--dark", "", "draw on a dark ground"},
           {"--for", "60s", "PLC time to run a project (default 60s)"},
           {"--set", "PATH=VALUE[@TIME]", "write before the first scan at or after TIME (repeatable)"},

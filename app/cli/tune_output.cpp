@@ -315,4 +315,60 @@ std::string pictureOf(const TuneReport& report, bool isDark) {
     return svgOf(page);
 }
 
+namespace {
+
+std::vector<std::pair<std::string, std::string>> healthRows(const tuning::Health& health) {
+    return {{"recorded", numberText(health.duration) + " s"},
+            {"at a limit", numberText(health.timeAtLimit * 100, 3) + " % of the time"},
+            {"mean absolute error", numberText(health.meanError)},
+            {"integrated absolute error", numberText(health.integratedError)},
+            {"movements of the output", numberText(health.effort) + " an hour"},
+            {"noise of the measured value", numberText(health.noise, 3)}};
+}
+
+std::string recordedChart(const TuneReport& report) {
+    tuning::ChartPage page;
+    const auto add = [&](tuning::Chart& chart, const char* name, int colour, const std::vector<double>& values) {
+        if (values.empty()) return;
+        chart.curves.push_back({name, report.series.time, values, colour, tuning::CurveStyle::Line});
+        thin(chart.curves.back());
+    };
+    page.title = "Recorded";
+    page.charts.push_back({"Set point and measured value", "time [s]", "", {}, false});
+    add(page.charts.back(), "set point", 0, report.series.setPoint);
+    add(page.charts.back(), "measured", 2, report.series.output);
+    page.charts.push_back({"Output", "time [s]", "", {}, false});
+    add(page.charts.back(), "output", 3, report.series.input);
+    return svgOf(page);
+}
+
+} // namespace
+
+std::string healthText(const TuneReport& report) {
+    std::string out = "Health of " + report.name + "\n";
+    for (const Message& sentence : wordsOf(report.health)) out += "  " + sentence.english() + "\n";
+    for (const auto& [what, value] : healthRows(report.health)) out += "  " + padded(what, 28) + value + "\n";
+    return out;
+}
+
+std::string pageOf(const TuneReport& report) {
+    const auto escaped = [](const std::string& text) { return tuning::xmlText(text); };
+    std::string out = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" +
+                      escaped(report.name) +
+                      "</title>\n<style>body{font-family:\"Noto Sans\",sans-serif;margin:24px;max-width:1160px}"
+                      "td{padding:2px 18px 2px 0}pre{background:#f5f6f7;padding:12px;overflow:auto}svg{max-width:100%;"
+                      "height:auto}</style></head><body>\n<h1>" +
+                      escaped(report.name) + "</h1>\n<p>" + escaped(report.channels.output) + " by " +
+                      escaped(report.channels.input) + "</p>\n<h2>How it is doing</h2>\n";
+    for (const Message& sentence : wordsOf(report.health)) out += "<p>" + escaped(sentence.english()) + "</p>\n";
+    out += "<table>\n";
+    for (const auto& [what, value] : healthRows(report.health))
+        out += "<tr><td>" + escaped(what) + "</td><td>" + escaped(value) + "</td></tr>\n";
+    out += "</table>\n" + recordedChart(report);
+    if (!report.study.models.empty())
+        out +=
+            "<h2>Model and settings</h2>\n" + pictureOf(report, false) + "<pre>" + escaped(textOf(report)) + "</pre>\n";
+    return out + "</body></html>\n";
+}
+
 } // namespace plc::cli

@@ -1,6 +1,7 @@
 // What `stepwise tune` prints and draws: steps, models, settings. Values and functions, one thread.
 #pragma once
 #include "projects/loops/loops.h"
+#include "projects/tuning/health.h"
 #include "projects/tuning/proposal.h"
 
 namespace plc::cli {
@@ -24,6 +25,8 @@ struct TuneReport {
     std::vector<tuning::ParameterValue> parameters;
     std::vector<loops::Target> targets;
 
+    tuning::Health health;
+
     [[nodiscard]] const tuning::Identified& best() const { return study.models.front(); }
     [[nodiscard]] const RuleAnswer* answer() const; // of the rule that was asked for
 };
@@ -32,5 +35,10 @@ struct TuneReport {
 [[nodiscard]] std::string jsonOf(const TuneReport& report);
 /// Data and model, both responses, the Bode plot of the loop.
 [[nodiscard]] std::string pictureOf(const TuneReport& report, bool isDark);
+
+/// How the loop is doing, as sentences and figures.
+[[nodiscard]] std::string healthText(const TuneReport& report);
+/// All of it as a page of its own, charts included; without a model only how the loop is doing.
+[[nodiscard]] std::string pageOf(const TuneReport& report);
 
 } // namespace plc::cli

@@ -149,8 +149,10 @@ void LadderView::selectAgain(const LadderPick& before) {
             const size_t at = distance % 2 ? rung - (distance + 1) / 2 : rung + distance / 2;
             if (at >= m_diagram.rungs.size()) continue;
             for (const LadderPick& pick : m_scene->picksOf(RungId(at)))
-                if (kit::fromView(m_diagram[pick.node].label).compare(wanted, Qt::CaseInsensitive) == 0)
-                    return m_scene->select(pick);
+                if (kit::fromView(m_diagram[pick.node].label).compare(wanted, Qt::CaseInsensitive) == 0) {
+                    m_scene->select(pick);
+                    return m_canvas->ensureVisible(m_scene->rectOf(pick), 20, 20); // what was drawn is looked at
+                }
         }
     if (before.rung.isValid()) m_scene->select({RungId(rung), {}});
 }

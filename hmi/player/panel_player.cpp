@@ -411,7 +411,8 @@ void PanelPlayer::frame() {
         record(QStringLiteral("log out"), {}, {}, {}, {}, QStringLiteral("timeout"));
         userChanged();
     }
-    for (const QString& alarm : m_alarms.expire(QDateTime::currentDateTimeUtc()))
+    // Once, by who keeps the alarms that all share.
+    for (const QString& alarm : m_station ? std::vector<QString>() : m_alarms.expire(QDateTime::currentDateTimeUtc()))
         record(QStringLiteral("alarm back"), alarm, {}, {}, {}, QStringLiteral("time is over"));
     updateStatus();
     if (!m_refusal.isEmpty() && m_refusalAge.isValid() && m_refusalAge.elapsed() > 4000) {

@@ -12,20 +12,20 @@ constexpr int kShort = 30 * 60, kLong = 8 * 3600; // seconds
 }
 
 void PanelPlayer::answerAlarm(const AlarmDetailRequest& request) {
-    if (m_recording || request.alarm >= m_alarms.definitions().size()) return;
-    auto* sheet = new AlarmSheet(m_alarms, request.alarm, look(), this);
+    if (m_recording || refusesLocked() || request.alarm >= liveAlarms().definitions().size()) return;
+    auto* sheet = new AlarmSheet(liveAlarms(), request.alarm, look(), this);
     connect(sheet, &AlarmSheet::chosen, this, [this](AlarmAction action, const QString& alarm) {
         kit::post(this, [this, action, alarm] { act(action, alarm); });
     });
 }
 
 void PanelPlayer::act(AlarmAction action, const QString& alarm) {
-    const int index = m_alarms.indexOf(alarm);
+    const int index = liveAlarms().indexOf(alarm);
     if (index < 0) return;
     const QString user = m_logIn.user();
     const QDateTime now = QDateTime::currentDateTimeUtc();
     const auto set = [&](const QString& name, const std::function<Result<void>(AlarmSuppression&)>& how) {
-        if (const auto done = m_alarms.change(how); !done) refuse(kit::messageText(done.error(), language()));
+        if (const auto done = liveAlarms().change(how); !done) refuse(kit::messageText(done.error(), language()));
         record(name, alarm, {}, {}, m_panelName);
     };
     const auto shelve = [&](int seconds) {
@@ -35,10 +35,10 @@ void PanelPlayer::act(AlarmAction action, const QString& alarm) {
     switch (action) {
     case AlarmAction::Acknowledge:
         record(QStringLiteral("acknowledge"), alarm, {}, {}, m_panelName);
-        if (m_watch) m_watch->acknowledge(static_cast<size_t>(index), user);
+        if (AlarmWatch* const watch = alarmWatch()) watch->acknowledge(static_cast<size_t>(index), user);
         return;
     case AlarmAction::Show:
-        m_navigation.open({m_alarms.definitions()[static_cast<size_t>(index)].show, {}});
+        m_navigation.open({liveAlarms().definitions()[static_cast<size_t>(index)].show, {}});
         return;
     case AlarmAction::ShelveShort:
         return shelve(kShort);

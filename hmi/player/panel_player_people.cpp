@@ -41,8 +41,8 @@ void PanelPlayer::connectScene(PanelScene& scene) {
         AlarmWatch* const watch = alarmWatch();
         if (!watch || refusesLocked()) return;
         const QString what = acknowledge.all ? QStringLiteral("all")
-                             : acknowledge.alarm < m_alarms.definitions().size()
-                                 ? m_alarms.definitions()[acknowledge.alarm].id
+                             : acknowledge.alarm < liveAlarms().definitions().size()
+                                 ? liveAlarms().definitions()[acknowledge.alarm].id
                                  : QString();
         record(QStringLiteral("acknowledge"), what, {}, {}, m_panelName);
         if (acknowledge.all)
@@ -117,6 +117,7 @@ void PanelPlayer::syncPopUps() {
         auto* popUp = new PopUp(look(), wanted[i], this);
         PanelScene& inner = popUp->scene();
         inner.setFolder(m_project.folder);
+        inner.setPicturesOutside(m_project.picturesOutside);
         inner.setFaceplates(m_project.panelLookup());
         inner.setRecipes(&m_recipes);
         inner.setTexts(&m_project.texts);

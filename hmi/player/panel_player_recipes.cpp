@@ -10,6 +10,7 @@
 namespace plc::hmi {
 
 void PanelPlayer::answerRecipe(const RecipeRequest& request, PanelScene& scene) {
+    if (request.kind != RecipeRequestKind::Choose && refusesLocked()) return;
     switch (request.kind) {
     case RecipeRequestKind::Choose:
         return chooseSet(request, scene);

@@ -77,6 +77,11 @@ const Writing* writingOf(PropertyType type) {
     return found == std::end(all) ? nullptr : &*found;
 }
 
+/// "$limit", in a panel with parameters.
+bool isParameter(const Json& value) {
+    return value.is_string() && value.get_ref<const std::string&>().starts_with("$");
+}
+
 bool isColor(const QString& name) {
     if (name.isEmpty() || name == QStringLiteral("none") || name.contains(u'$')) return true; // $: given elsewhere
     return PanelTheme::of(PanelThemeKind::Light).color(name).isValid();
@@ -161,6 +166,7 @@ private:
     void checkValue(const ElementId& id, const PropertyDescriptor& property, const Json& value, const QString& place) {
         const Writing* writing = writingOf(property.type);
         if (!writing || (value.is_null() && property.fallback.is_null())) return;
+        if (isParameter(value)) return; // given where the panel is placed
         if (!writing->fits(value)) {
             add(FindingKind::WrongPropertyType, true, id, place, writing->complaint());
             return;

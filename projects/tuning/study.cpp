@@ -39,10 +39,15 @@ double fitOf(const std::vector<double>& measured, const std::vector<double>& sim
 /// Whether a step alone is explained by some simple model; the noise of its samples is forgiven.
 double ownFit(const Excerpt& excerpt) {
     double best = 0;
+    constexpr double kGood = 85; // then it does not matter by how much
     for (const Structure structure :
-         {Structure::TwoLagsDelay, Structure::IntegratingLagDelay, Structure::Oscillating, Structure::InverseLag})
+         {Structure::OneLagDelay, Structure::OneLag, Structure::TwoLagsDelay, Structure::TwoLags,
+          Structure::IntegratingLagDelay, Structure::IntegratingDelay, Structure::Integrating, Structure::Oscillating,
+          Structure::InverseLag, Structure::Proportional}) {
+        if (best > kGood) break;
         if (const auto fit = fitOutputError({excerpt}, structure))
             best = std::max(best, fitOf(excerpt.output, fit->simulated.front()));
+    }
     return best;
 }
 

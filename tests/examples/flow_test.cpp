@@ -265,7 +265,7 @@ private:
         } else if (node.kind == NodeKind::Box && !node.instance.empty()) {
             return flowOf(power[id.index()]);        // its output is the next statement's
         } else if (node.kind == NodeKind::Operand) { // a circle at the pin inverts it
-            behind = both(before, valueOf(known, ladder::questionOf({}, diagram, id).range));
+            behind = both(before, valueOf(known, node.operand->range));
         } else if (node.expr) {
             behind = both(before, valueOf(known, node.expr->range));
         }

@@ -121,6 +121,9 @@ Result<Edits> LadderEditor::addCoil(RungId id, std::string_view target) const {
         const Node& output = m_diagram[first.output];
         if (first.tail.isValid() || output.kind != NodeKind::Coil || output.coil != CoilKind::Normal)
             return Error{errors::RungReadsWhatItWrites(), {}};
+        for (size_t i = 1; i < rung.branches.size(); ++i) // it has to have the power still
+            if (equalsIgnoringCase(m_diagram[rung.branches[i].output].label, output.label))
+                return Error{errors::RungReadsWhatItWrites(), {}};
         power = output.label;
     }
     const Stmt& last = *rung.statements.back();

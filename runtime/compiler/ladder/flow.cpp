@@ -146,6 +146,17 @@ SourceRange reportedRange(const syntax::Stmt& stmt) {
     }
 }
 
+namespace {
+
+/// The statement of a rung that contacts belong to.
+const syntax::Stmt* statementAround(const Rung& rung, SourceRange contacts) {
+    for (const syntax::Stmt* stmt : rung.statements)
+        if (stmt->range.begin <= contacts.begin && contacts.end <= stmt->range.end) return stmt;
+    return nullptr;
+}
+
+} // namespace
+
 bool isRungExecuted(const Diagram& diagram, const Rung& rung, const Executed& isExecuted) {
     if (!isExecuted || rung.statements.empty()) return true;
     const syntax::Stmt& first = *rung.statements.front();
@@ -162,10 +173,13 @@ void computeFlow(std::string_view text, const Diagram& diagram, const Rung& rung
     const Power rail = isReached ? Power::On : Power::Unknown;
     const Power shared = rung.power.isValid() ? walk.reach(rung.power, rail, isReached) : rail;
     for (const Branch& branch : rung.branches) {
-        const bool isLeftOut = shared == Power::On && !walk.isExecuted(diagram[branch.output].stmt); // behind a RETURN
-        const Power own = isLeftOut ? Power::Unknown : shared;
-        const Power tail = branch.tail.isValid() ? walk.reach(branch.tail, own, isReached && !isLeftOut) : own;
-        walk.walk(branch.output, tail);
+        Power behind = shared;
+        if (branch.tail.isValid()) {
+            const bool isAsked = isReached && walk.isExecuted(statementAround(rung, diagram[branch.tail].range));
+            behind = walk.reach(branch.tail, isAsked ? shared : Power::Unknown, isAsked);
+        }
+        const bool isLeftOut = behind == Power::On && !walk.isExecuted(diagram[branch.output].stmt); // behind a RETURN
+        walk.walk(branch.output, isLeftOut ? Power::Unknown : behind);
     }
 }
 

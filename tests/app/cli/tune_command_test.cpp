@@ -97,6 +97,24 @@ TEST_F(TuneCommand, ARecordingAnswersAsTheProjectDid) {
     EXPECT_NEAR(json()["model"]["gain"], 1, 0.01);
 }
 
+TEST_F(TuneCommand, AReportSaysHowTheLoopIsDoing) {
+    ASSERT_EQ(command({"tune", example("loop_tuning"), "--for", "180s", "--set", "Main.SetPoint=45@60s", "--report",
+                       path("loop.html")}),
+              cli::kGood)
+        << err;
+    const std::string page = read("loop.html");
+    EXPECT_NE(page.find("<h2>How it is doing</h2>"), std::string::npos);
+    EXPECT_NE(page.find("<h2>Model and settings</h2>"), std::string::npos);
+    EXPECT_NE(page.find("<polyline"), std::string::npos);
+    EXPECT_EQ(page.find("nan"), std::string::npos);
+    // without a step there is still something to say
+    ASSERT_EQ(command({"tune", example("cascade"), "--loop", "Main.controller.PID", "--for", "60s", "--report",
+                       path("quiet.html")}),
+              cli::kGood)
+        << err;
+    EXPECT_NE(read("quiet.html").find("How it is doing"), std::string::npos);
+}
+
 TEST_F(TuneCommand, SaysWhatIsWrong) {
     write("valve.csv", table());
     write("flat.csv", [] {

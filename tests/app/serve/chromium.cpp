@@ -75,12 +75,13 @@ QJsonObject Chromium::call(const QString& method, const QJsonObject& parameters,
 }
 
 std::unique_ptr<Page> Chromium::open(const QString& url, QSize size) {
-    const QString target = call(QStringLiteral("Target.createTarget"),
-                                {{"url", url}, {"width", size.width()}, {"height", size.height()}})["targetId"]
-                               .toString();
+    const QString target = call(QStringLiteral("Target.createTarget"), {{"url", "about:blank"}})["targetId"].toString();
     const QString session =
         call(QStringLiteral("Target.attachToTarget"), {{"targetId", target}, {"flatten", true}})["sessionId"]
             .toString();
+    call(QStringLiteral("Emulation.setDeviceMetricsOverride"),
+         {{"width", size.width()}, {"height", size.height()}, {"deviceScaleFactor", 1}, {"mobile", false}}, session);
+    call(QStringLiteral("Page.navigate"), {{"url", url}}, session);
     return std::make_unique<Page>(*this, target, session);
 }
 

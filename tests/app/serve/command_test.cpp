@@ -62,11 +62,9 @@ struct Files {
 
 TEST(ServeCommand, RunsUntilItIsAskedToStopAndKeepsEverything) {
     const Files files;
-    double scans = 0;
     for (int start = 0; start < 2; ++start) {
         Service service({files.program, "--state", files.state});
         ASSERT_TRUE(waitUntil([&] { return service.status()["scans"].toDouble() > 50; }));
-        scans = service.status()["scans"].toDouble();
         ::kill(static_cast<pid_t>(service.process.processId()), SIGTERM);
         ASSERT_TRUE(service.process.waitForFinished(20'000));
         EXPECT_EQ(service.process.exitCode(), 0);

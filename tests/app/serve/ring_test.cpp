@@ -62,15 +62,15 @@ TEST(RecordingRing, FilesFollowOneAnotherWithoutGapAndStayWithinTheirSize) {
     session::Settings settings;
     settings.historyBudget = size_t(8) << 20;
     session::Session session(builtCounter(), settings);
-    const uint64_t limit = uint64_t(3) << 20;
+    const uint64_t limit = uint64_t(2) << 20;
     {
         RecordingRing ring(session,
-                           {folder.path().toStdString(), limit, uint64_t(256) << 10, std::chrono::milliseconds(20)});
-        session.startThread({session::Pace::Factor, 20});
+                           {folder.path().toStdString(), limit, uint64_t(128) << 10, std::chrono::milliseconds(20)});
+        session.startThread({session::Pace::Factor, 3});
         ASSERT_TRUE(waitUntil([&] { return recordings(folder.path()).size() > 3 && ring.figures().bytes > limit / 2; },
                               60'000));
         const history::Position before = session.history().statistics().end;
-        ASSERT_TRUE(waitUntil([&] { return session.history().statistics().end > before + 20'000; }, 60'000));
+        ASSERT_TRUE(waitUntil([&] { return session.history().statistics().end > before + 9'000; }, 60'000));
         EXPECT_TRUE(ring.figures().problem.empty()) << ring.figures().problem;
         session.end();
     }

@@ -32,7 +32,7 @@ struct Served {
         const auto started = server->start();
         ASSERT_TRUE(started) << started.error().english();
     }
-    QString url(const QString& path) const { return server->url().chopped(1) + path; }
+    QString url(const QString& path) const { return server->url() + path; }
     double number(const std::string& path) const {
         const auto expression = machine->expression(path);
         EXPECT_TRUE(expression) << path;

@@ -75,6 +75,11 @@ TEST(Trial, BothLoopsOfTheCascadeRepeatTheirRecordingBitForBit) {
     expectSameBits(example, "Main.controller.PID", 0, 4000);
 }
 
+TEST(Trial, TheControllerOfLoopTuningRepeatsItsRecordingBitForBit) {
+    const Example example("loop_tuning", 3000, {{600, "Main.SetPoint", 45}, {1800, "Plant.MoreFlow", 1}});
+    expectSameBits(example, "Main.controller", 0, 3000);
+}
+
 TEST(Trial, TheTankHeatingRepeatsItsRecordingBitForBit) {
     // no controller block: the sequence's outputs, from the sensors that were recorded
     const Example example("tank_heating", 6000, {{20, "Plant.Start", 1}, {30, "Plant.Start", 0}});

@@ -80,6 +80,14 @@ TEST(Health, ASineFromOutsideIsOutside) {
     EXPECT_EQ(health.oscillation->cause, Cause::Outside);
 }
 
+TEST(Health, AValveThatSticksIsToBlame) {
+    const ProcessModel process = equalLags(1, 1.5, 0.3, 1.5);
+    const Illness sticks{{0.3, 4, 0, 0}, 1.5, 0, 60, 0.01};
+    const Health health = healthOf(played(process, sticks), limitsFor(process, sticks));
+    ASSERT_TRUE(health.oscillation);
+    EXPECT_EQ(health.oscillation->cause, Cause::Stiction);
+}
+
 TEST(Health, TimeAtALimitAndTheErrorAreCounted) {
     const ProcessModel process = equalLags(1, 8, 2, 1.5);
     const Illness none{{1.2, 8, 0, 0}, 0, 0, 60, 0};

@@ -155,6 +155,12 @@ Change move(const char* label, const char* beside, Place place) {
     };
 }
 
+TEST(LadderEdits, ANewCoilDoesNotFollowOneThatIsWrittenAgain) {
+    const auto added = after("x := a AND d;\nx := NOT (a AND d AND b);\nd := a AND d;\n",
+                             [](const LadderEditor& editor, const Opened&) { return editor.addCoil(RungId(0), "y"); });
+    EXPECT_EQ(added, "The rung reads what it writes; add this coil in a rung of its own.");
+}
+
 TEST(LadderEdits, MoveAContactWithinItsRungAndToAnother) {
     EXPECT_EQ(after("y := a AND b AND c; // why\n", move("a", "c", Place::After)), "y := b AND c AND a; // why\n");
     EXPECT_EQ(after("y := a AND b AND c;\n", move("c", "a", Place::Before)), "y := c AND a AND b;\n");
