@@ -2098,7 +2098,7 @@
     </message>
     <message>
         <source>The password cannot be kept: {0}</source>
-        <translation>Le mot de passe ne peut pas être conservé : {0}</translation>
+        <translation>Le mot de passe ne peut pas être conservé&#xa0;: {0}</translation>
     </message>
     <message>
         <source>A password needs at least {0} characters</source>
@@ -2110,11 +2110,11 @@
     </message>
     <message>
         <source>The audit trail cannot be written: {0}</source>
-        <translation>La piste d’audit ne peut pas être écrite : {0}</translation>
+        <translation>La piste d’audit ne peut pas être écrite&#xa0;: {0}</translation>
     </message>
     <message>
         <source>The audit trail cannot be read: {0}</source>
-        <translation>La piste d’audit ne peut pas être lue : {0}</translation>
+        <translation>La piste d’audit ne peut pas être lue&#xa0;: {0}</translation>
     </message>
     <message>
         <source>The frame {0} has no panel area, so no panel is seen in it</source>
@@ -2122,7 +2122,7 @@
     </message>
     <message>
         <source>Only for the roles {0}, but the project has no users; anybody may operate it</source>
-        <translation>Seulement pour les rôles {0}, mais le projet n’a pas d’utilisateurs ; tout le monde peut le commander</translation>
+        <translation>Seulement pour les rôles {0}, mais le projet n’a pas d’utilisateurs&#x202f;; tout le monde peut le commander</translation>
     </message>
     <message>
         <source>The recipes are not valid JSON</source>
@@ -2178,11 +2178,11 @@
     </message>
     <message>
         <source>The list of shelved alarms cannot be read, so none is shelved: {0}</source>
-        <translation>La liste des alarmes mises de côté ne peut pas être lue, aucune n’est donc mise de côté : {0}</translation>
+        <translation>La liste des alarmes mises de côté ne peut pas être lue, aucune n’est donc mise de côté&#xa0;: {0}</translation>
     </message>
     <message>
         <source>The list of shelved alarms cannot be written: {0}</source>
-        <translation>La liste des alarmes mises de côté ne peut pas être écrite : {0}</translation>
+        <translation>La liste des alarmes mises de côté ne peut pas être écrite&#xa0;: {0}</translation>
     </message>
 </context>
 <context>
