@@ -24,7 +24,7 @@ struct AlarmEntry {
     qint64 raisedClock = 0;
     std::optional<qint64> returnedClock, acknowledgedClock;
     bool isOfEarlierRun = false; // the controller has been started again since
-    bool isFirstOut = false; // came first of its group
+    bool isFirstOut = false;     // came first of its group
 };
 
 enum class AlarmOrder { Priority, Time };

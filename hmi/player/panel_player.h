@@ -2,9 +2,9 @@
 // and what the controller's state means for what is seen. A widget for a dock or full screen, also used for pictures.
 // The project and the session must outlive it; main thread.
 #pragma once
+#include "editor/kit/ask_why.h"
 #include "hmi/people/audit_trail.h"
 #include "hmi/people/log_in.h"
-#include "editor/kit/ask_why.h"
 #include "hmi/player/alarm_evaluator.h"
 #include "hmi/player/navigation.h"
 #include "hmi/player/panel_project.h"
