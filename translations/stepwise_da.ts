@@ -2184,6 +2184,18 @@
         <source>The list of shelved alarms cannot be written: {0}</source>
         <translation>Listen over udsatte alarmer kan ikke skrives: {0}</translation>
     </message>
+    <message>
+        <source>Why?</source>
+        <translation>Hvorfor?</translation>
+    </message>
+    <message>
+        <source>Why Not?</source>
+        <translation>Hvorfor ikke?</translation>
+    </message>
+    <message>
+        <source>Who Set This?</source>
+        <translation>Hvem satte det?</translation>
+    </message>
 </context>
 <context>
     <name>Exchange</name>
@@ -4215,6 +4227,22 @@
         <source>no statement of the project ran in this scan</source>
         <translation>ingen sætning i projektet blev udført i dette scan</translation>
     </message>
+    <message>
+        <source>never {0}</source>
+        <translation>aldrig {0}</translation>
+    </message>
+    <message>
+        <source>missing: {0}</source>
+        <translation>mangler: {0}</translation>
+    </message>
+    <message>
+        <source>not run</source>
+        <translation>ikke udført</translation>
+    </message>
+    <message>
+        <source>run {0} {0:time|times}</source>
+        <translation>udført {0} {0:gang|gange}</translation>
+    </message>
 </context>
 <context>
     <name>LongTask</name>
@@ -5252,6 +5280,21 @@ Ikke bevaret: %3</translation>
     </message>
 </context>
 <context>
+    <name>plc::app::InsideViews</name>
+    <message>
+        <source>Coverage of the newest %1 of %2 recorded scans</source>
+        <translation>Dækning af de nyeste %1 af %2 optagede scan</translation>
+    </message>
+    <message>
+        <source>There is no recording to ask yet: run the program first.</source>
+        <translation>Der er endnu ingen optagelse: Kør først programmet.</translation>
+    </message>
+    <message>
+        <source>Put the cursor on a variable, or select an expression, to ask about it</source>
+        <translation>Sæt markøren på en variabel, eller markér et udtryk, for at spørge om det</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::InstanceBar</name>
     <message>
         <source>Instance whose values are shown</source>
@@ -6183,6 +6226,58 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>%1 is not a source of this project</source>
         <translation>%1 er ikke en kildefil i dette projekt</translation>
     </message>
+    <message>
+        <source>Walk Through the Scan</source>
+        <translation>Gå gennem scannet</translation>
+    </message>
+    <message>
+        <source>Step Back In</source>
+        <translation>Skridt baglæns ind</translation>
+    </message>
+    <message>
+        <source>Step Back Over</source>
+        <translation>Skridt baglæns over</translation>
+    </message>
+    <message>
+        <source>Step Back Out</source>
+        <translation>Skridt baglæns ud</translation>
+    </message>
+    <message>
+        <source>Why?</source>
+        <translation>Hvorfor?</translation>
+    </message>
+    <message>
+        <source>Why Not?</source>
+        <translation>Hvorfor ikke?</translation>
+    </message>
+    <message>
+        <source>Who Set This?</source>
+        <translation>Hvem satte det?</translation>
+    </message>
+    <message>
+        <source>What If…</source>
+        <translation>Hvad nu hvis…</translation>
+    </message>
+    <message>
+        <source>Coverage of the Recording</source>
+        <translation>Optagelsens dækning</translation>
+    </message>
+    <message>
+        <source>Hide the Coverage</source>
+        <translation>Skjul dækningen</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>Hvorfor</translation>
+    </message>
+    <message>
+        <source>Slow Scan</source>
+        <translation>Langsomt scan</translation>
+    </message>
+    <message>
+        <source>What if? needs a running controller: a recording from a file cannot be resumed</source>
+        <translation>”Hvad nu hvis” kræver en kørende styring: En optagelse fra en fil kan ikke fortsættes</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MergeDialog</name>
@@ -6950,6 +7045,10 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>Show the Recording of the Failure</source>
         <translation>Vis optagelsen af fejlen</translation>
     </message>
+    <message>
+        <source>Show what the tests cover</source>
+        <translation>Vis, hvad testene dækker</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::TextPage</name>
@@ -6979,6 +7078,53 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Done</source>
         <translation>Færdig</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::WhatIfDialog</name>
+    <message>
+        <source>What If?</source>
+        <translation>Hvad nu hvis?</translation>
+    </message>
+    <message>
+        <source>The controller goes back to the scan that is shown and runs on from there with these values. The trace draws what happened before beneath it.</source>
+        <translation>Styringen går tilbage til det scan, der vises, og kører videre derfra med disse værdier. Tracen tegner det, der skete før, nedenunder.</translation>
+    </message>
+    <message>
+        <source>A variable, such as Main.level</source>
+        <translation>En variabel, for eksempel Main.level</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Tilføj</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variabel</translation>
+    </message>
+    <message>
+        <source>Was</source>
+        <translation>Var</translation>
+    </message>
+    <message>
+        <source>Instead</source>
+        <translation>I stedet</translation>
+    </message>
+    <message>
+        <source>Values to change</source>
+        <translation>Værdier, der ændres</translation>
+    </message>
+    <message>
+        <source>Run From Here</source>
+        <translation>Kør herfra</translation>
+    </message>
+    <message>
+        <source>%1 has no value in this scan</source>
+        <translation>%1 har ingen værdi i dette scan</translation>
+    </message>
+    <message>
+        <source>Give at least one variable another value</source>
+        <translation>Giv mindst én variabel en anden værdi</translation>
     </message>
 </context>
 <context>
@@ -7901,6 +8047,106 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
 </context>
 <context>
+    <name>plc::editor::SlowScanView</name>
+    <message>
+        <source>Back to the breakpoint before, or to the scan&apos;s first statement</source>
+        <translation>Tilbage til det forrige stoppunkt eller til scannets første sætning</translation>
+    </message>
+    <message>
+        <source>Back out of the call</source>
+        <translation>Tilbage ud af kaldet</translation>
+    </message>
+    <message>
+        <source>Back over calls</source>
+        <translation>Tilbage over kald</translation>
+    </message>
+    <message>
+        <source>One statement back</source>
+        <translation>En sætning tilbage</translation>
+    </message>
+    <message>
+        <source>Step in</source>
+        <translation>Skridt ind</translation>
+    </message>
+    <message>
+        <source>Step over</source>
+        <translation>Skridt over</translation>
+    </message>
+    <message>
+        <source>Step out</source>
+        <translation>Skridt ud</translation>
+    </message>
+    <message>
+        <source>On to the next breakpoint, or to the scan&apos;s end</source>
+        <translation>Videre til det næste stoppunkt eller til scannets slutning</translation>
+    </message>
+    <message>
+        <source>End the walk</source>
+        <translation>Afslut gennemgangen</translation>
+    </message>
+    <message>
+        <source>Where the walk stands</source>
+        <translation>Hvor gennemgangen er</translation>
+    </message>
+    <message>
+        <source>Call</source>
+        <translation>Kald</translation>
+    </message>
+    <message>
+        <source>Instance</source>
+        <translation>Instans</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Linje</translation>
+    </message>
+    <message>
+        <source>Call path</source>
+        <translation>Kaldestak</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Navn</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Værdi</translation>
+    </message>
+    <message>
+        <source>Values at this moment</source>
+        <translation>Værdier i dette øjeblik</translation>
+    </message>
+    <message>
+        <source>There is no recorded scan yet: run the program first.</source>
+        <translation>Der er endnu intet optaget scan: Kør først programmet.</translation>
+    </message>
+    <message>
+        <source>Running the scan again…</source>
+        <translation>Kører scannet igen…</translation>
+    </message>
+    <message>
+        <source>Walks through a recorded scan statement by statement, forwards and backwards (Time, Walk Through the Scan).</source>
+        <translation>Går gennem et optaget scan sætning for sætning, forlæns og baglæns (Tid, Gå gennem scannet).</translation>
+    </message>
+    <message>
+        <source>The end of scan %1 at %2</source>
+        <translation>Slutningen af scan %1 ved %2</translation>
+    </message>
+    <message>
+        <source>Scan %1 at %2: before statement %3 of %4</source>
+        <translation>Scan %1 ved %2: før sætning %3 af %4</translation>
+    </message>
+    <message>
+        <source> · pass %1</source>
+        <comment>of loops, outermost first</comment>
+        <translation> · gennemløb %1</translation>
+    </message>
+    <message>
+        <source>Locals</source>
+        <translation>Lokale variabler</translation>
+    </message>
+</context>
+<context>
     <name>plc::editor::StEditor</name>
     <message>
         <source>Structured Text editor</source>
@@ -7966,6 +8212,15 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Release the Force</source>
         <translation>Ophæv forcering</translation>
+    </message>
+    <message>
+        <source>pass</source>
+        <comment>of a loop</comment>
+        <translation>gennemløb</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 af %2</translation>
     </message>
 </context>
 <context>
@@ -8436,6 +8691,82 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Source of %1 with the values of %2</source>
         <translation>Kildetekst til %1 med værdierne fra %2</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::WhyView</name>
+    <message>
+        <source>A variable or an expression, such as Main.level &gt; 80</source>
+        <translation>En variabel eller et udtryk, for eksempel Main.level &gt; 80</translation>
+    </message>
+    <message>
+        <source>What is asked about</source>
+        <translation>Hvad der spørges om</translation>
+    </message>
+    <message>
+        <source>Why?</source>
+        <translation>Hvorfor?</translation>
+    </message>
+    <message>
+        <source>What changed it, and what that needed</source>
+        <translation>Hvad der ændrede det, og hvad det krævede</translation>
+    </message>
+    <message>
+        <source>Why Not?</source>
+        <translation>Hvorfor ikke?</translation>
+    </message>
+    <message>
+        <source>The smallest changes that would make the condition come out otherwise</source>
+        <translation>De mindste ændringer, der ville give betingelsen et andet resultat</translation>
+    </message>
+    <message>
+        <source>Who Set This?</source>
+        <translation>Hvem satte det?</translation>
+    </message>
+    <message>
+        <source>All changes in the recording, and what made each of them</source>
+        <translation>Alle ændringer i optagelsen, og hvad der forårsagede hver af dem</translation>
+    </message>
+    <message>
+        <source>Explanation</source>
+        <translation>Forklaring</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>Scan</translation>
+    </message>
+    <message>
+        <source>Right-click a variable in the text, the watch, the tree, the trace or a panel and ask why it has its value.</source>
+        <translation>Højreklik på en variabel i teksten, overvågningen, træet, tracen eller et panel, og spørg, hvorfor den har sin værdi.</translation>
+    </message>
+    <message>
+        <source>Looking into the recorded scans…</source>
+        <translation>Undersøger de optagede scan…</translation>
+    </message>
+    <message>
+        <source>There is no recording to ask yet: run the program first.</source>
+        <translation>Der er endnu ingen optagelse: Kør først programmet.</translation>
+    </message>
+    <message>
+        <source>%1 · scan %2</source>
+        <comment>time and number</comment>
+        <translation>%1 · scan %2</translation>
+    </message>
+    <message>
+        <source>Earlier changes…</source>
+        <translation>Tidligere ændringer…</translation>
+    </message>
+    <message>
+        <source>Why Is %1 So?</source>
+        <translation>Hvorfor er %1 sådan?</translation>
+    </message>
+    <message>
+        <source>Who Set %1?</source>
+        <translation>Hvem satte %1?</translation>
+    </message>
+    <message>
+        <source>Copy the Answer</source>
+        <translation>Kopiér svaret</translation>
     </message>
 </context>
 <context>

@@ -2184,6 +2184,18 @@
         <source>The list of shelved alarms cannot be written: {0}</source>
         <translation>Die Liste der zurückgestellten Alarme kann nicht geschrieben werden: {0}</translation>
     </message>
+    <message>
+        <source>Why?</source>
+        <translation>Warum?</translation>
+    </message>
+    <message>
+        <source>Why Not?</source>
+        <translation>Warum nicht?</translation>
+    </message>
+    <message>
+        <source>Who Set This?</source>
+        <translation>Wer hat das gesetzt?</translation>
+    </message>
 </context>
 <context>
     <name>Exchange</name>
@@ -4215,6 +4227,22 @@
         <source>no statement of the project ran in this scan</source>
         <translation>keine Anweisung des Projekts wurde in diesem Zyklus ausgeführt</translation>
     </message>
+    <message>
+        <source>never {0}</source>
+        <translation>nie {0}</translation>
+    </message>
+    <message>
+        <source>missing: {0}</source>
+        <translation>fehlt: {0}</translation>
+    </message>
+    <message>
+        <source>not run</source>
+        <translation>nicht ausgeführt</translation>
+    </message>
+    <message>
+        <source>run {0} {0:time|times}</source>
+        <translation>{0}-mal ausgeführt</translation>
+    </message>
 </context>
 <context>
     <name>LongTask</name>
@@ -5252,6 +5280,21 @@ Nicht erhalten: %3</translation>
     </message>
 </context>
 <context>
+    <name>plc::app::InsideViews</name>
+    <message>
+        <source>Coverage of the newest %1 of %2 recorded scans</source>
+        <translation>Abdeckung der neuesten %1 von %2 aufgezeichneten Zyklen</translation>
+    </message>
+    <message>
+        <source>There is no recording to ask yet: run the program first.</source>
+        <translation>Es gibt noch keine Aufzeichnung: Starten Sie zuerst das Programm.</translation>
+    </message>
+    <message>
+        <source>Put the cursor on a variable, or select an expression, to ask about it</source>
+        <translation>Setzen Sie den Cursor auf eine Variable, oder markieren Sie einen Ausdruck, um danach zu fragen</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::InstanceBar</name>
     <message>
         <source>Instance whose values are shown</source>
@@ -6183,6 +6226,58 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>%1 is not a source of this project</source>
         <translation>%1 ist keine Quelldatei dieses Projekts</translation>
     </message>
+    <message>
+        <source>Walk Through the Scan</source>
+        <translation>Zyklus durchgehen</translation>
+    </message>
+    <message>
+        <source>Step Back In</source>
+        <translation>Einzelschritt zurück</translation>
+    </message>
+    <message>
+        <source>Step Back Over</source>
+        <translation>Prozedurschritt zurück</translation>
+    </message>
+    <message>
+        <source>Step Back Out</source>
+        <translation>Schritt zurück aus dem Aufruf</translation>
+    </message>
+    <message>
+        <source>Why?</source>
+        <translation>Warum?</translation>
+    </message>
+    <message>
+        <source>Why Not?</source>
+        <translation>Warum nicht?</translation>
+    </message>
+    <message>
+        <source>Who Set This?</source>
+        <translation>Wer hat das gesetzt?</translation>
+    </message>
+    <message>
+        <source>What If…</source>
+        <translation>Was wäre, wenn…</translation>
+    </message>
+    <message>
+        <source>Coverage of the Recording</source>
+        <translation>Abdeckung der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Hide the Coverage</source>
+        <translation>Abdeckung ausblenden</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>Warum</translation>
+    </message>
+    <message>
+        <source>Slow Scan</source>
+        <translation>Zeitlupe des Zyklus</translation>
+    </message>
+    <message>
+        <source>What if? needs a running controller: a recording from a file cannot be resumed</source>
+        <translation>„Was wäre, wenn“ braucht eine laufende Steuerung: Eine Aufzeichnung aus einer Datei kann nicht fortgesetzt werden</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MergeDialog</name>
@@ -6950,6 +7045,10 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>Show the Recording of the Failure</source>
         <translation>Aufzeichnung des Fehlschlags anzeigen</translation>
     </message>
+    <message>
+        <source>Show what the tests cover</source>
+        <translation>Anzeigen, was die Tests abdecken</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::TextPage</name>
@@ -6979,6 +7078,53 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Done</source>
         <translation>Fertig</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::WhatIfDialog</name>
+    <message>
+        <source>What If?</source>
+        <translation>Was wäre, wenn?</translation>
+    </message>
+    <message>
+        <source>The controller goes back to the scan that is shown and runs on from there with these values. The trace draws what happened before beneath it.</source>
+        <translation>Die Steuerung geht zum angezeigten Zyklus zurück und läuft von dort mit diesen Werten weiter. Der Trace zeichnet darunter, was vorher geschah.</translation>
+    </message>
+    <message>
+        <source>A variable, such as Main.level</source>
+        <translation>Eine Variable, zum Beispiel Main.level</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Was</source>
+        <translation>War</translation>
+    </message>
+    <message>
+        <source>Instead</source>
+        <translation>Stattdessen</translation>
+    </message>
+    <message>
+        <source>Values to change</source>
+        <translation>Zu ändernde Werte</translation>
+    </message>
+    <message>
+        <source>Run From Here</source>
+        <translation>Ab hier ausführen</translation>
+    </message>
+    <message>
+        <source>%1 has no value in this scan</source>
+        <translation>%1 hat in diesem Zyklus keinen Wert</translation>
+    </message>
+    <message>
+        <source>Give at least one variable another value</source>
+        <translation>Geben Sie mindestens einer Variable einen anderen Wert</translation>
     </message>
 </context>
 <context>
@@ -7901,6 +8047,106 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
 </context>
 <context>
+    <name>plc::editor::SlowScanView</name>
+    <message>
+        <source>Back to the breakpoint before, or to the scan&apos;s first statement</source>
+        <translation>Zurück zum vorigen Haltepunkt oder zur ersten Anweisung des Zyklus</translation>
+    </message>
+    <message>
+        <source>Back out of the call</source>
+        <translation>Rückwärts aus dem Aufruf</translation>
+    </message>
+    <message>
+        <source>Back over calls</source>
+        <translation>Rückwärts über Aufrufe</translation>
+    </message>
+    <message>
+        <source>One statement back</source>
+        <translation>Eine Anweisung zurück</translation>
+    </message>
+    <message>
+        <source>Step in</source>
+        <translation>Einzelschritt</translation>
+    </message>
+    <message>
+        <source>Step over</source>
+        <translation>Prozedurschritt</translation>
+    </message>
+    <message>
+        <source>Step out</source>
+        <translation>Ausführen bis Rücksprung</translation>
+    </message>
+    <message>
+        <source>On to the next breakpoint, or to the scan&apos;s end</source>
+        <translation>Weiter zum nächsten Haltepunkt oder zum Ende des Zyklus</translation>
+    </message>
+    <message>
+        <source>End the walk</source>
+        <translation>Durchgang beenden</translation>
+    </message>
+    <message>
+        <source>Where the walk stands</source>
+        <translation>Stand des Durchgangs</translation>
+    </message>
+    <message>
+        <source>Call</source>
+        <translation>Aufruf</translation>
+    </message>
+    <message>
+        <source>Instance</source>
+        <translation>Instanz</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Zeile</translation>
+    </message>
+    <message>
+        <source>Call path</source>
+        <translation>Aufrufliste</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Values at this moment</source>
+        <translation>Werte zu diesem Zeitpunkt</translation>
+    </message>
+    <message>
+        <source>There is no recorded scan yet: run the program first.</source>
+        <translation>Es gibt noch keinen aufgezeichneten Zyklus: Starten Sie zuerst das Programm.</translation>
+    </message>
+    <message>
+        <source>Running the scan again…</source>
+        <translation>Der Zyklus wird wiederholt…</translation>
+    </message>
+    <message>
+        <source>Walks through a recorded scan statement by statement, forwards and backwards (Time, Walk Through the Scan).</source>
+        <translation>Geht einen aufgezeichneten Zyklus Anweisung für Anweisung durch, vorwärts und rückwärts (Zeit, Zyklus durchgehen).</translation>
+    </message>
+    <message>
+        <source>The end of scan %1 at %2</source>
+        <translation>Ende des Zyklus %1 bei %2</translation>
+    </message>
+    <message>
+        <source>Scan %1 at %2: before statement %3 of %4</source>
+        <translation>Zyklus %1 bei %2: vor Anweisung %3 von %4</translation>
+    </message>
+    <message>
+        <source> · pass %1</source>
+        <comment>of loops, outermost first</comment>
+        <translation> · Durchlauf %1</translation>
+    </message>
+    <message>
+        <source>Locals</source>
+        <translation>Lokale Variablen</translation>
+    </message>
+</context>
+<context>
     <name>plc::editor::StEditor</name>
     <message>
         <source>Structured Text editor</source>
@@ -7966,6 +8212,15 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Release the Force</source>
         <translation>Forcen aufheben</translation>
+    </message>
+    <message>
+        <source>pass</source>
+        <comment>of a loop</comment>
+        <translation>Durchlauf</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
     </message>
 </context>
 <context>
@@ -8436,6 +8691,82 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Source of %1 with the values of %2</source>
         <translation>Quelltext von %1 mit den Werten von %2</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::WhyView</name>
+    <message>
+        <source>A variable or an expression, such as Main.level &gt; 80</source>
+        <translation>Eine Variable oder ein Ausdruck, zum Beispiel Main.level &gt; 80</translation>
+    </message>
+    <message>
+        <source>What is asked about</source>
+        <translation>Wonach gefragt wird</translation>
+    </message>
+    <message>
+        <source>Why?</source>
+        <translation>Warum?</translation>
+    </message>
+    <message>
+        <source>What changed it, and what that needed</source>
+        <translation>Was es geändert hat und was dafür nötig war</translation>
+    </message>
+    <message>
+        <source>Why Not?</source>
+        <translation>Warum nicht?</translation>
+    </message>
+    <message>
+        <source>The smallest changes that would make the condition come out otherwise</source>
+        <translation>Die kleinsten Änderungen, mit denen die Bedingung ein anderes Ergebnis hätte</translation>
+    </message>
+    <message>
+        <source>Who Set This?</source>
+        <translation>Wer hat das gesetzt?</translation>
+    </message>
+    <message>
+        <source>All changes in the recording, and what made each of them</source>
+        <translation>Alle Änderungen in der Aufzeichnung, und was sie jeweils bewirkt hat</translation>
+    </message>
+    <message>
+        <source>Explanation</source>
+        <translation>Erklärung</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>Zyklus</translation>
+    </message>
+    <message>
+        <source>Right-click a variable in the text, the watch, the tree, the trace or a panel and ask why it has its value.</source>
+        <translation>Klicken Sie mit der rechten Maustaste auf eine Variable im Text, in der Überwachung, im Baum, im Trace oder in einem Panel, und fragen Sie, warum sie ihren Wert hat.</translation>
+    </message>
+    <message>
+        <source>Looking into the recorded scans…</source>
+        <translation>Die aufgezeichneten Zyklen werden untersucht…</translation>
+    </message>
+    <message>
+        <source>There is no recording to ask yet: run the program first.</source>
+        <translation>Es gibt noch keine Aufzeichnung: Starten Sie zuerst das Programm.</translation>
+    </message>
+    <message>
+        <source>%1 · scan %2</source>
+        <comment>time and number</comment>
+        <translation>%1 · Zyklus %2</translation>
+    </message>
+    <message>
+        <source>Earlier changes…</source>
+        <translation>Frühere Änderungen…</translation>
+    </message>
+    <message>
+        <source>Why Is %1 So?</source>
+        <translation>Warum ist %1 so?</translation>
+    </message>
+    <message>
+        <source>Who Set %1?</source>
+        <translation>Wer hat %1 gesetzt?</translation>
+    </message>
+    <message>
+        <source>Copy the Answer</source>
+        <translation>Antwort kopieren</translation>
     </message>
 </context>
 <context>

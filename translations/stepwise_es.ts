@@ -2184,6 +2184,18 @@
         <source>The list of shelved alarms cannot be written: {0}</source>
         <translation>No se puede escribir la lista de alarmas aplazadas: {0}</translation>
     </message>
+    <message>
+        <source>Why?</source>
+        <translation>¿Por qué?</translation>
+    </message>
+    <message>
+        <source>Why Not?</source>
+        <translation>¿Por qué no?</translation>
+    </message>
+    <message>
+        <source>Who Set This?</source>
+        <translation>¿Quién lo asignó?</translation>
+    </message>
 </context>
 <context>
     <name>Exchange</name>
@@ -4215,6 +4227,22 @@
         <source>no statement of the project ran in this scan</source>
         <translation>ninguna instrucción del proyecto se ejecutó en este ciclo</translation>
     </message>
+    <message>
+        <source>never {0}</source>
+        <translation>nunca {0}</translation>
+    </message>
+    <message>
+        <source>missing: {0}</source>
+        <translation>falta: {0}</translation>
+    </message>
+    <message>
+        <source>not run</source>
+        <translation>sin ejecutar</translation>
+    </message>
+    <message>
+        <source>run {0} {0:time|times}</source>
+        <translation>ejecutado {0} {0:vez|veces}</translation>
+    </message>
 </context>
 <context>
     <name>LongTask</name>
@@ -5252,6 +5280,21 @@ No conservados: %3</translation>
     </message>
 </context>
 <context>
+    <name>plc::app::InsideViews</name>
+    <message>
+        <source>Coverage of the newest %1 of %2 recorded scans</source>
+        <translation>Cobertura de los %1 ciclos más recientes de %2 de la grabación</translation>
+    </message>
+    <message>
+        <source>There is no recording to ask yet: run the program first.</source>
+        <translation>Aún no hay ninguna grabación: ejecute primero el programa.</translation>
+    </message>
+    <message>
+        <source>Put the cursor on a variable, or select an expression, to ask about it</source>
+        <translation>Ponga el cursor en una variable o seleccione una expresión para preguntar por ella</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::InstanceBar</name>
     <message>
         <source>Instance whose values are shown</source>
@@ -6183,6 +6226,58 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <source>%1 is not a source of this project</source>
         <translation>%1 no es un archivo fuente de este proyecto</translation>
     </message>
+    <message>
+        <source>Walk Through the Scan</source>
+        <translation>Recorrer el ciclo</translation>
+    </message>
+    <message>
+        <source>Step Back In</source>
+        <translation>Paso atrás por instrucciones</translation>
+    </message>
+    <message>
+        <source>Step Back Over</source>
+        <translation>Paso atrás por procedimientos</translation>
+    </message>
+    <message>
+        <source>Step Back Out</source>
+        <translation>Paso atrás para salir</translation>
+    </message>
+    <message>
+        <source>Why?</source>
+        <translation>¿Por qué?</translation>
+    </message>
+    <message>
+        <source>Why Not?</source>
+        <translation>¿Por qué no?</translation>
+    </message>
+    <message>
+        <source>Who Set This?</source>
+        <translation>¿Quién lo asignó?</translation>
+    </message>
+    <message>
+        <source>What If…</source>
+        <translation>Y si…</translation>
+    </message>
+    <message>
+        <source>Coverage of the Recording</source>
+        <translation>Cobertura de la grabación</translation>
+    </message>
+    <message>
+        <source>Hide the Coverage</source>
+        <translation>Ocultar la cobertura</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>Por qué</translation>
+    </message>
+    <message>
+        <source>Slow Scan</source>
+        <translation>Ciclo a cámara lenta</translation>
+    </message>
+    <message>
+        <source>What if? needs a running controller: a recording from a file cannot be resumed</source>
+        <translation>«Y si» necesita un controlador en marcha: una grabación de un archivo no se puede reanudar</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MergeDialog</name>
@@ -6950,6 +7045,10 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <source>Show the Recording of the Failure</source>
         <translation>Mostrar la grabación del fallo</translation>
     </message>
+    <message>
+        <source>Show what the tests cover</source>
+        <translation>Mostrar lo que cubren las pruebas</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::TextPage</name>
@@ -6979,6 +7078,53 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>Done</source>
         <translation>Listo</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::WhatIfDialog</name>
+    <message>
+        <source>What If?</source>
+        <translation>¿Y si?</translation>
+    </message>
+    <message>
+        <source>The controller goes back to the scan that is shown and runs on from there with these values. The trace draws what happened before beneath it.</source>
+        <translation>El controlador vuelve al ciclo que se muestra y sigue desde ahí con estos valores. La traza dibuja debajo lo que ocurrió antes.</translation>
+    </message>
+    <message>
+        <source>A variable, such as Main.level</source>
+        <translation>Una variable, por ejemplo Main.level</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Añadir</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Was</source>
+        <translation>Era</translation>
+    </message>
+    <message>
+        <source>Instead</source>
+        <translation>En su lugar</translation>
+    </message>
+    <message>
+        <source>Values to change</source>
+        <translation>Valores que se cambian</translation>
+    </message>
+    <message>
+        <source>Run From Here</source>
+        <translation>Ejecutar desde aquí</translation>
+    </message>
+    <message>
+        <source>%1 has no value in this scan</source>
+        <translation>%1 no tiene valor en este ciclo</translation>
+    </message>
+    <message>
+        <source>Give at least one variable another value</source>
+        <translation>Dé otro valor al menos a una variable</translation>
     </message>
 </context>
 <context>
@@ -7901,6 +8047,106 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
 </context>
 <context>
+    <name>plc::editor::SlowScanView</name>
+    <message>
+        <source>Back to the breakpoint before, or to the scan&apos;s first statement</source>
+        <translation>Volver al punto de interrupción anterior o a la primera instrucción del ciclo</translation>
+    </message>
+    <message>
+        <source>Back out of the call</source>
+        <translation>Volver fuera de la llamada</translation>
+    </message>
+    <message>
+        <source>Back over calls</source>
+        <translation>Volver por encima de las llamadas</translation>
+    </message>
+    <message>
+        <source>One statement back</source>
+        <translation>Una instrucción atrás</translation>
+    </message>
+    <message>
+        <source>Step in</source>
+        <translation>Paso a paso por instrucciones</translation>
+    </message>
+    <message>
+        <source>Step over</source>
+        <translation>Paso a paso por procedimientos</translation>
+    </message>
+    <message>
+        <source>Step out</source>
+        <translation>Paso a paso para salir</translation>
+    </message>
+    <message>
+        <source>On to the next breakpoint, or to the scan&apos;s end</source>
+        <translation>Seguir hasta el punto de interrupción siguiente o el final del ciclo</translation>
+    </message>
+    <message>
+        <source>End the walk</source>
+        <translation>Terminar el recorrido</translation>
+    </message>
+    <message>
+        <source>Where the walk stands</source>
+        <translation>Dónde está el recorrido</translation>
+    </message>
+    <message>
+        <source>Call</source>
+        <translation>Llamada</translation>
+    </message>
+    <message>
+        <source>Instance</source>
+        <translation>Instancia</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Línea</translation>
+    </message>
+    <message>
+        <source>Call path</source>
+        <translation>Pila de llamadas</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valor</translation>
+    </message>
+    <message>
+        <source>Values at this moment</source>
+        <translation>Valores en este momento</translation>
+    </message>
+    <message>
+        <source>There is no recorded scan yet: run the program first.</source>
+        <translation>Aún no hay ningún ciclo grabado: ejecute primero el programa.</translation>
+    </message>
+    <message>
+        <source>Running the scan again…</source>
+        <translation>Repitiendo el ciclo…</translation>
+    </message>
+    <message>
+        <source>Walks through a recorded scan statement by statement, forwards and backwards (Time, Walk Through the Scan).</source>
+        <translation>Recorre un ciclo grabado instrucción por instrucción, hacia delante y hacia atrás (Tiempo, Recorrer el ciclo).</translation>
+    </message>
+    <message>
+        <source>The end of scan %1 at %2</source>
+        <translation>Final del ciclo %1 en %2</translation>
+    </message>
+    <message>
+        <source>Scan %1 at %2: before statement %3 of %4</source>
+        <translation>Ciclo %1 en %2: antes de la instrucción %3 de %4</translation>
+    </message>
+    <message>
+        <source> · pass %1</source>
+        <comment>of loops, outermost first</comment>
+        <translation> · pasada %1</translation>
+    </message>
+    <message>
+        <source>Locals</source>
+        <translation>Variables locales</translation>
+    </message>
+</context>
+<context>
     <name>plc::editor::StEditor</name>
     <message>
         <source>Structured Text editor</source>
@@ -7966,6 +8212,15 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>Release the Force</source>
         <translation>Anular el forzado</translation>
+    </message>
+    <message>
+        <source>pass</source>
+        <comment>of a loop</comment>
+        <translation>pasada</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
     </message>
 </context>
 <context>
@@ -8436,6 +8691,82 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>Source of %1 with the values of %2</source>
         <translation>Código fuente de %1 con los valores de %2</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::WhyView</name>
+    <message>
+        <source>A variable or an expression, such as Main.level &gt; 80</source>
+        <translation>Una variable o una expresión, por ejemplo Main.level &gt; 80</translation>
+    </message>
+    <message>
+        <source>What is asked about</source>
+        <translation>Por qué se pregunta</translation>
+    </message>
+    <message>
+        <source>Why?</source>
+        <translation>¿Por qué?</translation>
+    </message>
+    <message>
+        <source>What changed it, and what that needed</source>
+        <translation>Qué lo cambió y qué hizo falta para ello</translation>
+    </message>
+    <message>
+        <source>Why Not?</source>
+        <translation>¿Por qué no?</translation>
+    </message>
+    <message>
+        <source>The smallest changes that would make the condition come out otherwise</source>
+        <translation>Los cambios más pequeños que darían otro resultado a la condición</translation>
+    </message>
+    <message>
+        <source>Who Set This?</source>
+        <translation>¿Quién lo asignó?</translation>
+    </message>
+    <message>
+        <source>All changes in the recording, and what made each of them</source>
+        <translation>Todos los cambios en la grabación y qué causó cada uno</translation>
+    </message>
+    <message>
+        <source>Explanation</source>
+        <translation>Explicación</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>Ciclo</translation>
+    </message>
+    <message>
+        <source>Right-click a variable in the text, the watch, the tree, the trace or a panel and ask why it has its value.</source>
+        <translation>Haga clic con el botón derecho en una variable del texto, la supervisión, el árbol, la traza o un panel y pregunte por qué tiene su valor.</translation>
+    </message>
+    <message>
+        <source>Looking into the recorded scans…</source>
+        <translation>Examinando los ciclos grabados…</translation>
+    </message>
+    <message>
+        <source>There is no recording to ask yet: run the program first.</source>
+        <translation>Aún no hay ninguna grabación: ejecute primero el programa.</translation>
+    </message>
+    <message>
+        <source>%1 · scan %2</source>
+        <comment>time and number</comment>
+        <translation>%1 · ciclo %2</translation>
+    </message>
+    <message>
+        <source>Earlier changes…</source>
+        <translation>Cambios anteriores…</translation>
+    </message>
+    <message>
+        <source>Why Is %1 So?</source>
+        <translation>¿Por qué está así %1?</translation>
+    </message>
+    <message>
+        <source>Who Set %1?</source>
+        <translation>¿Quién asignó %1?</translation>
+    </message>
+    <message>
+        <source>Copy the Answer</source>
+        <translation>Copiar la respuesta</translation>
     </message>
 </context>
 <context>

@@ -2184,6 +2184,18 @@
         <source>The list of shelved alarms cannot be written: {0}</source>
         <translation>La liste des alarmes mises de côté ne peut pas être écrite&#xa0;: {0}</translation>
     </message>
+    <message>
+        <source>Why?</source>
+        <translation>Pourquoi ?</translation>
+    </message>
+    <message>
+        <source>Why Not?</source>
+        <translation>Pourquoi pas ?</translation>
+    </message>
+    <message>
+        <source>Who Set This?</source>
+        <translation>Qui a écrit cela ?</translation>
+    </message>
 </context>
 <context>
     <name>Exchange</name>
@@ -4215,6 +4227,22 @@
         <source>no statement of the project ran in this scan</source>
         <translation>aucune instruction du projet n’a été exécutée dans ce cycle</translation>
     </message>
+    <message>
+        <source>never {0}</source>
+        <translation>jamais {0}</translation>
+    </message>
+    <message>
+        <source>missing: {0}</source>
+        <translation>manque : {0}</translation>
+    </message>
+    <message>
+        <source>not run</source>
+        <translation>non exécuté</translation>
+    </message>
+    <message>
+        <source>run {0} {0:time|times}</source>
+        <translation>exécuté {0} fois</translation>
+    </message>
 </context>
 <context>
     <name>LongTask</name>
@@ -5252,6 +5280,21 @@ Non conservés&#xa0;: %3</translation>
     </message>
 </context>
 <context>
+    <name>plc::app::InsideViews</name>
+    <message>
+        <source>Coverage of the newest %1 of %2 recorded scans</source>
+        <translation>Couverture des %1 derniers cycles sur %2 de l’enregistrement</translation>
+    </message>
+    <message>
+        <source>There is no recording to ask yet: run the program first.</source>
+        <translation>Il n’y a pas encore d’enregistrement : exécutez d’abord le programme.</translation>
+    </message>
+    <message>
+        <source>Put the cursor on a variable, or select an expression, to ask about it</source>
+        <translation>Placez le curseur sur une variable, ou sélectionnez une expression, pour poser une question à son sujet</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::InstanceBar</name>
     <message>
         <source>Instance whose values are shown</source>
@@ -6183,6 +6226,58 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <source>%1 is not a source of this project</source>
         <translation>%1 n’est pas un fichier source de ce projet</translation>
     </message>
+    <message>
+        <source>Walk Through the Scan</source>
+        <translation>Parcourir le cycle</translation>
+    </message>
+    <message>
+        <source>Step Back In</source>
+        <translation>Pas détaillé en arrière</translation>
+    </message>
+    <message>
+        <source>Step Back Over</source>
+        <translation>Pas principal en arrière</translation>
+    </message>
+    <message>
+        <source>Step Back Out</source>
+        <translation>Pas sortant en arrière</translation>
+    </message>
+    <message>
+        <source>Why?</source>
+        <translation>Pourquoi ?</translation>
+    </message>
+    <message>
+        <source>Why Not?</source>
+        <translation>Pourquoi pas ?</translation>
+    </message>
+    <message>
+        <source>Who Set This?</source>
+        <translation>Qui a écrit cela ?</translation>
+    </message>
+    <message>
+        <source>What If…</source>
+        <translation>Et si…</translation>
+    </message>
+    <message>
+        <source>Coverage of the Recording</source>
+        <translation>Couverture de l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Hide the Coverage</source>
+        <translation>Masquer la couverture</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>Pourquoi</translation>
+    </message>
+    <message>
+        <source>Slow Scan</source>
+        <translation>Cycle au ralenti</translation>
+    </message>
+    <message>
+        <source>What if? needs a running controller: a recording from a file cannot be resumed</source>
+        <translation>« Et si » demande un automate en marche : un enregistrement ouvert depuis un fichier ne peut pas être repris</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MergeDialog</name>
@@ -6950,6 +7045,10 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <source>Show the Recording of the Failure</source>
         <translation>Afficher l’enregistrement de l’échec</translation>
     </message>
+    <message>
+        <source>Show what the tests cover</source>
+        <translation>Afficher ce que les tests couvrent</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::TextPage</name>
@@ -6979,6 +7078,53 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <message>
         <source>Done</source>
         <translation>Terminé</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::WhatIfDialog</name>
+    <message>
+        <source>What If?</source>
+        <translation>Et si ?</translation>
+    </message>
+    <message>
+        <source>The controller goes back to the scan that is shown and runs on from there with these values. The trace draws what happened before beneath it.</source>
+        <translation>L’automate revient au cycle affiché et repart de là avec ces valeurs. La trace dessine en dessous ce qui s’est passé avant.</translation>
+    </message>
+    <message>
+        <source>A variable, such as Main.level</source>
+        <translation>Une variable, par exemple Main.level</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Ajouter</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Was</source>
+        <translation>Était</translation>
+    </message>
+    <message>
+        <source>Instead</source>
+        <translation>À la place</translation>
+    </message>
+    <message>
+        <source>Values to change</source>
+        <translation>Valeurs à modifier</translation>
+    </message>
+    <message>
+        <source>Run From Here</source>
+        <translation>Exécuter à partir d’ici</translation>
+    </message>
+    <message>
+        <source>%1 has no value in this scan</source>
+        <translation>%1 n’a pas de valeur dans ce cycle</translation>
+    </message>
+    <message>
+        <source>Give at least one variable another value</source>
+        <translation>Donnez une autre valeur à au moins une variable</translation>
     </message>
 </context>
 <context>
@@ -7901,6 +8047,106 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
 </context>
 <context>
+    <name>plc::editor::SlowScanView</name>
+    <message>
+        <source>Back to the breakpoint before, or to the scan&apos;s first statement</source>
+        <translation>Retour au point d’arrêt précédent, ou à la première instruction du cycle</translation>
+    </message>
+    <message>
+        <source>Back out of the call</source>
+        <translation>Revenir hors de l’appel</translation>
+    </message>
+    <message>
+        <source>Back over calls</source>
+        <translation>Revenir par-dessus les appels</translation>
+    </message>
+    <message>
+        <source>One statement back</source>
+        <translation>Une instruction en arrière</translation>
+    </message>
+    <message>
+        <source>Step in</source>
+        <translation>Pas à pas détaillé</translation>
+    </message>
+    <message>
+        <source>Step over</source>
+        <translation>Pas à pas principal</translation>
+    </message>
+    <message>
+        <source>Step out</source>
+        <translation>Pas à pas sortant</translation>
+    </message>
+    <message>
+        <source>On to the next breakpoint, or to the scan&apos;s end</source>
+        <translation>Aller au point d’arrêt suivant, ou à la fin du cycle</translation>
+    </message>
+    <message>
+        <source>End the walk</source>
+        <translation>Terminer le parcours</translation>
+    </message>
+    <message>
+        <source>Where the walk stands</source>
+        <translation>Position dans le parcours</translation>
+    </message>
+    <message>
+        <source>Call</source>
+        <translation>Appel</translation>
+    </message>
+    <message>
+        <source>Instance</source>
+        <translation>Instance</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Ligne</translation>
+    </message>
+    <message>
+        <source>Call path</source>
+        <translation>Pile d’appels</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valeur</translation>
+    </message>
+    <message>
+        <source>Values at this moment</source>
+        <translation>Valeurs à cet instant</translation>
+    </message>
+    <message>
+        <source>There is no recorded scan yet: run the program first.</source>
+        <translation>Il n’y a pas encore de cycle enregistré : exécutez d’abord le programme.</translation>
+    </message>
+    <message>
+        <source>Running the scan again…</source>
+        <translation>Réexécution du cycle…</translation>
+    </message>
+    <message>
+        <source>Walks through a recorded scan statement by statement, forwards and backwards (Time, Walk Through the Scan).</source>
+        <translation>Parcourt un cycle enregistré instruction par instruction, en avant et en arrière (Temps, Parcourir le cycle).</translation>
+    </message>
+    <message>
+        <source>The end of scan %1 at %2</source>
+        <translation>Fin du cycle %1 à %2</translation>
+    </message>
+    <message>
+        <source>Scan %1 at %2: before statement %3 of %4</source>
+        <translation>Cycle %1 à %2 : avant l’instruction %3 sur %4</translation>
+    </message>
+    <message>
+        <source> · pass %1</source>
+        <comment>of loops, outermost first</comment>
+        <translation> · passage %1</translation>
+    </message>
+    <message>
+        <source>Locals</source>
+        <translation>Variables locales</translation>
+    </message>
+</context>
+<context>
     <name>plc::editor::StEditor</name>
     <message>
         <source>Structured Text editor</source>
@@ -7966,6 +8212,15 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <message>
         <source>Release the Force</source>
         <translation>Lever le forçage</translation>
+    </message>
+    <message>
+        <source>pass</source>
+        <comment>of a loop</comment>
+        <translation>passage</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
     </message>
 </context>
 <context>
@@ -8436,6 +8691,82 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <message>
         <source>Source of %1 with the values of %2</source>
         <translation>Source de %1 avec les valeurs de %2</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::WhyView</name>
+    <message>
+        <source>A variable or an expression, such as Main.level &gt; 80</source>
+        <translation>Une variable ou une expression, par exemple Main.level &gt; 80</translation>
+    </message>
+    <message>
+        <source>What is asked about</source>
+        <translation>Objet de la question</translation>
+    </message>
+    <message>
+        <source>Why?</source>
+        <translation>Pourquoi ?</translation>
+    </message>
+    <message>
+        <source>What changed it, and what that needed</source>
+        <translation>Ce qui l’a modifié, et ce qu’il fallait pour cela</translation>
+    </message>
+    <message>
+        <source>Why Not?</source>
+        <translation>Pourquoi pas ?</translation>
+    </message>
+    <message>
+        <source>The smallest changes that would make the condition come out otherwise</source>
+        <translation>Les plus petits changements qui donneraient un autre résultat à la condition</translation>
+    </message>
+    <message>
+        <source>Who Set This?</source>
+        <translation>Qui a écrit cela ?</translation>
+    </message>
+    <message>
+        <source>All changes in the recording, and what made each of them</source>
+        <translation>Tous les changements dans l’enregistrement, et la cause de chacun</translation>
+    </message>
+    <message>
+        <source>Explanation</source>
+        <translation>Explication</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>Cycle</translation>
+    </message>
+    <message>
+        <source>Right-click a variable in the text, the watch, the tree, the trace or a panel and ask why it has its value.</source>
+        <translation>Cliquez avec le bouton droit sur une variable dans le texte, la surveillance, l’arborescence, la trace ou une vue, et demandez pourquoi elle a cette valeur.</translation>
+    </message>
+    <message>
+        <source>Looking into the recorded scans…</source>
+        <translation>Examen des cycles enregistrés…</translation>
+    </message>
+    <message>
+        <source>There is no recording to ask yet: run the program first.</source>
+        <translation>Il n’y a pas encore d’enregistrement : exécutez d’abord le programme.</translation>
+    </message>
+    <message>
+        <source>%1 · scan %2</source>
+        <comment>time and number</comment>
+        <translation>%1 · cycle %2</translation>
+    </message>
+    <message>
+        <source>Earlier changes…</source>
+        <translation>Changements antérieurs…</translation>
+    </message>
+    <message>
+        <source>Why Is %1 So?</source>
+        <translation>Pourquoi %1 est-il ainsi ?</translation>
+    </message>
+    <message>
+        <source>Who Set %1?</source>
+        <translation>Qui a écrit %1 ?</translation>
+    </message>
+    <message>
+        <source>Copy the Answer</source>
+        <translation>Copier la réponse</translation>
     </message>
 </context>
 <context>

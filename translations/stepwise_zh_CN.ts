@@ -2184,6 +2184,18 @@
         <source>The list of shelved alarms cannot be written: {0}</source>
         <translation>无法写入搁置的报警列表：{0}</translation>
     </message>
+    <message>
+        <source>Why?</source>
+        <translation>为什么？</translation>
+    </message>
+    <message>
+        <source>Why Not?</source>
+        <translation>为什么不？</translation>
+    </message>
+    <message>
+        <source>Who Set This?</source>
+        <translation>谁设置了它？</translation>
+    </message>
 </context>
 <context>
     <name>Exchange</name>
@@ -4215,6 +4227,22 @@
         <source>no statement of the project ran in this scan</source>
         <translation>在此扫描周期中没有执行项目的任何语句</translation>
     </message>
+    <message>
+        <source>never {0}</source>
+        <translation>从未为 {0}</translation>
+    </message>
+    <message>
+        <source>missing: {0}</source>
+        <translation>缺少：{0}</translation>
+    </message>
+    <message>
+        <source>not run</source>
+        <translation>未执行</translation>
+    </message>
+    <message>
+        <source>run {0} {0:time|times}</source>
+        <translation>已执行 {0} 次</translation>
+    </message>
 </context>
 <context>
     <name>LongTask</name>
@@ -5248,6 +5276,21 @@ Not kept: %3</source>
     </message>
 </context>
 <context>
+    <name>plc::app::InsideViews</name>
+    <message>
+        <source>Coverage of the newest %1 of %2 recorded scans</source>
+        <translation>最近 %1 个扫描周期的覆盖率，共记录 %2 个</translation>
+    </message>
+    <message>
+        <source>There is no recording to ask yet: run the program first.</source>
+        <translation>尚无记录：请先运行程序。</translation>
+    </message>
+    <message>
+        <source>Put the cursor on a variable, or select an expression, to ask about it</source>
+        <translation>请将光标放在变量上，或选择表达式，以询问它</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::InstanceBar</name>
     <message>
         <source>Instance whose values are shown</source>
@@ -6177,6 +6220,58 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <source>%1 is not a source of this project</source>
         <translation>%1 不是此项目的源文件</translation>
     </message>
+    <message>
+        <source>Walk Through the Scan</source>
+        <translation>逐句查看扫描周期</translation>
+    </message>
+    <message>
+        <source>Step Back In</source>
+        <translation>反向单步进入</translation>
+    </message>
+    <message>
+        <source>Step Back Over</source>
+        <translation>反向单步跳过</translation>
+    </message>
+    <message>
+        <source>Step Back Out</source>
+        <translation>反向单步跳出</translation>
+    </message>
+    <message>
+        <source>Why?</source>
+        <translation>为什么？</translation>
+    </message>
+    <message>
+        <source>Why Not?</source>
+        <translation>为什么不？</translation>
+    </message>
+    <message>
+        <source>Who Set This?</source>
+        <translation>谁设置了它？</translation>
+    </message>
+    <message>
+        <source>What If…</source>
+        <translation>假如…</translation>
+    </message>
+    <message>
+        <source>Coverage of the Recording</source>
+        <translation>记录的覆盖率</translation>
+    </message>
+    <message>
+        <source>Hide the Coverage</source>
+        <translation>隐藏覆盖率</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>为什么</translation>
+    </message>
+    <message>
+        <source>Slow Scan</source>
+        <translation>慢速扫描</translation>
+    </message>
+    <message>
+        <source>What if? needs a running controller: a recording from a file cannot be resumed</source>
+        <translation>“假如”需要运行中的控制器：来自文件的记录不能继续运行</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MergeDialog</name>
@@ -6940,6 +7035,10 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <source>Show the Recording of the Failure</source>
         <translation>显示失败的记录</translation>
     </message>
+    <message>
+        <source>Show what the tests cover</source>
+        <translation>显示测试覆盖的内容</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::TextPage</name>
@@ -6969,6 +7068,53 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Done</source>
         <translation>完成</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::WhatIfDialog</name>
+    <message>
+        <source>What If?</source>
+        <translation>假如？</translation>
+    </message>
+    <message>
+        <source>The controller goes back to the scan that is shown and runs on from there with these values. The trace draws what happened before beneath it.</source>
+        <translation>控制器返回到显示的扫描周期，并以这些值从那里继续运行。跟踪在下方绘制之前发生的情况。</translation>
+    </message>
+    <message>
+        <source>A variable, such as Main.level</source>
+        <translation>变量，例如 Main.level</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>添加</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>变量</translation>
+    </message>
+    <message>
+        <source>Was</source>
+        <translation>原值</translation>
+    </message>
+    <message>
+        <source>Instead</source>
+        <translation>改为</translation>
+    </message>
+    <message>
+        <source>Values to change</source>
+        <translation>要更改的值</translation>
+    </message>
+    <message>
+        <source>Run From Here</source>
+        <translation>从此处运行</translation>
+    </message>
+    <message>
+        <source>%1 has no value in this scan</source>
+        <translation>%1 在此扫描周期中没有值</translation>
+    </message>
+    <message>
+        <source>Give at least one variable another value</source>
+        <translation>请至少更改一个变量的值</translation>
     </message>
 </context>
 <context>
@@ -7888,6 +8034,106 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     </message>
 </context>
 <context>
+    <name>plc::editor::SlowScanView</name>
+    <message>
+        <source>Back to the breakpoint before, or to the scan&apos;s first statement</source>
+        <translation>回到上一个断点，或扫描周期的第一条语句</translation>
+    </message>
+    <message>
+        <source>Back out of the call</source>
+        <translation>反向跳出调用</translation>
+    </message>
+    <message>
+        <source>Back over calls</source>
+        <translation>反向跳过调用</translation>
+    </message>
+    <message>
+        <source>One statement back</source>
+        <translation>后退一条语句</translation>
+    </message>
+    <message>
+        <source>Step in</source>
+        <translation>单步进入</translation>
+    </message>
+    <message>
+        <source>Step over</source>
+        <translation>单步跳过</translation>
+    </message>
+    <message>
+        <source>Step out</source>
+        <translation>单步跳出</translation>
+    </message>
+    <message>
+        <source>On to the next breakpoint, or to the scan&apos;s end</source>
+        <translation>前进到下一个断点，或扫描周期结束</translation>
+    </message>
+    <message>
+        <source>End the walk</source>
+        <translation>结束逐句查看</translation>
+    </message>
+    <message>
+        <source>Where the walk stands</source>
+        <translation>当前查看位置</translation>
+    </message>
+    <message>
+        <source>Call</source>
+        <translation>调用</translation>
+    </message>
+    <message>
+        <source>Instance</source>
+        <translation>实例</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>行</translation>
+    </message>
+    <message>
+        <source>Call path</source>
+        <translation>调用堆栈</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>值</translation>
+    </message>
+    <message>
+        <source>Values at this moment</source>
+        <translation>此刻的值</translation>
+    </message>
+    <message>
+        <source>There is no recorded scan yet: run the program first.</source>
+        <translation>尚无记录的扫描周期：请先运行程序。</translation>
+    </message>
+    <message>
+        <source>Running the scan again…</source>
+        <translation>正在重新运行扫描周期…</translation>
+    </message>
+    <message>
+        <source>Walks through a recorded scan statement by statement, forwards and backwards (Time, Walk Through the Scan).</source>
+        <translation>逐条语句查看记录的扫描周期，可前进和后退（时间、逐句查看扫描周期）。</translation>
+    </message>
+    <message>
+        <source>The end of scan %1 at %2</source>
+        <translation>扫描周期 %1 结束，时间 %2</translation>
+    </message>
+    <message>
+        <source>Scan %1 at %2: before statement %3 of %4</source>
+        <translation>扫描周期 %1，时间 %2：在第 %3 条语句之前，共 %4 条</translation>
+    </message>
+    <message>
+        <source> · pass %1</source>
+        <comment>of loops, outermost first</comment>
+        <translation> · 第 %1 次循环</translation>
+    </message>
+    <message>
+        <source>Locals</source>
+        <translation>局部变量</translation>
+    </message>
+</context>
+<context>
     <name>plc::editor::StEditor</name>
     <message>
         <source>Structured Text editor</source>
@@ -7953,6 +8199,15 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Release the Force</source>
         <translation>解除强制</translation>
+    </message>
+    <message>
+        <source>pass</source>
+        <comment>of a loop</comment>
+        <translation>循环次数</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
     </message>
 </context>
 <context>
@@ -8422,6 +8677,82 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Source of %1 with the values of %2</source>
         <translation>%1 的源代码，带 %2 的值</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::WhyView</name>
+    <message>
+        <source>A variable or an expression, such as Main.level &gt; 80</source>
+        <translation>变量或表达式，例如 Main.level &gt; 80</translation>
+    </message>
+    <message>
+        <source>What is asked about</source>
+        <translation>询问的对象</translation>
+    </message>
+    <message>
+        <source>Why?</source>
+        <translation>为什么？</translation>
+    </message>
+    <message>
+        <source>What changed it, and what that needed</source>
+        <translation>什么改变了它，以及所需的条件</translation>
+    </message>
+    <message>
+        <source>Why Not?</source>
+        <translation>为什么不？</translation>
+    </message>
+    <message>
+        <source>The smallest changes that would make the condition come out otherwise</source>
+        <translation>使条件得出不同结果的最小更改</translation>
+    </message>
+    <message>
+        <source>Who Set This?</source>
+        <translation>谁设置了它？</translation>
+    </message>
+    <message>
+        <source>All changes in the recording, and what made each of them</source>
+        <translation>记录中的所有变化及其各自的原因</translation>
+    </message>
+    <message>
+        <source>Explanation</source>
+        <translation>解释</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>扫描周期</translation>
+    </message>
+    <message>
+        <source>Right-click a variable in the text, the watch, the tree, the trace or a panel and ask why it has its value.</source>
+        <translation>在文本、监视、项目树、跟踪或画面中右键单击变量，询问其值的由来。</translation>
+    </message>
+    <message>
+        <source>Looking into the recorded scans…</source>
+        <translation>正在查看记录的扫描周期…</translation>
+    </message>
+    <message>
+        <source>There is no recording to ask yet: run the program first.</source>
+        <translation>尚无记录：请先运行程序。</translation>
+    </message>
+    <message>
+        <source>%1 · scan %2</source>
+        <comment>time and number</comment>
+        <translation>%1 · 扫描周期 %2</translation>
+    </message>
+    <message>
+        <source>Earlier changes…</source>
+        <translation>更早的变化…</translation>
+    </message>
+    <message>
+        <source>Why Is %1 So?</source>
+        <translation>为什么 %1 是这样？</translation>
+    </message>
+    <message>
+        <source>Who Set %1?</source>
+        <translation>谁设置了 %1？</translation>
+    </message>
+    <message>
+        <source>Copy the Answer</source>
+        <translation>复制答案</translation>
     </message>
 </context>
 <context>
