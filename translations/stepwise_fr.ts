@@ -2186,15 +2186,15 @@
     </message>
     <message>
         <source>Why?</source>
-        <translation>Pourquoi ?</translation>
+        <translation>Pourquoi&#x202f;?</translation>
     </message>
     <message>
         <source>Why Not?</source>
-        <translation>Pourquoi pas ?</translation>
+        <translation>Pourquoi pas&#x202f;?</translation>
     </message>
     <message>
         <source>Who Set This?</source>
-        <translation>Qui a écrit cela ?</translation>
+        <translation>Qui a écrit cela&#x202f;?</translation>
     </message>
 </context>
 <context>
@@ -4233,7 +4233,7 @@
     </message>
     <message>
         <source>missing: {0}</source>
-        <translation>manque : {0}</translation>
+        <translation>manque&#xa0;: {0}</translation>
     </message>
     <message>
         <source>not run</source>
@@ -5287,7 +5287,7 @@ Non conservés&#xa0;: %3</translation>
     </message>
     <message>
         <source>There is no recording to ask yet: run the program first.</source>
-        <translation>Il n’y a pas encore d’enregistrement : exécutez d’abord le programme.</translation>
+        <translation>Il n’y a pas encore d’enregistrement&#xa0;: exécutez d’abord le programme.</translation>
     </message>
     <message>
         <source>Put the cursor on a variable, or select an expression, to ask about it</source>
@@ -6244,15 +6244,15 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Why?</source>
-        <translation>Pourquoi ?</translation>
+        <translation>Pourquoi&#x202f;?</translation>
     </message>
     <message>
         <source>Why Not?</source>
-        <translation>Pourquoi pas ?</translation>
+        <translation>Pourquoi pas&#x202f;?</translation>
     </message>
     <message>
         <source>Who Set This?</source>
-        <translation>Qui a écrit cela ?</translation>
+        <translation>Qui a écrit cela&#x202f;?</translation>
     </message>
     <message>
         <source>What If…</source>
@@ -6276,7 +6276,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>What if? needs a running controller: a recording from a file cannot be resumed</source>
-        <translation>« Et si » demande un automate en marche : un enregistrement ouvert depuis un fichier ne peut pas être repris</translation>
+        <translation>«&#xa0;Et si&#xa0;» demande un automate en marche&#xa0;: un enregistrement ouvert depuis un fichier ne peut pas être repris</translation>
     </message>
 </context>
 <context>
@@ -7084,7 +7084,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <name>plc::app::WhatIfDialog</name>
     <message>
         <source>What If?</source>
-        <translation>Et si ?</translation>
+        <translation>Et si&#x202f;?</translation>
     </message>
     <message>
         <source>The controller goes back to the scan that is shown and runs on from there with these values. The trace draws what happened before beneath it.</source>
@@ -8118,7 +8118,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>There is no recorded scan yet: run the program first.</source>
-        <translation>Il n’y a pas encore de cycle enregistré : exécutez d’abord le programme.</translation>
+        <translation>Il n’y a pas encore de cycle enregistré&#xa0;: exécutez d’abord le programme.</translation>
     </message>
     <message>
         <source>Running the scan again…</source>
@@ -8134,7 +8134,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Scan %1 at %2: before statement %3 of %4</source>
-        <translation>Cycle %1 à %2 : avant l’instruction %3 sur %4</translation>
+        <translation>Cycle %1 à %2&#xa0;: avant l’instruction %3 sur %4</translation>
     </message>
     <message>
         <source> · pass %1</source>
@@ -8705,7 +8705,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Why?</source>
-        <translation>Pourquoi ?</translation>
+        <translation>Pourquoi&#x202f;?</translation>
     </message>
     <message>
         <source>What changed it, and what that needed</source>
@@ -8713,7 +8713,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Why Not?</source>
-        <translation>Pourquoi pas ?</translation>
+        <translation>Pourquoi pas&#x202f;?</translation>
     </message>
     <message>
         <source>The smallest changes that would make the condition come out otherwise</source>
@@ -8721,7 +8721,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Who Set This?</source>
-        <translation>Qui a écrit cela ?</translation>
+        <translation>Qui a écrit cela&#x202f;?</translation>
     </message>
     <message>
         <source>All changes in the recording, and what made each of them</source>
@@ -8745,7 +8745,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>There is no recording to ask yet: run the program first.</source>
-        <translation>Il n’y a pas encore d’enregistrement : exécutez d’abord le programme.</translation>
+        <translation>Il n’y a pas encore d’enregistrement&#xa0;: exécutez d’abord le programme.</translation>
     </message>
     <message>
         <source>%1 · scan %2</source>
@@ -8758,11 +8758,11 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Why Is %1 So?</source>
-        <translation>Pourquoi %1 est-il ainsi ?</translation>
+        <translation>Pourquoi %1 est-il ainsi&#x202f;?</translation>
     </message>
     <message>
         <source>Who Set %1?</source>
-        <translation>Qui a écrit %1 ?</translation>
+        <translation>Qui a écrit %1&#x202f;?</translation>
     </message>
     <message>
         <source>Copy the Answer</source>
