@@ -282,7 +282,7 @@ Result<history::Position> positionOf(const history::History& history, const std:
     const auto time = parseDuration(text);
     if (!time) return Error{errors::OrScanNumber(time.error().message), text};
     const auto found = history.positionAt(*time);
-    if (!found) return Error{errors::NoScanBefore(), text};
+    if (!found) return Error{errors::NoScanBefore(text), text};
     return *found;
 }
 

@@ -93,7 +93,7 @@ expression::Outcome shownValue(const Watch& watch, std::span<const std::byte> im
     const types::Type& type = watch.expression.types()[watch.expression.type()];
     if (type.size <= watch.largest) return watch.expression.evaluate(image);
     expression::Outcome outcome;
-    outcome.reason = std::to_string(type.size) + " bytes are not shown; name a part of it with --watch";
+    outcome.reason = errors::TooLargeToShow(type.size);
     return outcome;
 }
 } // namespace

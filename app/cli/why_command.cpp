@@ -76,8 +76,7 @@ int answerByRunning(const Arguments& arguments, const std::string& path, const s
 
 int why(const Arguments& arguments) {
     if (arguments.paths().size() != 2)
-        return wrongUse(
-            {"why needs a project, an ST file or a recording, and an expression (stepwise why --help)", ""});
+        return wrongUse({errors::WhyNeedsTwo(), ""});
     const std::string& path = arguments.paths()[0];
     const std::string& question = arguments.paths()[1];
     if (!isRecording(path)) return answerByRunning(arguments, path, question);
