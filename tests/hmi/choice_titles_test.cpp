@@ -15,9 +15,10 @@ TEST(ChoiceTitles, EveryChoiceOfEveryElementHasOne) {
     int seen = 0;
     for (const ElementDescriptor& kind : elementDescriptors())
         for (const PropertyDescriptor& property : kind.properties) {
-            if (property.type == PropertyType::Expression || property.type == PropertyType::Target)
+            if (property.type == PropertyType::Expression || property.type == PropertyType::Target) {
                 EXPECT_TRUE(property.hint.empty() || valueKindTitle(property.hint) != kit::fromView(property.hint))
                     << property.hint;
+            }
             if (property.type != PropertyType::Choice) continue;
             for (const std::string_view choice : property.choices()) {
                 EXPECT_NE(choiceTitle(property.key, choice), kit::fromView(choice)) << property.key << ": " << choice;

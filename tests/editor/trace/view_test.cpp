@@ -31,6 +31,12 @@ namespace history = plc::history;
 
 namespace {
 
+/// A sentence of this test.
+plc::Message says(std::string words) {
+    static constexpr plc::messages::TypedForm<plc::messages::Name> form{"Test", "Said", "{0}"};
+    return form(std::move(words));
+}
+
 constexpr int64_t Ms = 1'000'000, S = 1'000'000'000;
 
 class TraceViewTest : public ::testing::Test {
@@ -194,16 +200,17 @@ TEST_F(TraceViewTest, ATriggerIsFoundInThePast) {
 TEST_F(TraceViewTest, MarksOfTheRecordingAreShown) {
     type("Main.sine");
     using plc::controller::EventKind;
-    recording.markList.push_back({0, history::Nanoseconds(0), static_cast<int>(EventKind::Started), "started"});
+    recording.markList.push_back({0, history::Nanoseconds(0), static_cast<int>(EventKind::Started), says("started")});
     recording.markList.push_back(
-        {500, history::Nanoseconds(500 * Ms), static_cast<int>(EventKind::Force), "valve forced"});
-    recording.markList.push_back({600, history::Nanoseconds(600 * Ms), static_cast<int>(EventKind::Write), "button"});
+        {500, history::Nanoseconds(500 * Ms), static_cast<int>(EventKind::Force), says("valve forced")});
+    recording.markList.push_back(
+        {600, history::Nanoseconds(600 * Ms), static_cast<int>(EventKind::Write), says("button")});
     view.tick();
     ASSERT_EQ(view.plot()->model().markers.size(), 1u) << "writes would bury the rest";
     EXPECT_EQ(view.plot()->model().markers[0].kind, kit::MarkerKind::Force);
     recording.goBackTo(300);
     recording.markList.push_back(
-        {1000, history::Nanoseconds(301 * Ms), static_cast<int>(EventKind::WentBack), "went back"});
+        {1000, history::Nanoseconds(301 * Ms), static_cast<int>(EventKind::WentBack), says("went back")});
     runFor(5);
     ASSERT_EQ(view.plot()->model().markers.size(), 1u) << "the abandoned future's marks have left";
     EXPECT_EQ(view.plot()->model().markers[0].kind, kit::MarkerKind::Branch);
@@ -397,7 +404,7 @@ TEST_F(TimeSliderTest, ResumeNamesThePosition) {
 
 TEST_F(TimeSliderTest, PictureOfTheSlider) {
     recording.markList.push_back(
-        {300, history::Nanoseconds(300 * Ms), static_cast<int>(plc::controller::EventKind::Force), "forced"});
+        {300, history::Nanoseconds(300 * Ms), static_cast<int>(plc::controller::EventKind::Force), says("forced")});
     recording.oldest = 150;
     recording.goBackTo(600);
     recording.run(200);
