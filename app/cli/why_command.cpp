@@ -75,8 +75,7 @@ int answerByRunning(const Arguments& arguments, const std::string& path, const s
 }
 
 int why(const Arguments& arguments) {
-    if (arguments.paths().size() != 2)
-        return wrongUse({errors::WhyNeedsTwo(), ""});
+    if (arguments.paths().size() != 2) return wrongUse({errors::WhyNeedsTwo(), ""});
     const std::string& path = arguments.paths()[0];
     const std::string& question = arguments.paths()[1];
     if (!isRecording(path)) return answerByRunning(arguments, path, question);
