@@ -118,7 +118,7 @@ Command recipeCommand() {
               {"--at", "10s", "the moment of the run"},
               {"--set", "PATH=VALUE[@TIME]", "write before the first scan at or after TIME (repeatable)"},
               {"--force", "PATH=VALUE[@TIME]", "force likewise (repeatable)"}},
-             "stepwise recipe projects/examples/dough --read warm --at 60s"},
+             "stepwise recipe projects/examples/bottling --text large"},
             run};
 }
 
