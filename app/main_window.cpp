@@ -37,6 +37,7 @@
 #include <QLocale>
 #include <QMenuBar>
 #include <QScreen>
+#include <QScrollArea>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QToolBar>
@@ -152,7 +153,11 @@ void MainWindow::makeDocks() {
     tabifyDockWidget(log, tests);
     auto* tuning = new editor::TuningView(*m_control);
     connect(tuning, &editor::TuningView::message, this, &MainWindow::say);
-    tabifyDockWidget(tests, addDock("tuning", tr("Tuning"), i(Icon::Fit), tuning, Qt::BottomDockWidgetArea));
+    auto* roomForTuning = new QScrollArea; // four charts and a column of settings: wider than a small screen
+    roomForTuning->setFrameShape(QFrame::NoFrame);
+    roomForTuning->setWidgetResizable(true);
+    roomForTuning->setWidget(tuning);
+    tabifyDockWidget(tests, addDock("tuning", tr("Tuning"), i(Icon::Fit), roomForTuning, Qt::BottomDockWidgetArea));
     tabifyDockWidget(tests, why);
     tabifyDockWidget(why, slow);
     watch->raise();

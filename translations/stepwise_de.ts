@@ -2002,7 +2002,7 @@
     </message>
     <message>
         <source>{0} has no page {1}; its {2} {2:page is|pages are} numbered from 0</source>
-        <translation>{0} hat keine Seite {1}; {2} {2:Seite ist|Seiten sind} vorhanden, ab 0 nummeriert</translation>
+        <translation>{0} hat keine Seite {1}; die {2} {2:Seite ist|Seiten sind} ab 0 nummeriert</translation>
     </message>
     <message>
         <source>The format {0} needs a number, and {1} is none; use {2}</source>

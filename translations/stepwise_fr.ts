@@ -2002,7 +2002,7 @@
     </message>
     <message>
         <source>{0} has no page {1}; its {2} {2:page is|pages are} numbered from 0</source>
-        <translation>{0} n’a pas de page {1} ; {2} {2:page est numérotée|pages sont numérotées} à partir de 0</translation>
+        <translation>{0} n’a pas de page {1}&#x202f;; ses {2} {2:page est numérotée|pages sont numérotées} à partir de 0</translation>
     </message>
     <message>
         <source>The format {0} needs a number, and {1} is none; use {2}</source>

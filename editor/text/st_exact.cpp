@@ -4,6 +4,7 @@
 #include "editor/text/st_marks.h"
 
 #include <algorithm>
+#include <map>
 
 namespace plc::editor {
 
@@ -46,10 +47,12 @@ void StEditor::showExactMarks() {
         fill(condition.isTrue ? kHeld : kNotHeld, condition.begin, condition.end);
 }
 
-/// The values of a line: each variable once, with what it was before where the line changed it; passes of its loops.
+/// The values of a line: each variable once, in the order of the text, with what it was before where the line changed
+/// it; passes of its loops.
 std::vector<OnlineValue> StEditor::exactValues(uint32_t begin, uint32_t end) const {
     std::vector<OnlineValue> values;
     if (!m_exact) return values;
+    std::map<QString, uint32_t> places;
     for (const ExactText::Loop& loop : m_exact->loops) {
         if (loop.begin < begin || loop.begin >= end) continue;
         OnlineValue value;
@@ -61,6 +64,8 @@ std::vector<OnlineValue> StEditor::exactValues(uint32_t begin, uint32_t end) con
     for (const ExactText::Value& each : m_exact->values) {
         if (each.begin < begin || each.begin >= end || each.end > m_analysedText.size()) continue;
         const QString name = QString::fromStdString(m_analysedText.substr(each.begin, each.end - each.begin));
+        const uint32_t first = places.try_emplace(name, each.begin).first->second;
+        places[name] = std::min(first, each.begin);
         auto known = std::find_if(values.begin(), values.end(),
                                   [&](const OnlineValue& value) { return value.name == name && !value.loop; });
         if (known == values.end()) {
@@ -77,6 +82,11 @@ std::vector<OnlineValue> StEditor::exactValues(uint32_t begin, uint32_t end) con
         known->value = each.text;
         known->isTrue = each.isTrue;
     }
+    // They come in the order of their computation: of an assignment the right side first.
+    std::stable_sort(values.begin(), values.end(), [&](const OnlineValue& a, const OnlineValue& b) {
+        if (bool(a.loop) != bool(b.loop)) return bool(a.loop);
+        return !a.loop && places[a.name] < places[b.name];
+    });
     return values;
 }
 

@@ -113,7 +113,7 @@ TEST_F(OnlineSourceTest, TheWatchChoosesTheInstance) {
         auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
         if (!menu) return;
         for (QAction* action : menu->actions())
-            if (action->text() == "Source of Axis with the values of Main.b") {
+            if (action->text().remove(u'&') == "Source of Axis with the values of Main.b") {
                 isOffered = true;
                 action->trigger();
             }

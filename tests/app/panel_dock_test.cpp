@@ -95,7 +95,7 @@ TEST_F(PanelDockTest, ARecordingFromAFileIsShownInThePanelAndCanNotBeWritten) {
     EXPECT_EQ(player()
                   .post(hmi::WriteRequest{{}, "Main.counter", hmi::WriteKind::Write, hmi::Value::ofInteger(1), {}})
                   .toStdString(),
-              "Not written: the panel shows the past.");
+              "Not written: the panel shows recorded values.");
     EXPECT_EQ(player().alarms().present({}, hmi::AlarmOrder::Time).size(), 1u) << "found in the file";
     window->live().slider().stepScans(-1);
     EXPECT_EQ(shown(), recorded - 1);

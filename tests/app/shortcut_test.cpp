@@ -125,9 +125,10 @@ protected:
 /// A place's own use of a key of the window, known and meant.
 bool isMeant(const QString& place, const QKeySequence& keys) {
     static const std::set<std::pair<QString, QString>> kMeant = {
-        {"graph", "F2"},   // the name of the step, not of what the cursor in the text is at
-        {"project", "F2"}, // the selected unit
-        {"find bar", "F3"}, {"find bar", "Shift+F3"}, {"find bar", "Ctrl+Z"}, {"search", "Ctrl+Z"},
+        {"graph", "F2"}, // the name of the step, not of what the cursor in the text is at
+        {"graph", "Ctrl+F2"}, {"graph", "Ctrl+Shift+F2"}, // bookmarks of rungs
+        {"project", "F2"},                                // the selected unit
+        {"find bar", "F3"},   {"find bar", "Shift+F3"},   {"find bar", "Ctrl+Z"}, {"search", "Ctrl+Z"},
     };
     return kMeant.contains({place, keys.toString(QKeySequence::PortableText)});
 }

@@ -58,15 +58,15 @@ TEST(Player, SaysWhyAWriteIsRefused) {
     machine.session.startThread({session::Pace::Factor, 5});
     ASSERT_TRUE(machine.waitFor("Main.count > 2"));
     EXPECT_EQ(machine.write("Main.small", Value::ofInteger(300)).toStdString(),
-              "Not written: the value lies outside its limits. -128 to 127");
+              "Not written: the value is outside its limits. -128 to 127");
     EXPECT_EQ(machine.write("Main.count + 1", Value::ofInteger(3)).toStdString(),
               "Not written: this is not a variable.");
     EXPECT_FALSE(machine.write("Main.cuont", Value::ofInteger(3)).isEmpty());
     machine.session.force("Main.forced", types::Value{types::TypeTable::of(types::TypeKind::Bool), int64_t(1)});
     ASSERT_TRUE(machine.waitFor("Main.forced"));
     machine.player->setLanguage(QStringLiteral("da"));
-    EXPECT_EQ(machine.write("Main.forced", Value::ofBool(false)).toStdString(), "Ikke skrevet: Variablen er tvunget.");
-    EXPECT_EQ(machine.player->lastRefusal().toStdString(), "Ikke skrevet: Variablen er tvunget.");
+    EXPECT_EQ(machine.write("Main.forced", Value::ofBool(false)).toStdString(), "Ikke skrevet: Variablen er forceret.");
+    EXPECT_EQ(machine.player->lastRefusal().toStdString(), "Ikke skrevet: Variablen er forceret.");
     EXPECT_TRUE(machine.write("Main.small", Value::ofInteger(-100)).isEmpty());
     EXPECT_TRUE(machine.waitFor("Main.small = -100"));
     EXPECT_TRUE(machine.write("Main.name", Value::ofText(QStringLiteral("Grød"))).isEmpty());
@@ -254,7 +254,8 @@ TEST(Player, FollowsTheTimeSliderAndRefusesToWriteIntoThePast) {
     machine.player->setPosition(*position);
     EXPECT_EQ(machine.value("Main.count").toInteger(), 10);
     EXPECT_EQ(machine.player->values()->freshness(), Freshness::Past);
-    EXPECT_EQ(machine.write("Main.level", Value::ofReal(1)).toStdString(), "Not written: the panel shows the past.");
+    EXPECT_EQ(machine.write("Main.level", Value::ofReal(1)).toStdString(),
+              "Not written: the panel shows recorded values.");
     machine.player->setPosition(std::nullopt);
     EXPECT_GT(machine.value("Main.count").toInteger(), 30);
 }

@@ -161,7 +161,9 @@ TEST_F(RunValues, TheExampleOfEveryHelpWorks) {
           "pouType=\"program\"><interface/><body><ST><xhtml xmlns=\"http://www.w3.org/1999/xhtml\">;</xhtml></ST>"
           "</body></pou></pous></types><instances><configurations/></instances></project>");
     std::vector<std::string> examples;
-    for (const cli::Command& each : cli::commands()) examples.emplace_back(each.spec.example);
+    for (const cli::Command& each : cli::commands())
+        if (each.spec.name != "serve")
+            examples.emplace_back(each.spec.example);       // it ends when it is stopped: ServeTest
     std::stable_partition(examples.begin(), examples.end(), // what it records is looked into by another
                           [](const std::string& text) { return text.find(" run ") != std::string::npos; });
     for (const std::string& example : examples) {
