@@ -2,6 +2,7 @@
 
 #include "editor/kit/icons.h"
 #include "editor/kit/theme.h"
+#include "editor/text/line_ground.h"
 #include "editor/text/st_editor.h"
 
 #include <QDialogButtonBox>
@@ -76,10 +77,9 @@ QsciScintilla* MergeDialog::addSide(const QString& title, const std::string& tex
     side->setAccessibleName(title);
     const std::pair<int, QColor> marks[] = {{kDifferent, kit::colors().warning}, {kCurrent, kit::colors().accent}};
     for (const auto& [marker, colour] : marks) {
-        QColor ground = colour;
-        ground.setAlpha(marker == kCurrent ? 110 : 60);
         side->markerDefine(QsciScintilla::Background, marker);
-        side->setMarkerBackgroundColor(ground, marker);
+        side->setMarkerBackgroundColor(editor::lineGround(kit::colors().base, colour, marker == kCurrent ? 0.4 : 0.2),
+                                       marker);
     }
     layout->addWidget(side, 1);
     sides->addWidget(box);

@@ -1,6 +1,7 @@
 #include "app/text_page.h"
 
 #include "editor/kit/theme.h"
+#include "editor/text/line_ground.h"
 #include "projects/storage/project_file.h"
 
 #include <QFontDatabase>
@@ -36,9 +37,7 @@ TextPage::TextPage(const QString& path, QWidget* parent)
     m_text->setTabWidth(2);
     m_text->setIndentationsUseTabs(false);
     m_text->markerDefine(QsciScintilla::Background, kWrong);
-    QColor wrong = c.bad;
-    wrong.setAlpha(70);
-    m_text->setMarkerBackgroundColor(wrong, kWrong);
+    m_text->setMarkerBackgroundColor(editor::lineGround(c.base, c.bad, 0.27), kWrong);
     m_text->setAccessibleName(path.section('/', -1));
     if (const auto bytes = projects::readFile(path.toStdString())) {
         m_text->setText(QString::fromStdString(*bytes));

@@ -5,6 +5,7 @@
 #include "editor/kit/own_keys.h"
 #include "editor/kit/theme.h"
 #include "editor/kit/variable_picker.h"
+#include "editor/text/line_ground.h"
 #include "editor/text/st_marks.h"
 #include "runtime/base/text.h"
 
@@ -163,9 +164,7 @@ void StEditor::applyTheme() {
     setMarkerBackgroundColor(c.window, kBreakpointOff);
     setMarkerForegroundColor(c.breakpoint, kBreakpointOff);
     setMarkerBackgroundColor(c.current, kExecuted);
-    QColor fault = c.bad;
-    fault.setAlpha(c.dark ? 90 : 60);
-    setMarkerBackgroundColor(fault, kFault);
+    setMarkerBackgroundColor(lineGround(c.base, c.bad, c.dark ? 0.35 : 0.24), kFault);
     const auto drawn = [](kit::Icon which) { return kit::icon(which).pixmap(QSize(14, 14), 1.0).toImage(); };
     markerDefine(drawn(kit::Icon::Error), kErrorMark);
     markerDefine(drawn(kit::Icon::Warning), kWarningMark);

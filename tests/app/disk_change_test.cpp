@@ -230,6 +230,50 @@ TEST_F(DiskChangeTest, MergingTakesWhatIsWantedOfBoth) {
     EXPECT_TRUE(merge.hunks().empty());
 }
 
+/// The ground of a line, right of its text.
+QRgb groundOf(QsciScintilla& side, int line) {
+    const int height = static_cast<int>(side.SendScintilla(QsciScintilla::SCI_TEXTHEIGHT, 0UL));
+    const QImage picture = side.viewport()->grab().toImage();
+    return picture.pixel(side.viewport()->width() * 3 / 4, line * height + height / 2);
+}
+
+TEST_F(DiskChangeTest, TheDifferencesOfBothSidesAreColoured) {
+    const std::string here = "a\nb here\nc\nd\ne\nf here\ng\n", there = "a\nb there\nc\nd\nnew\ne\nf there\ng\n";
+    for (const kit::ThemeChoice theme : {kit::ThemeChoice::Light, kit::ThemeChoice::Dark}) {
+        window->changeTheme(theme);
+        MergeDialog merge("src/x.st", here, there, window.get());
+        merge.show();
+        const QList<QsciScintilla*> sides = merge.findChildren<QsciScintilla*>();
+        ASSERT_EQ(sides.size(), 2);
+        for (QsciScintilla* side : sides) {
+            const bool isHere = !side->isReadOnly();
+            const QRgb plain = groundOf(*side, 2), current = groundOf(*side, 1),
+                       other = groundOf(*side, isHere ? 5 : 6);
+            EXPECT_NE(current, plain);
+            EXPECT_NE(other, plain);
+            EXPECT_NE(current, other) << "the one that Take Over takes";
+            if (!isHere) EXPECT_EQ(groundOf(*side, 4), other) << "a line that only the disk has";
+        }
+    }
+    window->changeTheme(kit::ThemeChoice::Light);
+}
+
+TEST_F(DiskChangeTest, TheLineOfAFaultAndTheLineOfAnErrorAreColoured) {
+    editor().setFaultLine(2);
+    EXPECT_NE(groundOf(editor(), 1), groundOf(editor(), 2));
+    write("hmi/texts.csv", "what is this\r\n");
+    EXPECT_TRUE(waitFor([&] { return !problemPlaces().filter("hmi/texts.csv:1").isEmpty(); }));
+    window->openTexts();
+    auto* page = qobject_cast<TextPage*>(window->tabs().currentWidget());
+    ASSERT_NE(page, nullptr);
+    page->showProblem("what is wrong with it", 1);
+    auto* text = page->findChild<QsciScintilla*>();
+    ASSERT_NE(text, nullptr);
+    text->append("\r\nmore\r\n");
+    EXPECT_NE(groundOf(*text, 0), groundOf(*text, 1));
+    text->setModified(false);
+}
+
 TEST_F(DiskChangeTest, AComparisonIsOfferedAndItsTextGoesOn) {
     typeAtEnd("done := FALSE;");
     QTimer::singleShot(300, qApp, [] {
