@@ -88,8 +88,13 @@ std::vector<Proposal> proposeAddresses(const DeviceFile& file, const image::Layo
         if (area == 'Q') outputs.take(first, count);
     };
     if (layout) {
-        inputs.take(0, layout->inputs.size * 8);
-        outputs.take(0, layout->outputs.size * 8);
+        for (const image::Root& root : layout->roots) {
+            const bool isIn = root.area == image::Area::Input, isOut = root.area == image::Area::Output;
+            if (!isIn && !isOut) continue;
+            const uint32_t byte = root.offset - (isIn ? layout->inputs.begin : layout->outputs.begin);
+            const uint32_t bits = root.bit >= 0 ? 1 : (*layout->types)[root.type].size * 8;
+            (isIn ? inputs : outputs).take(byte * 8 + static_cast<uint32_t>(std::max<int>(0, root.bit)), bits);
+        }
     }
     for (const Device& device : file.devices())
         for (const Channel& channel : device.channels) take(channel.variable);

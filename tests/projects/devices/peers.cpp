@@ -180,15 +180,16 @@ void Proxy::run() {
             polled.push_back({pair.server, POLLIN, 0});
         }
         (void)::poll(polled.data(), polled.size(), 5);
+        const bool isCut = m_cuts;
         for (size_t i = 0; i < pairs.size(); ++i) {
             Pair& pair = pairs[i];
-            bool isGood = !m_cuts;
+            bool isGood = !isCut;
             if (isGood && polled[1 + 2 * i].revents) isGood = forward(pair.client, pair.server);
             if (isGood && polled[2 + 2 * i].revents) isGood = forward(pair.server, pair.client);
             if (!isGood) close(pair);
         }
         std::erase_if(pairs, [](const Pair& pair) { return pair.client < 0; });
-        m_cuts = false;
+        if (isCut) m_cuts = false;
         if (polled[0].revents == 0) continue;
         Pair pair{::accept(m_listener, nullptr, nullptr), ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)};
         const sockaddr_in address = localAddress(m_target);

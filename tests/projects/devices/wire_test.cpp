@@ -1,11 +1,10 @@
-// Numbers on the wire: every type in every byte order, against libmodbus where it knows them; JSON; what does not fit.
+// Numbers on the wire: every type in every byte order, JSON; what does not fit.
 #include "projects/devices/wire.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
-#include <modbus/modbus.h>
 #include <random>
 
 using namespace plc::devices;
@@ -22,32 +21,6 @@ Channel holding(WireType type, Order order = Order::Abcd) {
 }
 
 } // namespace
-
-TEST(Wire, FloatsLieInTheRegistersAsLibmodbusPutsThem) {
-    const float number = 12345.678F;
-    for (const Order order : kOrders) {
-        uint16_t theirs[2] = {}, ours[2] = {};
-        switch (order) {
-        case Order::Abcd:
-            modbus_set_float_abcd(number, theirs);
-            break;
-        case Order::Cdab:
-            modbus_set_float_cdab(number, theirs);
-            break;
-        case Order::Badc:
-            modbus_set_float_badc(number, theirs);
-            break;
-        case Order::Dcba:
-            modbus_set_float_dcba(number, theirs);
-            break;
-        }
-        // libmodbus gives the bytes of the wire in memory; a register is two of them in the order of this machine.
-        const Channel channel = holding(WireType::Real, order);
-        ASSERT_TRUE(toRegisters(channel, Sample::of(static_cast<double>(number)), ours));
-        EXPECT_EQ(fromRegisters(channel, ours).real, static_cast<double>(number)) << spelling(order);
-        EXPECT_EQ(std::vector<uint16_t>(ours, ours + 2), std::vector<uint16_t>(theirs, theirs + 2)) << spelling(order);
-    }
-}
 
 TEST(Wire, WordsAndBytesChangePlacesAsNamed) {
     const Sample number = Sample::ofUnsigned(0x0A0B0C0D);
