@@ -1,4 +1,5 @@
 #include "app/cli/command.h"
+#include "app/cli/device_output.h"
 #include "app/cli/errors.h"
 #include "app/cli/panel_findings.h"
 
@@ -27,9 +28,14 @@ int check(const Arguments& arguments) {
         const hmi::PanelProject panels = hmi::loadPanelProject(*project);
         findings = hmi::checkPanels(panels, hmi::checkedForPanels(project->buildInput(), checked, panels.panels));
     }
+    const bool hasLayout = !checked.analysis->hasErrors && checked.analysis->program;
+    const auto deviceFindings = findDeviceProblems(*project, hasLayout ? &checked.analysis->program->layout : nullptr);
+    if (!deviceFindings) return wrongUse(deviceFindings.error());
     std::vector<std::string> objects, tests;
     if (arguments.wantsJson())
         for (const hmi::Finding& finding : findings) objects.push_back(renderJson(finding));
+    if (arguments.wantsJson())
+        for (const devices::Finding& finding : *deviceFindings) objects.push_back(renderJson(finding));
     if (!checked.analysis->hasErrors)
         tests = testing::checkTests(*project, arguments.wantsJson(), wantsColours(STDERR_FILENO));
     if (arguments.wantsJson()) objects.insert(objects.end(), tests.begin(), tests.end());
@@ -38,7 +44,9 @@ int check(const Arguments& arguments) {
     if (!arguments.wantsJson()) {
         for (const std::string& problem : tests) std::cerr << problem;
         printFindings(findings, std::cerr);
+        printFindings(*deviceFindings, std::cerr);
     }
+    wrong |= devices::hasErrors(*deviceFindings);
     wrong |= !tests.empty();
     for (const hmi::Finding& finding : findings) wrong |= finding.isError;
     if (!arguments.wantsJson() && !wrong) std::cout << project->name << ": no errors\n";

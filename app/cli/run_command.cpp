@@ -1,4 +1,5 @@
 #include "app/cli/command.h"
+#include "app/cli/device_output.h"
 #include "app/cli/errors.h"
 #include "app/cli/run_output.h"
 #include "app/cli/timed_write.h"
@@ -58,7 +59,7 @@ Result<RunPlan> planRun(const Arguments& arguments, const driver::Built& built,
         if (end == text->c_str() || *end || !(plan.speed > 0)) return Error{errors::SpeedAboveZero(), *text};
         plan.isReal = true;
     }
-    plan.isReal = plan.isReal || arguments.has("--real");
+    plan.isReal = plan.isReal || arguments.has("--real") || arguments.has("--devices");
     auto writes = readWrites(arguments, built.checked, controller);
     if (!writes) return writes.error();
     plan.writes = std::move(*writes);
@@ -157,7 +158,14 @@ int run(const Arguments& arguments) {
     else if (*start)
         settings.controller.calendarStartNs = **start;
     catchInterrupt();
+    std::unique_ptr<devices::Engine> engine;
+    if (arguments.has("--devices")) {
+        auto made = makeEngine(*project, &built.program->layout);
+        if (!made) return wrongUse(made.error());
+        engine = std::move(*made);
+    }
     session::Session session(built, settings);
+    if (engine) engine->attach(session.controller());
     controller::setLeaveHook(session.controller(), isInterrupted);
     const auto plan = planRun(arguments, built, session.controller());
     if (!plan) return wrongUse(plan.error());
@@ -170,6 +178,7 @@ int run(const Arguments& arguments) {
     }
     if (const auto file = arguments.value("--csv"))
         if (auto opened = csv.open(*file); !opened) return wrongUse(opened.error());
+    if (engine) engine->connect();
     if (auto ran = runScans(*plan, built, session, csv); !ran) return wrongUse(ran.error());
 
     if (const Message problem = session.status().retainProblem; !problem.isEmpty())
@@ -180,8 +189,10 @@ int run(const Arguments& arguments) {
     RunReport report{session.controller(), built, plan->watches, arguments.has("--stats")};
     (arguments.value("--csv") == "-" ? std::cerr : std::cout)
         << (json ? report.toJson() : report.toText(wantsColours(1)));
+    if (engine && !json) std::cerr << statusText(engine->status());
     const bool faulted = session.controller().state() == controller::State::Fault;
     session.controller().stop();
+    if (engine) engine->disconnect(); // with the safe outputs of the stop
     // One file that cannot be written costs neither the values nor the other files.
     std::optional<Error> problem;
     const auto note = [&](const Result<void>& done) {
@@ -212,6 +223,7 @@ Command runCommand() {
               {"--csv", "FILE", "write a row per scan: time_s, scan, the watches; - is the standard output"},
               {"--every", "scan|100ms", "a row each scan (default) or each interval"},
               {"--record", "FILE", "save the recording of every scan, for replay and the studio"},
+              {"--devices", "", "connect the devices of devices.json; in real time"},
               {"--retain", "FILE", "restore retained variables from FILE, save them there at the end"},
               {"--start", "DT#2026-01-01-06:00:00", "calendar at the first scan"},
               {"--stats", "", "also task statistics"},

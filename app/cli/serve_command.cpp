@@ -1,4 +1,5 @@
 #include "app/cli/command.h"
+#include "app/cli/device_output.h"
 #include "app/cli/errors.h"
 #include "app/cli/panel_findings.h"
 #include "app/cli/run_output.h"
@@ -95,10 +96,22 @@ int run(const Arguments& arguments) {
     needApplication();
     const hmi::PanelProject panels = hmi::loadPanelProject(*project);
     for (const Error& problem : panels.problems) std::cerr << problem.english() << "\n";
+    std::unique_ptr<devices::Engine> engine;
+    if (arguments.has("--devices")) {
+        auto made = makeEngine(*project, &built.program->layout);
+        if (!made) return wrongUse(made.error());
+        engine = std::move(*made);
+    }
     session::Session session(std::move(built), forSession);
+    if (engine) {
+        engine->attach(session.controller());
+        engine->connect();
+    }
     if (const Message problem = session.status().retainProblem; !problem.isEmpty())
         std::cerr << "stepwise: " << problem << "\n";
-    if (auto served = serve::serve(panels, session, *settings, isInterrupted); !served) return wrongUse(served.error());
+    const auto served = serve::serve(panels, session, *settings, isInterrupted);
+    if (engine) engine->disconnect();
+    if (!served) return wrongUse(served.error());
     if (arguments.has("--stats")) printStatistics(session.taskStatistics());
     if (const Message problem = session.status().retainProblem; !problem.isEmpty()) {
         std::cerr << "stepwise: " << problem << "\n";
@@ -123,6 +136,7 @@ Command serveCommand() {
           {"--recording-size", "256M", "bytes of the recording on disk, oldest deleted first; 0 for none"},
           {"--real-time", "", "ask for locked memory and SCHED_FIFO; says what was granted"},
           {"--core", "N", "the scan thread on this core alone, with --real-time"},
+          {"--devices", "", "connect the devices of devices.json"},
           {"--stats", "", "task statistics at the end"},
           {"--start", "DT#2026-01-01-06:00:00", "calendar at the first scan"},
           {"--library", "NAME", "a library the files use, besides the standard (repeatable)"}},

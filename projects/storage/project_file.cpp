@@ -163,6 +163,7 @@ std::vector<std::string> readCompanions(const std::string& folder) {
     for (const std::string& name : filesIn(root / "hmi", ".csv")) add(root / "hmi" / name);
     for (const std::string& name : filesIn(root / "traces", ".trace.json")) add(root / "traces" / name);
     if (std::error_code ignored; fs::exists(root / "project.json", ignored)) add(root / "project.json");
+    if (std::error_code ignored; fs::exists(root / "devices.json", ignored)) add(root / "devices.json");
     return out;
 }
 

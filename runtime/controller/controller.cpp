@@ -309,6 +309,8 @@ bool Controller::scan(std::optional<Nanoseconds> at) {
 bool Controller::State_::scanAt(int64_t instant, int64_t at) {
     code = currentCode();
     if (!code) return true;
+    if (exit.edge && !letDevicesIn()) [[unlikely]]
+        return false;
     if (isTouched) [[unlikely]]
         tellOutside();
     isScanning = true;

@@ -3,6 +3,7 @@
 #include "runtime/controller/controller.h"
 #include "runtime/controller/fault_exit.h"
 #include "runtime/controller/forces.h"
+#include "runtime/controller/scan_edge.h"
 #include "runtime/controller/schedule.h"
 #include "runtime/image/watch.h"
 
@@ -101,6 +102,10 @@ struct Controller::State_ {
     bool scanAt(int64_t instant, int64_t at);
     void finishScan(int64_t instant);
     void enterFault(bool isSimulation);
+    void enterFaultFromOutside(Message why);
+    /// The devices put their inputs into the image; false when one of them stops the PLC.
+    bool letDevicesIn();
+    class Edge;
     void report(EventKind kind, Message text);
     /// Something from outside acts now.
     void touch(image::OutsideKind kind, std::string text = {});

@@ -8,6 +8,8 @@
 
 namespace plc::controller {
 
+class ScanEdge;
+
 class FaultExit {
 public:
     /// Runs body(argument); false when it left through a fault (code, site and detail are in the context).
@@ -18,6 +20,7 @@ public:
     void* self = nullptr;               // handed to the callbacks
     std::function<bool()> wantsToLeave; // asked before each refill; may be empty
     enum class Refill : uint8_t { GoOn, UsedUp, Leave };
+    ScanEdge* edge = nullptr; // asked before each scan; null: there are no devices
     /// Called when the portion of the budget is used up: refilled, or not because there is no more or because the scan
     /// is to be left.
     Refill (*refill)(void* self) = nullptr;
