@@ -42,11 +42,11 @@ std::string overview() {
 } // namespace
 
 const std::vector<Command>& commands() {
-    static const std::vector<Command> all = {checkCommand(),   runCommand(),    formatCommand(), testCommand(),
-                                             traceCommand(),   replayCommand(), panelCommand(),  docCommand(),
-                                             convertCommand(), importCommand(), exportCommand(), ladderCommand(),
-                                             whyCommand(),     tuneCommand(),   serveCommand(),  textsCommand(),
-                                             recipeCommand(),  peopleCommand(), alarmsCommand()};
+    static const std::vector<Command> all = {
+        checkCommand(),  runCommand(),  formatCommand(),  testCommand(),   traceCommand(),  replayCommand(),
+        panelCommand(),  docCommand(),  convertCommand(), importCommand(), exportCommand(), ladderCommand(),
+        whyCommand(),    tuneCommand(), serveCommand(),   textsCommand(),  recipeCommand(), peopleCommand(),
+        alarmsCommand(), lspCommand(),  dapCommand(),     mcpCommand()};
     return all;
 }
 
