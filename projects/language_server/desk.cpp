@@ -88,10 +88,8 @@ bool Desk::owns(const std::string& file) const {
 void Desk::setText(const std::string& file, std::string text) {
     const std::string shown = shownPath(file);
     m_held.insert(shown);
-    std::string& known = m_texts[shown];
-    if (known == text && m_model) return;
-    known = std::move(text);
-    ++m_revision;
+    m_texts[shown] = std::move(text);
+    ++m_revision; // also of the same text: its diagnostics are expected under the new version
 }
 
 void Desk::release(const std::string& file) {

@@ -159,8 +159,7 @@ void Server::work() {
 }
 
 void Server::publish(const std::string& path, Json diagnostics) {
-    std::string uri = path.starts_with("/") ? uriOfPath(path) : path;
-    Json parameters{{"uri", uri}};
+    Json parameters{{"uri", uriOfPath(path)}};
     for (const auto& [known, document] : m_documents) // as the client writes it
         if (document.path == path) {
             parameters["uri"] = known;

@@ -93,6 +93,7 @@ std::optional<std::string> pathOfUri(std::string_view uri) {
 
 std::string uriOfPath(std::string_view path) {
     static constexpr char kDigits[] = "0123456789ABCDEF";
+    if (!path.starts_with('/')) return std::string(path); // a text without a file is known by its URI
     std::string out = "file://";
     for (const char c : path) {
         const auto byte = static_cast<unsigned char>(c);

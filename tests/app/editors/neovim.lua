@@ -15,21 +15,20 @@ local function ask(method, line, character, more)
   end
   fail("no answer to " .. method)
 end
-local function first_code()
-  local all = vim.diagnostic.get(0)
-  return all[1] and all[1].code
+local function first_error()
+  return vim.diagnostic.get(0, { severity = vim.diagnostic.severity.ERROR })[1]
 end
 
 local ok, problem = pcall(function()
   vim.cmd("edit src/main.st")
-  wait_for("the server is attached", function() return #vim.lsp.buf_get_clients(0) > 0 or next(vim.lsp.buf_get_clients(0)) ~= nil end)
+  wait_for("the server is attached", function() return next(vim.lsp.buf_get_clients(0)) ~= nil end)
   wait_for("the server is initialised", function() return vim.lsp.get_client_by_id(Stepwise).initialized end)
   vim.api.nvim_buf_set_text(0, 6, 14, 6, 19, { "lvel" }) -- a slip of the finger
-  wait_for("the slip is reported", function() return first_code() ~= nil end)
-  local slip = vim.diagnostic.get(0)[1]
+  wait_for("the slip is reported", function() return first_error() ~= nil end)
+  local slip = first_error()
   expect("the slip's place", slip.lnum == 6 and slip.col == 14)
   vim.api.nvim_buf_set_text(0, 6, 14, 6, 18, { "level" })
-  wait_for("the slip is gone", function() return first_code() == nil end)
+  wait_for("the slip is gone", function() return first_error() == nil end)
 
   expect("hover", ask("textDocument/hover", 6, 15).contents.value:find("level : INT", 1, true))
   expect("definition", ask("textDocument/definition", 2, 12).uri:find("src/pump.st", 1, true))
