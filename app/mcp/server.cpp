@@ -131,7 +131,7 @@ Json Server::run(const Tool& tool, const Json& arguments) const {
     if (done.isTimedOut)
         content.push_back(textContent(errors::TookTooLong(m_settings.limits.time.count() / 1000).english()));
     if (!done.out.empty()) content.push_back(textContent(done.out));
-    if (!done.err.empty()) content.push_back(textContent(done.err));
+    if (!done.err.empty() && done.exitCode != 0) content.push_back(textContent(done.err));
     if (done.isCut) content.push_back(textContent(errors::OutputCut(m_settings.limits.output).english()));
     if (tool.picture != Picture::None)
         for (Json& each : pictures(folder.path())) content.push_back(std::move(each));
