@@ -115,7 +115,7 @@ Result<void> Adapter::load(const Json& arguments) {
     if (m_isAttached) {
         const auto recording = protocol::textAt(arguments, "recording");
         if (!recording) return Error{errors::WrongParameter(Verbatim("attach"), Verbatim("recording")), {}};
-        auto opened = Debuggee::open(*recording);
+        auto opened = Debuggee::open(*recording, protocol::textAt(arguments, "program").value_or(""));
         if (!opened) return opened.error();
         m_debuggee = std::move(*opened);
         return {};

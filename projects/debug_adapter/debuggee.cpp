@@ -37,7 +37,7 @@ Result<std::unique_ptr<Debuggee>> Debuggee::launch(const LaunchSettings& setting
     return out;
 }
 
-Result<std::unique_ptr<Debuggee>> Debuggee::open(const std::string& recording) {
+Result<std::unique_ptr<Debuggee>> Debuggee::open(const std::string& recording, const std::string& folder) {
     Message failure;
     auto loaded = history::History::load(recording, [&](const history::History::Sources& sources) {
         driver::Built built = driver::build(session::recordedInput(sources));
@@ -47,6 +47,7 @@ Result<std::unique_ptr<Debuggee>> Debuggee::open(const std::string& recording) {
     if (!loaded) return failure.isEmpty() ? loaded.error() : Error{failure, recording};
     if ((*loaded)->statistics().scans == 0) return Error{errors::NothingRecorded(), recording};
     std::unique_ptr<Debuggee> out(new Debuggee);
+    out->m_folder = folder;
     out->m_recording = std::move(*loaded);
     out->m_insight = std::make_unique<inside::Insight>(*out->m_recording);
     if (auto shown = out->show(out->m_recording->statistics().end - 1); !shown) return shown.error();

@@ -35,8 +35,9 @@ struct Frame {
 class Debuggee {
 public:
     [[nodiscard]] static Result<std::unique_ptr<Debuggee>> launch(const LaunchSettings& settings);
-    /// A recording, at its last scan.
-    [[nodiscard]] static Result<std::unique_ptr<Debuggee>> open(const std::string& recording);
+    /// A recording, at its last scan; `folder`: of the project it was made from, where that is here.
+    [[nodiscard]] static Result<std::unique_ptr<Debuggee>> open(const std::string& recording,
+                                                                const std::string& folder = {});
     ~Debuggee();
 
     [[nodiscard]] const image::CompiledProgram& program() const;

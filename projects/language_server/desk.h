@@ -30,7 +30,6 @@ public:
     void release(const std::string& file);
     /// Files and settings as they are on disk now, but those that the editor holds.
     Result<void> reread();
-    [[nodiscard]] bool isEmpty() const { return m_held.empty(); }
 
     [[nodiscard]] bool isStale() const { return !m_model || m_model->revision() != m_revision; }
     /// Of the texts as they are now.

@@ -85,6 +85,7 @@ void Server::didOpen(const Json& parameters) {
     document.places = std::make_unique<Places>(std::move(*text));
     document.desk = &deskFor(document.path);
     settle(document);
+    dropUnused(); // what it was opened from before
 }
 
 bool Server::change(Document& document, const Json& change) {
@@ -120,12 +121,19 @@ void Server::didClose(const Json& parameters) {
     const auto uri = protocol::textAt(parameters, "textDocument.uri");
     const auto it = uri ? m_documents.find(*uri) : m_documents.end();
     if (it == m_documents.end()) return;
-    Desk* desk = it->second.desk;
-    desk->release(it->second.path);
+    it->second.desk->release(it->second.path);
     m_documents.erase(it);
-    if (!desk->isEmpty()) return;
-    withdraw(*desk);
-    std::erase_if(m_desks, [&](const auto& each) { return each.second.get() == desk; });
+    for (auto& [other, document] : m_documents) settle(document); // the same file may be open under another URI
+    dropUnused();
+}
+
+void Server::dropUnused() {
+    std::erase_if(m_desks, [this](const auto& each) {
+        const bool isUsed = std::any_of(m_documents.begin(), m_documents.end(),
+                                        [&](const auto& entry) { return entry.second.desk == each.second.get(); });
+        if (!isUsed) withdraw(*each.second);
+        return !isUsed;
+    });
 }
 
 void Server::didSave(const Json& parameters) { didChangeWatchedFiles(parameters); }
@@ -138,11 +146,10 @@ void Server::didChangeWatchedFiles(const Json&) {
         Desk& desk = deskFor(document.path);
         if (&desk == document.desk) continue;
         document.desk->release(document.path);
-        if (document.desk->isEmpty()) withdraw(*document.desk);
         document.desk = &desk;
         settle(document);
     }
-    std::erase_if(m_desks, [](const auto& each) { return each.second->isEmpty(); });
+    dropUnused();
 }
 
 // ---------------------------------------------------------------- diagnostics
@@ -172,6 +179,7 @@ void Server::publish(const std::string& path, Json diagnostics) {
 void Server::publish(Desk& desk) {
     std::map<std::string, Json> byPath;
     const std::vector<FileId> own = desk.ownFiles();
+    std::set<std::string>& reported = m_reported[&desk];
     if (own.empty()) return;
     for (const FileId file : own) byPath[desk.pathOf(file)] = Json::array();
     for (const Diagnostic& diagnostic : desk.model().diagnostics()) {
@@ -179,7 +187,6 @@ void Server::publish(Desk& desk) {
         if (const auto it = byPath.find(desk.pathOf(file)); it != byPath.end())
             it->second.push_back(toJson(desk, file, diagnostic));
     }
-    std::set<std::string>& reported = m_reported[&desk];
     for (const std::string& path : reported) // a file that is gone
         if (!byPath.contains(path)) byPath[path] = Json::array();
     reported.clear();

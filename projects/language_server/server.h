@@ -63,6 +63,7 @@ private:
     void publish(Desk& desk);
     void publish(const std::string& path, Json diagnostics);
     void withdraw(Desk& desk);
+    void dropUnused();
     void show(const Error& error);
     /// A place in an open document.
     struct Spot {

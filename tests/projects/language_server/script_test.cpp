@@ -119,6 +119,46 @@ TEST_F(LanguageServer, SurvivesDamagedMessages) {
     EXPECT_NE(answers.front().find("\"id\":4711,\"result\":[{\"name\":\"Pump\""), std::string::npos) << answers.front();
 }
 
+TEST_F(LanguageServer, KnowsAFileThatIsOpenUnderTwoUris) {
+    (void)exchange(R"({"jsonrpc":"2.0","id":1,"method":"initialize","params":{"capabilities":{}}})");
+    const std::string plain = "file://" + m_root.string() + "/plant/src/main.st",
+                      other = "file://" + m_root.string() + "/plant/./src/m%61in.st";
+    const std::string text = "PROGRAM Main\\nVAR x : INT; END_VAR\\nx := x + 1;\\nEND_PROGRAM\\n";
+    for (const std::string& uri : {plain, other})
+        (void)exchange(R"({"jsonrpc":"2.0","method":"textDocument/didOpen","params":{"textDocument":{"uri":")" + uri +
+                       R"(","version":1,"text":")" + text + "\"}}}");
+    (void)exchange(R"({"jsonrpc":"2.0","method":"textDocument/didClose","params":{"textDocument":{"uri":")" + plain +
+                   "\"}}}");
+    const auto answers =
+        exchange(R"({"jsonrpc":"2.0","id":2,"method":"textDocument/hover","params":{"textDocument":{"uri":")" + other +
+                 R"("},"position":{"line":2,"character":0}}})");
+    ASSERT_FALSE(answers.empty());
+    EXPECT_NE(answers.front().find("x : INT"), std::string::npos) << answers.front();
+}
+
+TEST_F(LanguageServer, TakesUpWhatChangesOnDisk) {
+    (void)exchange(R"({"jsonrpc":"2.0","id":1,"method":"initialize","params":{"capabilities":{}}})");
+    const std::string uri = "file://" + m_root.string() + "/plant/src/main.st";
+    (void)exchange(R"({"jsonrpc":"2.0","method":"textDocument/didOpen","params":{"textDocument":{"uri":")" + uri +
+                   R"(","version":1,"text":"PROGRAM Main\nVAR p : Pump; END_VAR\np();\nEND_PROGRAM\n"}}})");
+    const char* const changed =
+        R"({"jsonrpc":"2.0","method":"workspace/didChangeWatchedFiles","params":{"changes":[]}})";
+    fs::remove(m_root / "plant/src/pump.st");
+    const auto gone = exchange(changed);
+    EXPECT_TRUE(std::any_of(gone.begin(), gone.end(), [](const std::string& each) {
+        return each.find("src/main.st") != std::string::npos && each.find("\"severity\":1") != std::string::npos;
+    }));
+    // Without its project the file stands for itself.
+    fs::remove(m_root / "plant/project.json");
+    const auto alone = exchange(changed);
+    ASSERT_FALSE(alone.empty());
+    std::ofstream(m_root / "plant/project.json") << "{";
+    const auto broken = exchange(changed);
+    EXPECT_TRUE(std::any_of(broken.begin(), broken.end(), [](const std::string& each) {
+        return each.find("window/showMessage") != std::string::npos;
+    }));
+}
+
 // ---------------------------------------------------------------- places
 
 TEST(Places, CountUtf16Units) {
