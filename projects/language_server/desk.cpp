@@ -131,6 +131,7 @@ driver::BuildInput Desk::buildInput() const {
 
 const analysis::CodeModel& Desk::model() {
     if (!isStale()) return *m_model;
+    m_before = std::move(m_model);
     m_model = analysis::CodeModel::make(buildInput(), m_revision, m_kept);
     m_places.clear();
     return *m_model;

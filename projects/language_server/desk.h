@@ -34,6 +34,8 @@ public:
     [[nodiscard]] bool isStale() const { return !m_model || m_model->revision() != m_revision; }
     /// Of the texts as they are now.
     [[nodiscard]] const analysis::CodeModel& model();
+    /// Frees the analysis before the present one: once its diagnostics are sent, as it takes a while.
+    void forgetBefore() { m_before.reset(); }
     [[nodiscard]] std::optional<FileId> fileOf(const std::string& file);
     /// Absolute; a text of a library is put into a folder of its own first.
     [[nodiscard]] std::string pathOf(FileId file);
@@ -56,7 +58,7 @@ private:
     std::set<std::string> m_held;               // by the editor, likewise
     uint64_t m_revision = 1;
     driver::KeptFiles m_kept;
-    std::shared_ptr<const analysis::CodeModel> m_model;
+    std::shared_ptr<const analysis::CodeModel> m_model, m_before;
     std::map<uint32_t, std::unique_ptr<Places>> m_places; // of the model's files
 };
 

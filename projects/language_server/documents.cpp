@@ -161,8 +161,10 @@ bool Server::hasWork() const {
 }
 
 void Server::work() {
-    for (const auto& [name, desk] : m_desks)
+    for (const auto& [name, desk] : m_desks) {
         if (desk->isStale() || !m_reported.contains(desk.get())) publish(*desk);
+        desk->forgetBefore();
+    }
 }
 
 void Server::publish(const std::string& path, Json diagnostics) {

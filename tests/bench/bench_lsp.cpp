@@ -1,5 +1,5 @@
 // From a keystroke in another editor to its diagnostics: one letter changes in a file of many lines, as an editor sends
-// it; until the answer is a text for the pipe. And what an editor asks while one types. bench_lsp [LINES…]
+// it, until the answer is a text for the pipe. And what an editor asks while one types. bench_lsp [LINES…]
 #include "projects/language_server/server.h"
 #include "tests/bench/program_generator.h"
 
@@ -13,13 +13,10 @@ using namespace plc;
 using lsp::Json;
 
 /// Of the processor, so that what else runs on the machine does not count.
-double milliseconds(const std::function<void()>& work) {
-    timespec begin{}, end{};
-    ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &begin);
-    work();
-    ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &end);
-    return static_cast<double>(end.tv_sec - begin.tv_sec) * 1e3 +
-           static_cast<double>(end.tv_nsec - begin.tv_nsec) * 1e-6;
+double now() {
+    timespec time{};
+    ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
 }
 
 double median(std::vector<double> all) {
@@ -31,13 +28,21 @@ double median(std::vector<double> all) {
 struct Editor {
     size_t bytes = 0;
     int id = 0;
-    lsp::Server server{[this](const Json& message) { bytes += protocol::toText(message).size(); },
+    double sentAt = 0;
+    lsp::Server server{[this](const Json& message) {
+                           bytes += protocol::toText(message).size();
+                           sentAt = now();
+                       },
                        {{"toolbox", "util"}}};
-    void say(const char* method, Json parameters, bool isRequest = false) {
+    /// Milliseconds until the answer is a text for the pipe.
+    double say(const char* method, Json parameters, bool isRequest = false) {
         Json message{{"jsonrpc", "2.0"}, {"method", method}, {"params", std::move(parameters)}};
         if (isRequest) message["id"] = ++id;
-        server.receive(protocol::toText(message));
+        const std::string text = protocol::toText(message);
+        const double begin = now();
+        server.receive(text);
         while (server.hasWork()) server.work();
+        return sentAt - begin;
     }
 };
 } // namespace
@@ -58,20 +63,17 @@ int main(int argc, char** argv) {
         const Json name{{"uri", "file:///bench/plant.st"}};
         const Json range{{"start", lsp::toJson(digit)}, {"end", lsp::toJson({digit.line, digit.character + 1})}};
         Editor editor;
-        editor.say("initialize", {{"capabilities", Json::object()}}, true);
-        const double opened = milliseconds([&] { editor.say("textDocument/didOpen", {{"textDocument", document}}); });
+        (void)editor.say("initialize", {{"capabilities", Json::object()}}, true);
+        const double opened = editor.say("textDocument/didOpen", {{"textDocument", document}});
         std::vector<double> times;
-        for (int step = 0; step < 50; ++step)
-            times.push_back(milliseconds([&] {
-                Json change{{"range", range}, {"text", std::to_string(step % 10)}};
-                editor.say("textDocument/didChange",
-                           {{"textDocument", name}, {"contentChanges", Json::array({std::move(change)})}});
-            }));
+        for (int step = 0; step < 50; ++step) {
+            Json change{{"range", range}, {"text", std::to_string(step % 10)}};
+            times.push_back(editor.say("textDocument/didChange",
+                                       {{"textDocument", name}, {"contentChanges", Json::array({std::move(change)})}}));
+        }
         const Json spot{{"textDocument", name}, {"position", lsp::toJson(digit)}};
-        const double completion = milliseconds([&] { editor.say("textDocument/completion", spot, true); });
-        const double colours = milliseconds([&] {
-            editor.say("textDocument/semanticTokens/full", {{"textDocument", name}}, true);
-        });
+        const double completion = editor.say("textDocument/completion", spot, true);
+        const double colours = editor.say("textDocument/semanticTokens/full", {{"textDocument", name}}, true);
         std::printf("| %u | %.1f ms | %.1f ms | %.1f ms | %.1f ms | %.1f ms |\n", places.lineCount(), opened,
                     median(times), *std::max_element(times.begin(), times.end()), completion, colours);
     }
