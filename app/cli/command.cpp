@@ -42,11 +42,11 @@ std::string overview() {
 } // namespace
 
 const std::vector<Command>& commands() {
-    static const std::vector<Command> all = {checkCommand(),   runCommand(),    formatCommand(), testCommand(),
-                                             traceCommand(),   replayCommand(), panelCommand(),  docCommand(),
-                                             convertCommand(), importCommand(), exportCommand(), ladderCommand(),
-                                             whyCommand(),     tuneCommand(),   serveCommand(),  textsCommand(),
-                                             recipeCommand(),  peopleCommand(), alarmsCommand(), devicesCommand()};
+    static const std::vector<Command> all = {
+        checkCommand(),  runCommand(),     formatCommand(),  testCommand(),   traceCommand(),  replayCommand(),
+        panelCommand(),  docCommand(),     convertCommand(), importCommand(), exportCommand(), ladderCommand(),
+        whyCommand(),    tuneCommand(),    serveCommand(),   textsCommand(),  recipeCommand(), peopleCommand(),
+        alarmsCommand(), devicesCommand(), lspCommand(),     dapCommand(),    mcpCommand()};
     return all;
 }
 

@@ -41,6 +41,9 @@ int runCommandLine(const std::vector<std::string>& words);
 [[nodiscard]] Command peopleCommand();
 [[nodiscard]] Command alarmsCommand();
 [[nodiscard]] Command devicesCommand();
+[[nodiscard]] Command lspCommand();
+[[nodiscard]] Command dapCommand();
+[[nodiscard]] Command mcpCommand();
 
 // --- shared by the commands
 /// Whether several programs without a CONFIGURATION are an error: nothing runs them, but each can be checked.

@@ -3,9 +3,9 @@
 // controller: values come through OnlineValues, requests leave as signals.
 #pragma once
 #include "editor/kit/ask_why.h"
-#include "editor/text/block_structure.h"
 #include "editor/text/exact_text.h"
 #include "editor/text/st_lexer.h"
+#include "projects/analysis/block_structure.h"
 #include "projects/analysis/code_model.h"
 
 #include <QTimer>
@@ -16,6 +16,9 @@
 #include <set>
 
 namespace plc::editor {
+
+using analysis::BlockMark, analysis::BlockPair, analysis::FoldLine;
+using analysis::closesBlock, analysis::findBlocks, analysis::foldLines, analysis::indentAfter, analysis::missingEnd;
 
 /// Asks for the present text of values; empty = nothing to show.
 struct OnlineValue {

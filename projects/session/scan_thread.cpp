@@ -144,6 +144,7 @@ void Session::State::scanFast() {
         if (!writes.isEmpty()) writes.apply(controller, true, newRefusals);
         (void)controller.scan();
         ++done;
+        if (pausesAfterScan) break; // asked for while it stood at a breakpoint
     }
     const int64_t end = wallNow();
     needsAnchor = true;

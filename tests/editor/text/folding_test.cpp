@@ -1,5 +1,5 @@
 // Every construct of several lines folds from its first line to its last.
-#include "editor/text/block_structure.h"
+#include "projects/analysis/block_structure.h"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +7,8 @@
 
 namespace plc::editor {
 namespace {
+
+using analysis::FoldLine, analysis::foldLines;
 
 class Folding : public testing::TestWithParam<const char*> {};
 

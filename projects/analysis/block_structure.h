@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace plc::editor {
+namespace plc::analysis {
 
 struct BlockMark {
     uint32_t begin = 0, end = 0; // bytes of the word
@@ -32,4 +32,4 @@ struct FoldLine {
 /// A line that begins with END_…, ELSE, ELSIF, UNTIL belongs one step to the left of what is inside.
 [[nodiscard]] bool closesBlock(std::string_view lineText);
 
-} // namespace plc::editor
+} // namespace plc::analysis

@@ -1,11 +1,11 @@
-#include "editor/text/block_structure.h"
+#include "projects/analysis/block_structure.h"
 
 #include "runtime/base/text.h"
 #include "runtime/compiler/lex/token.h"
 
 #include <algorithm>
 
-namespace plc::editor {
+namespace plc::analysis {
 
 using lex::Token;
 using lex::TokenKind;
@@ -218,4 +218,4 @@ bool closesBlock(std::string_view lineText) {
     return word.starts_with("END_") || is("ELSE") || is("ELSIF") || is("UNTIL");
 }
 
-} // namespace plc::editor
+} // namespace plc::analysis
