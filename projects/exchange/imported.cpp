@@ -1,5 +1,6 @@
 #include "projects/exchange/imported.h"
 
+#include "projects/exchange/addresses.h"
 #include "projects/exchange/plcopen_import.h"
 #include "projects/exchange/text_import.h"
 #include "projects/exchange/twincat_import.h"
@@ -143,22 +144,17 @@ private:
     std::vector<TwinCatFolder> m_projects;
 };
 
-/// CODESYS, Beremiz and OpenPLC count %MW1 in words.
+/// CODESYS, Beremiz and OpenPLC count %MW1 in words, and so do our own exports; the project does as its origin did.
 void noteAddressing(Imported& out) {
     const std::string product = foldCase(out.side.contains("source") ? out.side["source"].value("product", "") : "");
-    if (product.find("codesys") == std::string::npos && product.find("beremiz") == std::string::npos &&
-        product.find("openplc") == std::string::npos)
-        return;
-    for (const ImportedFile& file : out.files)
-        for (size_t at = file.text.find('%'); at != std::string::npos; at = file.text.find('%', at + 1)) {
-            if (at + 3 >= file.text.size()) break;
-            const char area = file.text[at + 1], size = file.text[at + 2];
-            if (!std::strchr("IQMiqm", area) || !std::strchr("WDLwdl", size) ||
-                !std::isdigit(static_cast<unsigned char>(file.text[at + 3])))
-                continue;
-            out.hasWordAddresses = true;
-            return out.report.add(file.path, remarks::WordAddresses(out.side["source"].value("product", "")));
-        }
+    constexpr std::string_view kInWords[] = {"codesys", "beremiz", "openplc", "stepwise"};
+    const bool isInWords = std::any_of(std::begin(kInWords), std::end(kInWords),
+                                       [&](std::string_view each) { return product.find(each) != std::string::npos; });
+    const auto file = std::find_if(out.files.begin(), out.files.end(),
+                                   [](const ImportedFile& each) { return hasCountedAddress(each.text); });
+    if (!isInWords || file == out.files.end()) return;
+    out.addressing = image::Addressing::Words;
+    out.report.add(file->path, remarks::WordAddresses(out.side["source"].value("product", "")));
 }
 
 } // namespace
@@ -243,6 +239,7 @@ projects::Project toProject(const Imported& imported) {
     project.name = imported.name;
     project.languages = {"en"};
     project.json = Json::object();
+    project.addressing = imported.addressing;
     project.libraries.assign(imported.libraries.begin(), imported.libraries.end());
     for (const ImportedFile& file : imported.files) project.sources.push_back({file.path, file.text});
     return project;
@@ -265,6 +262,7 @@ Result<void> writeImported(const Imported& imported, const std::string& folder) 
     project["name"] = imported.name;
     project["libraries"] = Json::array();
     for (const std::string& library : imported.libraries) project["libraries"].push_back(library);
+    if (imported.addressing == image::Addressing::Words) project["addressing"] = "word";
     if (auto done = write("exchange.json", imported.side.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
         !done)
         return done;

@@ -168,6 +168,19 @@ std::vector<std::string> readCompanions(const std::string& folder) {
 
 namespace {
 
+/// What decides where things are in the image.
+Result<void> readLayoutSettings(Project& project, const std::string& file) {
+    const std::string addressing = stringField(project.json, "addressing", "byte");
+    if (addressing != "byte" && addressing != "word") return Error{errors::AddressingUnknown(addressing), file};
+    project.addressing = addressing == "word" ? image::Addressing::Words : image::Addressing::Bytes;
+    if (!project.json.contains("memoryForNew")) return {};
+    const Json& memory = project.json["memoryForNew"];
+    if (!memory.is_number_unsigned() || memory.get<uint64_t>() > driver::kMostMemoryForNew)
+        return Error{errors::MemoryForNewOutside(driver::kMostMemoryForNew), file};
+    project.memoryForNew = memory.get<uint32_t>();
+    return {};
+}
+
 Result<Project> openFolder(const fs::path& folder) {
     removeLeftovers(folder.string());
     Project project;
@@ -192,6 +205,7 @@ Result<Project> openFolder(const fs::path& folder) {
     project.name = stringField(json, "name", project.name);
     project.libraries = listField(json, "libraries");
     project.defines = listField(json, "defines");
+    if (auto done = readLayoutSettings(project, file.string()); !done) return done.error();
     for (std::string& library : project.libraries) {
         library = foldCase(library);
         const auto known = driver::libraryNames();

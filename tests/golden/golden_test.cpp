@@ -42,6 +42,7 @@ driver::BuildInput inputFor(const fs::path& source, const std::vector<Line>& scr
     for (const Line& line : script) {
         if (line.kind == LineKind::With) input.files.push_back({line.left, readText(source.parent_path() / line.left)});
         if (line.kind == LineKind::Library) input.libraries.push_back(line.left);
+        if (line.kind == LineKind::Setting) driver::setRecordedSettings(input, {line.left});
     }
     return input;
 }
@@ -73,6 +74,7 @@ private:
         switch (line.kind) {
         case LineKind::Comment:
         case LineKind::Library:
+        case LineKind::Setting:
         case LineKind::With:
             return;
         case LineKind::Scans:

@@ -129,7 +129,8 @@ TEST_F(PlcopenImport, ParagraphsOfBeremizBecomeLines) {
         "</interface><body><ST><xhtml:p><![CDATA[n := n < 5;\nn := 1;]]></xhtml:p></ST></body></pou></pous></types>"
         "<instances><configurations/></instances></project>");
     EXPECT_NE(fileOf(imported, "src/M.st").find("n := n < 5;\nn := 1;\nEND_PROGRAM"), std::string::npos);
-    EXPECT_TRUE(imported.hasWordAddresses);
+    EXPECT_EQ(imported.addressing, image::Addressing::Words);
+    EXPECT_EQ(toProject(imported).buildInput().addressing, image::Addressing::Words);
 }
 
 TEST_F(PlcopenImport, PlainTextOfCodesysWinsOverTheInterface) {
