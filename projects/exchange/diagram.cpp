@@ -105,7 +105,8 @@ struct Diagram::State {
     // ------------------------------------------------------------ the graph
 
     std::string place(pugi::xml_node node) const {
-        return file.place() + ":" + std::to_string(file.lineOf(node)) + " (" + unit + ")";
+        const int line = file.lineOf(node); // none: the diagram was made of another form
+        return file.place() + (line > 0 ? ":" + std::to_string(line) : "") + " (" + unit + ")";
     }
     static std::string idOf(pugi::xml_node node) { return attribute(node, "localId"); }
     std::string shown(pugi::xml_node node) const {

@@ -254,7 +254,7 @@ Result<void> writeImported(const Imported& imported, const std::string& folder) 
         const fs::path file = root / path;
         fs::create_directories(file.parent_path(), problem);
         if (problem) return Error{errors::FolderNotMade(errors::ofSystem(problem)), file.parent_path().string()};
-        return projects::writeFileAtomically(file.string(), text);
+        return projects::writeNewFile(file.string(), text);
     };
     for (const ImportedFile& file : imported.files)
         if (auto done = write(file.path, file.text); !done) return done;
@@ -266,7 +266,9 @@ Result<void> writeImported(const Imported& imported, const std::string& folder) 
     if (auto done = write("exchange.json", imported.side.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
         !done)
         return done;
-    return write("project.json", project.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    // the last one makes it a project, and waits for the disk
+    return projects::writeFileAtomically((root / "project.json").string(),
+                                         project.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 } // namespace plc::exchange

@@ -34,6 +34,33 @@ Result<std::string> readFile(const std::string& path) {
     return text.str();
 }
 
+namespace {
+
+/// False: errno says why.
+bool writeAll(int file, std::string_view content) {
+    while (!content.empty()) {
+        const ssize_t n = ::write(file, content.data(), content.size());
+        if (n < 0 && errno == EINTR) continue;
+        if (n <= 0) return false;
+        content.remove_prefix(static_cast<size_t>(n));
+    }
+    return true;
+}
+
+} // namespace
+
+Result<void> writeNewFile(const std::string& path, std::string_view content) {
+    const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    const bool isOpen = file >= 0, isWritten = isOpen && writeAll(file, content);
+    int code = errno;
+    if (isOpen && ::close(file) != 0 && isWritten) return Error{errors::FileNotWritten(errors::ofSystem(errno)), path};
+    if (isWritten) return {};
+    if (isOpen) ::unlink(path.c_str());
+    Message why = errors::ofSystem(code);
+    if (code == ENOSPC) why = errors::FreeSpace(std::move(why));
+    return Error{errors::FileNotWritten(std::move(why)), path};
+}
+
 Result<void> writeFileAtomically(const std::string& path, std::string_view content) {
     if (std::error_code ignored; fs::is_regular_file(path, ignored)) {
         if (const auto old = readFile(path); old && *old == content) return {};
@@ -56,18 +83,7 @@ Result<void> writeFileAtomically(const std::string& path, std::string_view conte
     if (file < 0) return fail(errors::FileNotWritten);
     if (std::error_code none; fs::exists(target, none))
         fs::permissions(temporary, fs::status(target, none).permissions(), none);
-    for (size_t done = 0; done < content.size();) {
-        const ssize_t n = ::write(file, content.data() + done, content.size() - done);
-        if (n < 0 && errno == EINTR) continue;
-        if (n <= 0) {
-            const int code = errno;
-            ::close(file);
-            errno = code;
-            return fail(errors::FileNotWritten);
-        }
-        done += static_cast<size_t>(n);
-    }
-    if (::fsync(file) != 0) {
+    if (!writeAll(file, content) || ::fsync(file) != 0) {
         const int code = errno;
         ::close(file);
         errno = code;

@@ -187,7 +187,8 @@ void checkGolden(const fs::path& source) {
     const driver::Checked checked = driver::check(inputFor(source, script));
     std::string actual;
     for (const Line& line : script)
-        if (line.kind == LineKind::Comment || line.kind == LineKind::With || line.kind == LineKind::Library)
+        if (line.kind == LineKind::Comment || line.kind == LineKind::With || line.kind == LineKind::Library ||
+            line.kind == LineKind::Setting)
             actual += line.text + "\n";
     for (const auto& diagnostic : checked.analysis->diagnostics) actual += shown(*checked.sources, diagnostic) + "\n";
     if (updates) return writeText(expectedFile, actual);

@@ -279,7 +279,7 @@ private:
     /// Other languages' ELSIF: read as what is meant.
     void elseIf(size_t begin) {
         const SourceRange range{m_file, static_cast<uint32_t>(begin), static_cast<uint32_t>(m_at)};
-        emit(begin, m_at, findings::ForeignOperator(slice(begin, m_at), "ELSIF"))
+        emit(begin, m_at, findings::ForeignOperator(slice(begin, m_at), std::string_view("ELSIF")))
             .fixes.push_back({fixes::Write(std::string("ELSIF")), {{range, "ELSIF"}}});
         push(TokenKind::Elsif, begin, m_at);
     }
