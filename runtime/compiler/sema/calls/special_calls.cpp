@@ -2,6 +2,7 @@
 #include "runtime/compiler/sema/calls/special_calls.h"
 
 #include "runtime/compiler/sema/calls/calls.h"
+#include "runtime/compiler/sema/calls/dynamic_memory.h"
 #include "runtime/compiler/sema/calls/operators_of_codesys.h"
 #include "runtime/compiler/sema/calls/standard_calls.h"
 #include "runtime/compiler/sema/context.h"
@@ -262,6 +263,8 @@ Operand specialCall(Context& context, const library::Signature& signature, const
     if (name == "SIZEOF" || name == "XSIZEOF") return sizeCall(context, e, signature.result);
     if (name == "ADR" || name == "REF") return addressCall(context, e, name == "REF");
     if (name == "__POUNAME" || name == "__POSITION") return placeText(context, e, name == "__POUNAME");
+    if (name == "__NEW") return newCall(context, e);
+    if (name == "__DELETE") return deleteCall(context, e);
     if (name == "TEST_AND_SET") return testAndSet(context, e);
     if (name == "__QUERYINTERFACE" || name == "__QUERYPOINTER") return queryCall(context, e);
     const StandardArguments arguments = standardArguments(context, signature, e);
