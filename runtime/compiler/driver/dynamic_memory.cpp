@@ -18,6 +18,7 @@ std::string dynamicMemoryText(uint32_t bytes) {
 FUNCTION __ALLOCATE : LWORD
 VAR_INPUT bytes : LINT; END_VAR
 VAR need, at, size, behind : LINT; END_VAR
+__ALLOCATE := 0;
 need := MAX((bytes + 7) / 8, LINT#1);
 IF __memory[0] = 0 THEN __memory[0] := __lastUnit; END_IF
 WHILE at < __lastUnit DO
@@ -50,6 +51,7 @@ END_FUNCTION
 FUNCTION __RELEASE : BOOL
 VAR_INPUT address : LWORD; END_VAR
 VAR wanted, at, size, unit : LINT; END_VAR
+__RELEASE := FALSE;
 wanted := LWORD_TO_LINT(address) - LWORD_TO_LINT(TO_LWORD(ADR(__memory[0])));
 IF wanted < 8 THEN RETURN; END_IF
 WHILE at < __lastUnit DO
