@@ -133,6 +133,18 @@ TEST_F(PlcopenImport, ParagraphsOfBeremizBecomeLines) {
     EXPECT_EQ(toProject(imported).buildInput().addressing, image::Addressing::Words);
 }
 
+TEST_F(PlcopenImport, TypesForPanelsOfBeremizAreDeclared) {
+    const Imported imported = import(document(pou("M", "program",
+                                                  "<localVars>" + variable("n", "<derived name=\"HMI_INT\"/>") +
+                                                      variable("o", "<derived name=\"HMI_NODE\"/>") + "</localVars>",
+                                                  st("n := n + 1; o := n > 3;")),
+                                              {}, "<configurations/>", {}, "Beremiz"));
+    EXPECT_NE(fileOf(imported, "src/panel_types.st").find("TYPE\n    HMI_INT : INT;\n    HMI_NODE : BOOL;\nEND_TYPE"),
+              std::string::npos);
+    EXPECT_EQ(errorsOf(imported), "");
+    EXPECT_EQ(imported.report.losses(), 0u);
+}
+
 TEST_F(PlcopenImport, PlainTextOfCodesysWinsOverTheInterface) {
     const Imported imported = import(
         document(pou("Main", "program", "<localVars>" + variable("b", "<BOOL/>") + "</localVars>", st("b := TRUE;"),
