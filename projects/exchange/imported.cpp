@@ -3,13 +3,12 @@
 #include "projects/exchange/addresses.h"
 #include "projects/exchange/plcopen_import.h"
 #include "projects/exchange/text_import.h"
+#include "projects/exchange/tool_types.h"
 #include "projects/exchange/twincat_import.h"
 #include "projects/exchange/xml.h"
 #include "projects/storage/project_file.h"
 #include "runtime/base/messages.h"
 #include "runtime/base/text.h"
-#include "runtime/compiler/lex/token.h"
-#include "runtime/diagnostics/diagnostic.h"
 
 #include <algorithm>
 #include <cstring>
@@ -146,47 +145,9 @@ private:
     std::vector<TwinCatFolder> m_projects;
 };
 
-std::string productOf(const Imported& out) {
-    return out.side.contains("source") ? out.side["source"].value("product", "") : "";
-}
-
-/// Beremiz has a type HMI_INT beside INT, and so on, for variables that its panels see. Those that are used become
-/// types of the project.
-void addPanelTypes(Imported& out) {
-    if (foldCase(productOf(out)).find("beremiz") == std::string::npos) return;
-    std::set<std::string> used, declared;
-    for (const ImportedFile& file : out.files) {
-        if (file.text.find("HMI_") == std::string::npos) continue;
-        diagnostics::Sink sink;
-        const lex::TokenList list = lex::tokenize(FileId(0), file.text, sink);
-        for (size_t i = 1; i < list.tokens.size(); ++i) {
-            const lex::Token& token = list.tokens[i];
-            if (token.kind != lex::TokenKind::Identifier) continue;
-            const std::string_view name = std::string_view(file.text).substr(token.begin, token.end - token.begin);
-            if (!name.starts_with("HMI_")) continue;
-            const lex::TokenKind before = list.tokens[i - 1].kind;
-            if (before == lex::TokenKind::Colon || before == lex::TokenKind::Of)
-                used.emplace(name);
-            else if (i + 1 < list.tokens.size() && list.tokens[i + 1].kind == lex::TokenKind::Colon)
-                declared.emplace(name);
-        }
-    }
-    std::string text;
-    for (const std::string& name : used) {
-        constexpr std::string_view kTypes[] = {"BOOL",  "SINT", "INT",   "DINT",   "LINT", "USINT", "UINT",  "UDINT",
-                                               "ULINT", "REAL", "LREAL", "STRING", "BYTE", "WORD",  "DWORD", "LWORD"};
-        const std::string base = name == "HMI_NODE" ? "BOOL" : name.substr(4);
-        if (!declared.count(name) && std::find(std::begin(kTypes), std::end(kTypes), base) != std::end(kTypes))
-            text += "    " + name + " : " + base + ";\n";
-    }
-    if (text.empty()) return;
-    addFile(out, "", "panel_types", "// types of variables that panels of Beremiz see\nTYPE\n" + text + "END_TYPE\n");
-    out.report.add(out.files.back().path, remarks::PanelTypesAdded());
-}
-
 /// CODESYS, Beremiz and OpenPLC count %MW1 in words, and so do our own exports; the project does as its origin did.
 void noteAddressing(Imported& out) {
-    const std::string product = foldCase(productOf(out));
+    const std::string product = foldCase(toolOf(out));
     constexpr std::string_view kInWords[] = {"codesys", "beremiz", "openplc", "stepwise"};
     const bool isInWords = std::any_of(std::begin(kInWords), std::end(kInWords),
                                        [&](std::string_view each) { return product.find(each) != std::string::npos; });
@@ -194,7 +155,7 @@ void noteAddressing(Imported& out) {
                                    [](const ImportedFile& each) { return hasCountedAddress(each.text); });
     if (!isInWords || file == out.files.end()) return;
     out.addressing = image::Addressing::Words;
-    out.report.add(file->path, remarks::WordAddresses(productOf(out)));
+    out.report.add(file->path, remarks::WordAddresses(toolOf(out)));
 }
 
 } // namespace
@@ -242,7 +203,7 @@ Result<Imported> finished(Reader& reader, const std::string& path) {
         if (named.filename().empty()) named = named.parent_path();
         reader.out.name = named.stem().string();
     }
-    addPanelTypes(reader.out);
+    addToolTypes(reader.out);
     noteAddressing(reader.out);
     return std::move(reader.out);
 }

@@ -139,7 +139,7 @@ TEST_F(PlcopenImport, TypesForPanelsOfBeremizAreDeclared) {
                                                       variable("o", "<derived name=\"HMI_NODE\"/>") + "</localVars>",
                                                   st("n := n + 1; o := n > 3;")),
                                               {}, "<configurations/>", {}, "Beremiz"));
-    EXPECT_NE(fileOf(imported, "src/panel_types.st").find("TYPE\n    HMI_INT : INT;\n    HMI_NODE : BOOL;\nEND_TYPE"),
+    EXPECT_NE(fileOf(imported, "src/tool_types.st").find("TYPE\n    HMI_INT : INT;\n    HMI_NODE : BOOL;\nEND_TYPE"),
               std::string::npos);
     EXPECT_EQ(errorsOf(imported), "");
     EXPECT_EQ(imported.report.losses(), 0u);

@@ -113,6 +113,9 @@ Operand sizeCall(Context& context, const syntax::Expr& e, TypeKind result) {
             type = settled(context, denoted.value).type();
         else if (denoted.kind == Denoted::Kind::Unit && denoted.unit->type.isValid())
             type = denoted.unit->type;
+        else if (const auto kind =
+                     denoted.kind == Denoted::Kind::Standard ? elementaryNamed(denoted.name) : std::nullopt)
+            type = context.elementary(*kind); // SIZEOF(TIME): TIME() is a function, too
     } else {
         const Operand value = settled(context, expression(context, argument));
         if (value.isUnknown()) return unknown(context, e.range);
