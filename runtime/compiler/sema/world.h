@@ -151,6 +151,7 @@ struct World {
     uint32_t waiting = 0, completing = 0; // see limits.h
     std::vector<uint32_t> nestings;       // by type: of those complete
     std::unordered_set<TypeId> tooLarge;  // reported
+    TypeId anyInput;                      // of VAR_INPUT a : ANY, where there is one
     uint64_t initialBytes = 0;            // of all types
     size_t suggestions = 0;               // so many near names were looked for; at some point a reader has enough
     uint32_t rangeOfInputs = 0, rangeOfOutputs = 0, rangeOfMemory = 0;

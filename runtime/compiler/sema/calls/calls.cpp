@@ -2,6 +2,7 @@
 // chosen.
 #include "runtime/compiler/sema/calls/calls.h"
 
+#include "runtime/compiler/sema/calls/any_inputs.h"
 #include "runtime/compiler/sema/calls/standard_calls.h"
 #include "runtime/compiler/sema/context.h"
 #include "runtime/compiler/sema/layout/units.h"
@@ -340,6 +341,10 @@ Operand callUnit(Context& context, const Denoted& callee, const syntax::Expr& e)
                     continue;
                 }
                 made.value = defaultOf(context, parameter, e.range);
+            } else if (isAnyInput(context.world, parameter)) {
+                const Operand any = anyArgument(context, parameter, *argument->value);
+                good = good && !any.isUnknown();
+                made.value = any.expr;
             } else {
                 const Operand value = expression(context, *argument->value, type);
                 Operand fitting = converted(context, value, type);

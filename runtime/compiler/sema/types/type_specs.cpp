@@ -2,6 +2,7 @@
 // that a pointer may name a type that holds it.
 #include "runtime/compiler/sema/types/type_specs.h"
 
+#include "runtime/compiler/sema/calls/any_inputs.h"
 #include "runtime/compiler/sema/context.h"
 #include "runtime/compiler/sema/declare/declare.h"
 #include "runtime/compiler/sema/layout/initial_values.h"
@@ -391,7 +392,8 @@ TypeId typeOf(World& world, Variable& variable) {
         return TypeTable::of(TypeKind::Unknown);
     }
     variable.typeProgress = Progress::Working;
-    variable.type = resolveSpec(world, variable.spec, variable.scope, variable.name);
+    variable.type = anyInputType(world, variable);
+    if (!variable.type.isValid()) variable.type = resolveSpec(world, variable.spec, variable.scope, variable.name);
     if (variable.kind == syntax::SectionKind::External) {
         Scope outside = variable.scope;
         outside.unit = nullptr;
