@@ -105,6 +105,8 @@ driver::BuildInput Workspace::buildInput() const {
     if (!m_project) return input;
     input.libraries = m_project->libraries;
     input.defines = m_project->defines;
+    input.addressing = m_project->addressing;
+    input.memoryForNew = m_project->memoryForNew;
     input.companions = m_project->companions;
     for (const auto& [file, content] : m_files)
         if (isTestFile(file))

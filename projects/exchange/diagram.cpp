@@ -105,7 +105,8 @@ struct Diagram::State {
     // ------------------------------------------------------------ the graph
 
     std::string place(pugi::xml_node node) const {
-        return file.place() + ":" + std::to_string(file.lineOf(node)) + " (" + unit + ")";
+        const int line = file.lineOf(node); // none: the diagram was made of another form
+        return file.place() + (line > 0 ? ":" + std::to_string(line) : "") + " (" + unit + ")";
     }
     static std::string idOf(pugi::xml_node node) { return attribute(node, "localId"); }
     std::string shown(pugi::xml_node node) const {
@@ -470,6 +471,7 @@ struct Diagram::State {
         if (isBlockInstance(node)) {
             if (isOneOf(pinName, {"Q", "Q1", "QU", "QD"})) return "BOOL";
             if (isOneOf(pinName, {"ET"})) return "TIME";
+            if (isOneOf(pinName, {"CDT"})) return "DT";
             return {};
         }
         return typeOfFunction(node, depth);
@@ -493,14 +495,25 @@ struct Diagram::State {
             !isOneOf(upper, {"MOVE", "NOT",  "ABS",  "SQRT", "LN",  "LOG",   "EXP", "SIN", "COS", "TAN", "ASIN",
                              "ACOS", "ATAN", "EXPT", "MAX",  "MIN", "LIMIT", "SHL", "SHR", "ROL", "ROR"}))
             return {};
-        bool isFirst = true;
-        for (const pugi::xml_node variable : childOf(block, "inputVariables").children()) {
-            if (equalsIgnoringCase(attribute(variable, "formalParameter"), "EN")) continue;
-            if (isSelection && std::exchange(isFirst, false)) continue;
-            if (const std::string found = typeAtPoint(childOf(variable, "connectionPointIn"), depth); !found.empty())
-                return found;
-        }
+        std::vector<std::string> types; // of the operands, "" where it is not known
+        for (const pugi::xml_node variable : childOf(block, "inputVariables").children())
+            if (!equalsIgnoringCase(attribute(variable, "formalParameter"), "EN"))
+                types.push_back(typeAtPoint(childOf(variable, "connectionPointIn"), depth));
+        if (isSelection && !types.empty()) types.erase(types.begin());
+        if (isOneOf(upper, {"SUB", "ADD"}) && std::any_of(types.begin(), types.end(), isDate))
+            return typeOfDates(types);
+        for (std::string& each : types)
+            if (!each.empty()) return std::move(each);
         return {};
+    }
+    static bool isDate(const std::string& type) {
+        return isOneOf(type, {"DT", "DATE_AND_TIME", "LDT", "DATE", "LDATE", "D", "TOD", "TIME_OF_DAY", "LTOD"});
+    }
+    /// Two dates are a time apart; a time before or behind a date is one.
+    static std::string typeOfDates(const std::vector<std::string>& types) {
+        if (types.size() != 2 || types[1].empty()) return {};
+        if (isDate(types[1])) return types[1].front() == 'L' ? "LTIME" : "TIME";
+        return types[0];
     }
     std::string typeOfText(const std::string& text) const {
         if (isOneOf(text, {"TRUE", "FALSE"})) return "BOOL";

@@ -1,7 +1,9 @@
 #include "projects/exchange/imported.h"
 
+#include "projects/exchange/addresses.h"
 #include "projects/exchange/plcopen_import.h"
 #include "projects/exchange/text_import.h"
+#include "projects/exchange/tool_types.h"
 #include "projects/exchange/twincat_import.h"
 #include "projects/exchange/xml.h"
 #include "projects/storage/project_file.h"
@@ -143,22 +145,17 @@ private:
     std::vector<TwinCatFolder> m_projects;
 };
 
-/// CODESYS, Beremiz and OpenPLC count %MW1 in words.
+/// CODESYS, Beremiz and OpenPLC count %MW1 in words, and so do our own exports; the project does as its origin did.
 void noteAddressing(Imported& out) {
-    const std::string product = foldCase(out.side.contains("source") ? out.side["source"].value("product", "") : "");
-    if (product.find("codesys") == std::string::npos && product.find("beremiz") == std::string::npos &&
-        product.find("openplc") == std::string::npos)
-        return;
-    for (const ImportedFile& file : out.files)
-        for (size_t at = file.text.find('%'); at != std::string::npos; at = file.text.find('%', at + 1)) {
-            if (at + 3 >= file.text.size()) break;
-            const char area = file.text[at + 1], size = file.text[at + 2];
-            if (!std::strchr("IQMiqm", area) || !std::strchr("WDLwdl", size) ||
-                !std::isdigit(static_cast<unsigned char>(file.text[at + 3])))
-                continue;
-            out.hasWordAddresses = true;
-            return out.report.add(file.path, remarks::WordAddresses(out.side["source"].value("product", "")));
-        }
+    const std::string product = foldCase(toolOf(out));
+    constexpr std::string_view kInWords[] = {"codesys", "beremiz", "openplc", "stepwise"};
+    const bool isInWords = std::any_of(std::begin(kInWords), std::end(kInWords),
+                                       [&](std::string_view each) { return product.find(each) != std::string::npos; });
+    const auto file = std::find_if(out.files.begin(), out.files.end(),
+                                   [](const ImportedFile& each) { return hasCountedAddress(each.text); });
+    if (!isInWords || file == out.files.end()) return;
+    out.addressing = image::Addressing::Words;
+    out.report.add(file->path, remarks::WordAddresses(toolOf(out)));
 }
 
 } // namespace
@@ -206,6 +203,7 @@ Result<Imported> finished(Reader& reader, const std::string& path) {
         if (named.filename().empty()) named = named.parent_path();
         reader.out.name = named.stem().string();
     }
+    addToolTypes(reader.out);
     noteAddressing(reader.out);
     return std::move(reader.out);
 }
@@ -243,6 +241,7 @@ projects::Project toProject(const Imported& imported) {
     project.name = imported.name;
     project.languages = {"en"};
     project.json = Json::object();
+    project.addressing = imported.addressing;
     project.libraries.assign(imported.libraries.begin(), imported.libraries.end());
     for (const ImportedFile& file : imported.files) project.sources.push_back({file.path, file.text});
     return project;
@@ -257,7 +256,7 @@ Result<void> writeImported(const Imported& imported, const std::string& folder) 
         const fs::path file = root / path;
         fs::create_directories(file.parent_path(), problem);
         if (problem) return Error{errors::FolderNotMade(errors::ofSystem(problem)), file.parent_path().string()};
-        return projects::writeFileAtomically(file.string(), text);
+        return projects::writeNewFile(file.string(), text);
     };
     for (const ImportedFile& file : imported.files)
         if (auto done = write(file.path, file.text); !done) return done;
@@ -265,10 +264,13 @@ Result<void> writeImported(const Imported& imported, const std::string& folder) 
     project["name"] = imported.name;
     project["libraries"] = Json::array();
     for (const std::string& library : imported.libraries) project["libraries"].push_back(library);
+    if (imported.addressing == image::Addressing::Words) project["addressing"] = "word";
     if (auto done = write("exchange.json", imported.side.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
         !done)
         return done;
-    return write("project.json", project.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    // the last one makes it a project, and waits for the disk
+    return projects::writeFileAtomically((root / "project.json").string(),
+                                         project.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 } // namespace plc::exchange

@@ -4,6 +4,7 @@
 #include "projects/exchange/report.h"
 #include "projects/model/project.h"
 #include "runtime/base/result.h"
+#include "runtime/image/address.h"
 
 #include <nlohmann/json.hpp>
 #include <set>
@@ -20,8 +21,8 @@ struct ImportedFile {
 struct Imported {
     std::string name;
     std::vector<ImportedFile> files;
-    std::set<std::string> libraries; // of ours
-    bool hasWordAddresses = false;   // of a tool that counts %MW1 in words; here it is counted in bytes
+    std::set<std::string> libraries;                                // of ours
+    image::Addressing addressing = image::Addressing::Bytes;        // what %MW1 counts in the tool it comes from
     nlohmann::ordered_json side = nlohmann::ordered_json::object(); // exchange.json, by unit and id
     Report report;
 };

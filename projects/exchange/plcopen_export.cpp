@@ -1,5 +1,6 @@
 #include "projects/exchange/plcopen_export.h"
 
+#include "projects/exchange/addresses.h"
 #include "projects/exchange/chart_export.h"
 #include "projects/exchange/imported.h"
 #include "projects/exchange/xml.h"
@@ -78,7 +79,9 @@ private:
 
     Result<void> parse() {
         for (const driver::SourceFile& source : m_project.sources) {
-            const FileId id = m_sources.add(source.path, source.text);
+            const bool isCounted = m_project.addressing == image::Addressing::Words;
+            const FileId id = m_sources.add(
+                source.path, isCounted ? source.text : addressesInWords(source.text, source.path, m_out.report));
             (void)id;
         }
         for (size_t i = 0; i < m_sources.files.size(); ++i) {

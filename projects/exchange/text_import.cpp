@@ -1,6 +1,8 @@
 #include "projects/exchange/text_import.h"
 
 #include "projects/exchange/assemble.h"
+#include "projects/exchange/codesys2_diagram.h"
+#include "projects/exchange/stored_diagram.h"
 #include "projects/exchange/xml.h"
 #include "runtime/base/text.h"
 
@@ -119,7 +121,9 @@ private:
             text = "{gvl " + name + "}\n" + text;
             m_list.clear();
         }
-        if (m_isDrawn) {
+        if (m_isDrawn && readDrawn(kind, name, text)) {
+            ++m_out.report.bodies[m_drawn.starts_with("_LD") ? "LD" : "FBD"];
+        } else if (m_isDrawn) {
             m_out.report.add(m_place, remarks::ArchiveBody(name));
             m_out.side["units"][name]["archive"] = m_drawn;
             ++m_out.report.bodies["LD/FBD"];
@@ -134,6 +138,24 @@ private:
         }
         ++m_out.report.units[kind == PieceKind::Unknown ? "text" : std::string(keywordOf(kind))];
         addFile(m_out, folderOf(m_path), name.empty() ? "unit" : name, text + "\n");
+    }
+
+    /// The diagram of a unit as its text. False: it has something that is not known here.
+    bool readDrawn(PieceKind kind, const std::string& name, std::string& text) {
+        if (kind != PieceKind::Program && kind != PieceKind::Function && kind != PieceKind::FunctionBlock) return false;
+        pugi::xml_document diagram;
+        if (!readCodesys2Diagram(m_drawn, diagram)) return false;
+        const auto lines = XmlFile::parse("<export/>", m_place); // only the place of remarks
+        if (!lines) return false;
+        Piece piece;
+        piece.kind = kind;
+        piece.name = name;
+        piece.declaration = text.substr(0, text.rfind('\n') + 1); // without END_…
+        piece.body = diagramText(diagram.document_element(), *lines, name, piece, m_out);
+        text = trimmedLines(assemble(piece));
+        m_out.side["units"][name]["archive"] = m_drawn;
+        m_out.report.add(m_place, remarks::BodyConverted(name));
+        return true;
     }
 
     const std::string& m_text;

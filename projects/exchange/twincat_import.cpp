@@ -2,7 +2,9 @@
 
 #include "projects/exchange/assemble.h"
 #include "projects/exchange/libraries.h"
+#include "projects/exchange/network_list.h"
 #include "projects/exchange/plcopen_configuration.h"
+#include "projects/exchange/stored_diagram.h"
 #include "runtime/base/text.h"
 
 #include <algorithm>
@@ -46,7 +48,7 @@ private:
         addFile(m_out, m_folder, name, head + declarationOf(node) + "\n");
     }
 
-    std::string bodyOf(pugi::xml_node node, const std::string& unit) {
+    std::string bodyOf(pugi::xml_node node, const std::string& unit, Piece& owner) {
         for (const pugi::xml_node language : childOf(node, "Implementation").children()) {
             if (language.type() != pugi::node_element) continue;
             const std::string name(localName(language));
@@ -54,6 +56,8 @@ private:
             if (name == "ST" || name == "IL") {
                 text = trimmedLines(exchange::textOf(language));
                 if (text.empty()) continue;
+            } else if (name == "NWL" && readDiagram(language, unit, owner, text)) {
+                return text;
             } else {
                 m_out.report.add(place(language), remarks::ArchiveBody(unit));
                 m_out.side["units"][unit]["archive"] = toXml(language);
@@ -64,12 +68,25 @@ private:
         return {};
     }
 
+    /// False: the archive holds no list of networks.
+    bool readDiagram(pugi::xml_node archive, const std::string& unit, Piece& owner, std::string& body) {
+        const NetworkList list = readNetworkList(archive);
+        if (!list.body()) return false;
+        for (const NetworkRemark& each : list.remarks)
+            m_out.report.add(place(each.node) + " (" + unit + ")", each.remark);
+        body = diagramText(list.body(), m_file, unit, owner, m_out);
+        m_out.side["units"][unit]["archive"] = toXml(archive);
+        m_out.report.add(place(archive), remarks::BodyConverted(unit));
+        ++m_out.report.bodies[std::string(localName(list.body()))];
+        return true;
+    }
+
     void readUnit(pugi::xml_node node) {
         Piece piece;
         piece.name = attribute(node, "Name");
         piece.declaration = declarationOf(node);
         piece.kind = kindOfDeclaration(piece.declaration);
-        piece.body = bodyOf(node, piece.name);
+        piece.body = bodyOf(node, piece.name, piece);
         ++m_out.report.units[std::string(keywordOf(piece.kind))];
         for (const pugi::xml_node member : node.children()) readMember(member, piece);
         addFile(m_out, m_folder, piece.name, assemble(piece));
@@ -83,11 +100,11 @@ private:
         const std::string path = owner.name + "." + piece.name;
         if (kind == "Method") {
             piece.kind = PieceKind::Method;
-            piece.body = bodyOf(node, path);
+            piece.body = bodyOf(node, path, piece);
         } else if (kind == "Action") {
             piece.kind = PieceKind::Action;
             piece.declaration.clear();
-            piece.body = bodyOf(node, path);
+            piece.body = bodyOf(node, path, owner); // its variables are those of the unit
         } else if (kind == "Property") {
             piece.kind = PieceKind::Property;
             readAccessor(childOf(node, "Get"), PieceKind::PropertyGet, piece, path);
@@ -105,7 +122,7 @@ private:
         Piece piece;
         piece.kind = kind;
         piece.declaration = declarationOf(node);
-        piece.body = bodyOf(node, path);
+        piece.body = bodyOf(node, path, piece);
         owner.members.push_back(std::move(piece));
     }
 

@@ -13,9 +13,11 @@ struct Project {
     std::string name;
     std::vector<std::string> libraries; // lower case: "toolbox"
     std::vector<std::string> defines;   // "Simulation", "Version=2": what conditional pragmas ask for
-    std::string startPanel;             // panel file name without ".panel.json"
-    std::vector<std::string> languages; // BCP 47, ordered; empty = {"en"}
-    std::vector<std::string> fallback;  // chain of languages
+    image::Addressing addressing = image::Addressing::Bytes; // "byte" or "word": what the number of %MW1 counts
+    uint32_t memoryForNew = 0;                               // bytes that __NEW may take; 0: the project has no __NEW
+    std::string startPanel;                                  // panel file name without ".panel.json"
+    std::vector<std::string> languages;                      // BCP 47, ordered; empty = {"en"}
+    std::vector<std::string> fallback;                       // chain of languages
     std::string font = "Noto Sans";
     std::string languageVariable;            // path, may be empty
     std::string calendarStart;               // "DT#…", empty = DT#2000-01-01-00:00:00

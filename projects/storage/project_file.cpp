@@ -34,6 +34,33 @@ Result<std::string> readFile(const std::string& path) {
     return text.str();
 }
 
+namespace {
+
+/// False: errno says why.
+bool writeAll(int file, std::string_view content) {
+    while (!content.empty()) {
+        const ssize_t n = ::write(file, content.data(), content.size());
+        if (n < 0 && errno == EINTR) continue;
+        if (n <= 0) return false;
+        content.remove_prefix(static_cast<size_t>(n));
+    }
+    return true;
+}
+
+} // namespace
+
+Result<void> writeNewFile(const std::string& path, std::string_view content) {
+    const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    const bool isOpen = file >= 0, isWritten = isOpen && writeAll(file, content);
+    int code = errno;
+    if (isOpen && ::close(file) != 0 && isWritten) return Error{errors::FileNotWritten(errors::ofSystem(errno)), path};
+    if (isWritten) return {};
+    if (isOpen) ::unlink(path.c_str());
+    Message why = errors::ofSystem(code);
+    if (code == ENOSPC) why = errors::FreeSpace(std::move(why));
+    return Error{errors::FileNotWritten(std::move(why)), path};
+}
+
 Result<void> writeFileAtomically(const std::string& path, std::string_view content) {
     if (std::error_code ignored; fs::is_regular_file(path, ignored)) {
         if (const auto old = readFile(path); old && *old == content) return {};
@@ -56,18 +83,7 @@ Result<void> writeFileAtomically(const std::string& path, std::string_view conte
     if (file < 0) return fail(errors::FileNotWritten);
     if (std::error_code none; fs::exists(target, none))
         fs::permissions(temporary, fs::status(target, none).permissions(), none);
-    for (size_t done = 0; done < content.size();) {
-        const ssize_t n = ::write(file, content.data() + done, content.size() - done);
-        if (n < 0 && errno == EINTR) continue;
-        if (n <= 0) {
-            const int code = errno;
-            ::close(file);
-            errno = code;
-            return fail(errors::FileNotWritten);
-        }
-        done += static_cast<size_t>(n);
-    }
-    if (::fsync(file) != 0) {
+    if (!writeAll(file, content) || ::fsync(file) != 0) {
         const int code = errno;
         ::close(file);
         errno = code;
@@ -169,6 +185,19 @@ std::vector<std::string> readCompanions(const std::string& folder) {
 
 namespace {
 
+/// What decides where things are in the image.
+Result<void> readLayoutSettings(Project& project, const std::string& file) {
+    const std::string addressing = stringField(project.json, "addressing", "byte");
+    if (addressing != "byte" && addressing != "word") return Error{errors::AddressingUnknown(addressing), file};
+    project.addressing = addressing == "word" ? image::Addressing::Words : image::Addressing::Bytes;
+    if (!project.json.contains("memoryForNew")) return {};
+    const Json& memory = project.json["memoryForNew"];
+    if (!memory.is_number_unsigned() || memory.get<uint64_t>() > driver::kMostMemoryForNew)
+        return Error{errors::MemoryForNewOutside(driver::kMostMemoryForNew), file};
+    project.memoryForNew = memory.get<uint32_t>();
+    return {};
+}
+
 Result<Project> openFolder(const fs::path& folder) {
     removeLeftovers(folder.string());
     Project project;
@@ -193,6 +222,7 @@ Result<Project> openFolder(const fs::path& folder) {
     project.name = stringField(json, "name", project.name);
     project.libraries = listField(json, "libraries");
     project.defines = listField(json, "defines");
+    if (auto done = readLayoutSettings(project, file.string()); !done) return done.error();
     for (std::string& library : project.libraries) {
         library = foldCase(library);
         const auto known = driver::libraryNames();

@@ -19,6 +19,8 @@ Result<void> writeSourceText(const std::string& path, std::string_view utf8, std
 /// All or nothing: the old file or the new one, never a mixture, whatever happens in between. A file with equal content
 /// is not written.
 Result<void> writeFileAtomically(const std::string& path, std::string_view content);
+/// A file that does not exist yet, without waiting for the disk: for many at once whose origin is still there.
+Result<void> writeNewFile(const std::string& path, std::string_view content);
 Result<void> saveProjectFile(const Project& project);
 
 } // namespace plc::projects

@@ -1,7 +1,6 @@
 #include "projects/testing/test_program.h"
 
 #include "runtime/base/text.h"
-#include "runtime/library/signatures.h"
 
 namespace plc::testing {
 
@@ -11,11 +10,6 @@ using syntax::Stmt;
 using syntax::StmtKind;
 
 namespace {
-
-bool isStandard(const Expr& callee) {
-    return callee.kind == ExprKind::NameRef &&
-           (library::findSignature(callee.name.text) || library::findConversion(callee.name.text));
-}
 
 /// A variable as layout and history name it: names, members, bits and constant indices.
 bool isPlainPath(const Expr* target) {
@@ -36,7 +30,7 @@ bool isPlainPath(const Expr* target) {
     }
 }
 
-bool isCarriedOutHere(const Stmt& statement) {
+bool isCarriedOutHere(const Stmt& statement, const CodeNames& names) {
     switch (statement.kind) {
     case StmtKind::Run:
     case StmtKind::Assert:
@@ -46,9 +40,10 @@ bool isCarriedOutHere(const Stmt& statement) {
     case StmtKind::PowerOff:
         return true;
     case StmtKind::Assign:
-        return statement.op == lex::TokenKind::Assign && isPlainPath(statement.target) && !needsCode(statement.value) &&
-               statement.value && statement.value->kind != ExprKind::AssignChain &&
-               statement.value->kind != ExprKind::ArrayInit && statement.value->kind != ExprKind::StructInit;
+        return statement.op == lex::TokenKind::Assign && isPlainPath(statement.target) &&
+               !names.needsCode(statement.target) && !names.needsCode(statement.value) && statement.value &&
+               statement.value->kind != ExprKind::AssignChain && statement.value->kind != ExprKind::ArrayInit &&
+               statement.value->kind != ExprKind::StructInit;
     default:
         return false;
     }
@@ -72,21 +67,14 @@ bool holdsTestStatement(const Stmt& statement) {
 
 } // namespace
 
-bool needsCode(const Expr* expression) {
-    if (!expression) return false;
-    if (expression->kind == ExprKind::Call && !(expression->base && isStandard(*expression->base))) return true;
-    if (expression->kind == ExprKind::AssignChain) return true;
-    for (const syntax::Argument& argument : expression->arguments)
-        if (argument.kind == syntax::ArgumentKind::Output || needsCode(argument.value)) return true;
-    return needsCode(expression->base) || needsCode(expression->right);
-}
-
 TestProgram::TestProgram(const projects::Project& project) : m_input(project.buildInput()) {
     m_sources.files.reserve(project.tests.size() + project.sources.size());
     for (const driver::SourceFile& file : project.tests) {
         const FileId id = m_sources.add(file.path, file.text);
         m_files.push_back(parse::parseFile(id, m_sources[id].text(), m_problems));
     }
+    for (const driver::SourceFile& file : project.sources) m_names.gather(file.text);
+    for (const driver::SourceFile& file : project.tests) m_names.gather(file.text);
     m_madeFile = m_input.files.size();
     m_input.files.push_back({"tests", ""});
     for (size_t file = 0; file < m_files.size(); ++file)
@@ -140,8 +128,9 @@ void TestProgram::planTest(const syntax::TestDecl& test, size_t file) {
 void TestProgram::planStatements(const syntax::Block& block, std::string& text, const std::string& blockName,
                                  size_t file) {
     for (const Stmt* statement : block) {
-        const bool asserts = statement->kind == StmtKind::Assert && needsCode(statement->value) && m_assertions < 1000;
-        if (statement->kind == StmtKind::Empty || (isCarriedOutHere(*statement) && !asserts)) continue;
+        const bool asserts =
+            statement->kind == StmtKind::Assert && m_names.needsCode(statement->value) && m_assertions < 1000;
+        if (statement->kind == StmtKind::Empty || (isCarriedOutHere(*statement, m_names) && !asserts)) continue;
         if (!asserts && holdsTestStatement(*statement)) {
             forEachBlock(*statement, [&](const syntax::Block& inner) { planStatements(inner, text, blockName, file); });
             continue;

@@ -3,6 +3,7 @@
 // file. Values; one thread.
 #pragma once
 #include "projects/model/project.h"
+#include "projects/testing/code_names.h"
 #include "runtime/compiler/parse/parser.h"
 
 #include <memory>
@@ -52,6 +53,7 @@ private:
     void planStatements(const syntax::Block& block, std::string& actions, const std::string& blockName, size_t file);
     void copy(SourceRange range, size_t file, std::string& out);
 
+    CodeNames m_names;
     SourceSet m_sources;
     std::vector<std::unique_ptr<syntax::SyntaxFile>> m_files;
     diagnostics::Sink m_problems;
@@ -63,8 +65,5 @@ private:
     std::vector<CopiedPiece> m_pieces;
     size_t m_madeFile = 0; // index into input().files
 };
-
-/// A call of something that is no standard function: such an expression needs the compiler's code.
-[[nodiscard]] bool needsCode(const syntax::Expr* expression);
 
 } // namespace plc::testing

@@ -30,6 +30,8 @@ std::string_view name(FaultCode code) {
         return "call of an abstract method";
     case FaultCode::Stopped:
         return "scan abandoned";
+    case FaultCode::ValueOutOfRange:
+        return "value out of range";
     }
     return {};
 }
@@ -59,6 +61,8 @@ Message faultMessage(const image::RuntimeContext& context) {
         return errors::AbstractMethodCalled();
     case FaultCode::Stopped:
         return errors::ScanAbandoned();
+    case FaultCode::ValueOutOfRange:
+        return errors::ValueOutsideSubrange(at, low, high);
     }
     return {};
 }

@@ -32,9 +32,10 @@ public:
         : m_from(from), m_to(to), m_fromTypes(*from.types), m_toTypes(*to.types), m_old(old), m_fresh(fresh) {}
 
     OnlineChangeReport run() {
-        copyArea(m_from.inputs, m_to.inputs);
-        copyArea(m_from.outputs, m_to.outputs);
-        copyArea(m_from.memory, m_to.memory);
+        copyArea(Area::Input, m_from.inputs.begin, m_to.inputs.begin);
+        copyArea(Area::Output, m_from.outputs.begin, m_to.outputs.begin);
+        copyArea(Area::Memory, m_from.memory.begin, m_to.memory.begin);
+        copyHierarchical();
         std::unordered_map<std::string, const Root*> oldRoots;
         for (const Root& root : m_from.roots) oldRoots.emplace(key(root), &root);
         for (const Root& root : m_to.roots) {
@@ -62,8 +63,16 @@ private:
         return foldCase(root.space + "/" + root.list + "/" + (root.name.empty() ? root.address : root.name));
     }
 
-    void copyArea(const image::AreaRange& from, const image::AreaRange& to) {
-        std::memcpy(m_fresh.data() + to.begin, m_old.data() + from.begin, std::min(from.size, to.size));
+    void copyArea(Area area, uint32_t from, uint32_t to) {
+        std::memcpy(m_fresh.data() + to, m_old.data() + from, std::min(m_from.flatSize(area), m_to.flatSize(area)));
+    }
+    /// A place of its own may be elsewhere in the new image.
+    void copyHierarchical() {
+        for (const image::HierarchicalAddress& to : m_to.hierarchical)
+            for (const image::HierarchicalAddress& from : m_from.hierarchical)
+                if (from.name == to.name)
+                    std::memcpy(m_fresh.data() + to.place.offset, m_old.data() + from.place.offset,
+                                std::min(from.size, to.size));
     }
 
     // ------------------------------------------------------------ reports

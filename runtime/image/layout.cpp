@@ -179,6 +179,12 @@ Result<Place> slice(const Layout& layout, const Place& place, const PathPart& pa
 
 } // namespace
 
+namespace {
+const AreaRange& rangeOf(const Layout& layout, Area area) {
+    return area == Area::Input ? layout.inputs : area == Area::Output ? layout.outputs : layout.memory;
+}
+} // namespace
+
 std::string Layout::pathOf(const Root& root) {
     if (root.name.empty()) return root.address;
     std::string path = root.space.empty() ? std::string() : root.space + ".";
@@ -207,46 +213,26 @@ Result<Place> Layout::find(std::string_view path) const {
 }
 
 Result<Place> Layout::address(std::string_view text) const {
-    const Error bad{errors::NotAnAddress(text), {}};
-    if (text.size() < 3 || text[0] != '%') return bad;
-    const char area = lower(text[1]);
-    const AreaRange& range = area == 'i' ? inputs : area == 'q' ? outputs : memory;
-    if (area != 'i' && area != 'q' && area != 'm') return bad;
-    size_t at = 2;
-    char size = lower(text[at]);
-    if (size >= '0' && size <= '9')
-        size = 'x';
-    else
-        ++at;
-    const size_t bytes = size == 'x' || size == 'b' ? 1 : size == 'w' ? 2 : size == 'd' ? 4 : size == 'l' ? 8 : 0;
-    if (!bytes) return bad;
-    std::vector<uint64_t> numbers;
-    while (at < text.size()) {
-        if (text[at] < '0' || text[at] > '9') return bad;
-        uint64_t number = 0;
-        for (; at < text.size() && text[at] >= '0' && text[at] <= '9'; ++at)
-            number = std::min<uint64_t>(number * 10 + static_cast<uint64_t>(text[at] - '0'), 1u << 30);
-        numbers.push_back(number);
-        if (at == text.size()) break;
-        if (text[at] != '.' || at + 1 == text.size()) return bad;
-        ++at;
+    const std::optional<DirectAddress> address = parseAddress(text, addressing);
+    if (!address || address->isOpen) return Error{errors::NotAnAddress(text), {}};
+    if (address->isHierarchical) {
+        const std::string name = hierarchicalName(text);
+        for (const HierarchicalAddress& each : hierarchical)
+            if (each.name == name) return each.place;
+        return Error{errors::AddressUnused(text), {}};
     }
-    if (numbers.empty() || numbers.size() > 2 || (size != 'x' && numbers.size() != 1)) return bad;
-    uint64_t byte = numbers[0];
-    int16_t bit = -1;
-    if (size == 'x') {
-        const uint64_t number = numbers.size() == 2 ? numbers[1] : numbers[0] % 8;
-        if (numbers.size() == 1) byte /= 8;
-        if (number > 7) return bad;
-        bit = static_cast<int16_t>(number);
-    }
-    if (byte + bytes > range.size) return Error{errors::AddressUnused(text), {}};
-    const TypeKind kind = size == 'x'   ? TypeKind::Bool
-                          : size == 'b' ? TypeKind::Byte
-                          : size == 'w' ? TypeKind::Word
-                          : size == 'd' ? TypeKind::Dword
-                                        : TypeKind::Lword;
-    return Place{types::TypeTable::of(kind), range.begin + static_cast<uint32_t>(byte), bit};
+    const AreaRange& range = rangeOf(*this, address->area);
+    const uint64_t bytes = std::max(1u, types::bitsOf(address->kind) / 8);
+    if (address->byte + bytes > flatSize(address->area)) return Error{errors::AddressUnused(text), {}};
+    return Place{types::TypeTable::of(address->kind), range.begin + address->byte, address->bit};
+}
+
+uint32_t Layout::flatSize(Area area) const {
+    const AreaRange& range = rangeOf(*this, area);
+    uint32_t end = range.begin + range.size;
+    for (const HierarchicalAddress& each : hierarchical)
+        if (each.area == area) end = std::min(end, each.place.offset);
+    return end - range.begin;
 }
 
 namespace {
@@ -323,6 +309,8 @@ std::string Layout::pathAt(uint32_t offset, TypeId wanted) const {
         if (path.empty()) path = std::move(covered.path);
     }
     if (!path.empty()) return path;
+    for (const HierarchicalAddress& each : hierarchical)
+        if (offset >= each.place.offset && offset < each.place.offset + each.size) return each.name;
     const std::pair<const AreaRange*, char> areas[] = {{&inputs, 'I'}, {&outputs, 'Q'}, {&memory, 'M'}};
     for (const auto& [range, letter] : areas)
         if (offset >= range->begin && offset < range->begin + range->size)

@@ -3,11 +3,12 @@
 // immutable, any thread may read.
 //
 //   0         ImageHeader
-//   …         input area %I, output area %Q, memory area %M (byte addressed)
+//   …         input area %I, output area %Q, memory area %M: flat addresses, then the places of hierarchical ones
 //   …         globals, program instances                       ← declared variables, all recorded
 //   dataEnd   frame area: locals of functions and VAR_TEMP whose address can be taken; not recorded, not retained
 #pragma once
 #include "runtime/base/result.h"
+#include "runtime/image/address.h"
 #include "runtime/types/value.h"
 
 #include <functional>
@@ -31,8 +32,6 @@ struct ImageHeader {
     uint32_t reserved[7] = {};
 };
 static_assert(sizeof(ImageHeader) == 64);
-
-enum class Area : uint8_t { Header, Input, Output, Memory, Global, Program, Frame };
 
 /// A place in the image. `bit` ≥ 0: one bit of the byte at offset.
 struct Place {
@@ -67,13 +66,24 @@ struct AreaRange {
     uint32_t size = 0;
 };
 
+/// %IW3.1, %QX1.2.3: a place of its own behind the flat addresses of its area. What its numbers mean is for the devices
+/// of the project: they find it here by its name.
+struct HierarchicalAddress {
+    std::string name; // image::hierarchicalName
+    Place place;
+    Area area = Area::Input;
+    uint32_t size = 0; // bytes; more than the type's when a variable of another type is located there
+};
+
 class Layout {
 public:
     std::shared_ptr<types::TypeTable> types;
     std::vector<Root> roots; // in order of declaration
     AreaRange inputs, outputs, memory;
-    uint32_t dataEnd = 0;    // end of declared variables: what history, retain and pointers see
-    uint32_t frameBegin = 0; // 64-byte aligned
+    Addressing addressing = Addressing::Bytes;
+    std::vector<HierarchicalAddress> hierarchical; // by name
+    uint32_t dataEnd = 0;                          // end of declared variables: what history, retain and pointers see
+    uint32_t frameBegin = 0;                       // 64-byte aligned
     uint32_t imageSize = 0;
 
     /// Resolves a path without case: `Main.x`, `GVL.a[2,3].b`, `x.5` (bit), `%QX0.1`, program type names where there is
@@ -87,8 +97,10 @@ public:
                      const std::function<bool(const std::string&, const Place&)>& visit) const;
     /// The path of a root: "Main", "GVL.Speed", "Ns.GVL.Speed"; its address when it has no name.
     [[nodiscard]] static std::string pathOf(const Root& root);
-    /// "%IX0.0", "%QW4", "%MD48" → place (BOOL, BYTE, WORD, DWORD, LWORD). Numbers count bytes.
+    /// "%IX0.0", "%QW4", "%MD48", "%IW3.1" → place (BOOL, BYTE, WORD, DWORD, LWORD).
     [[nodiscard]] Result<Place> address(std::string_view text) const;
+    /// The bytes of an area that flat addresses count; hierarchical ones follow.
+    [[nodiscard]] uint32_t flatSize(Area area) const;
 };
 
 } // namespace plc::image

@@ -18,7 +18,8 @@ enum class FaultCode : uint32_t {
     Watchdog,      // loop budget or wall-clock watchdog
     StackOverflow, // recursion depth or frame area
     AbstractCall,
-    Stopped, // the scan was abandoned on request (reset or close while halted)
+    Stopped,         // the scan was abandoned on request (reset or close while halted)
+    ValueOutOfRange, // of a subrange; detail: value, low, high
 };
 
 /// Each call that is not inlined away leaves its site here; depth counts the live ones. The record is written around

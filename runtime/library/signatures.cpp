@@ -330,6 +330,13 @@ void addSpecial(Table& table) {
         special("__ISVALIDREF", {any("IN", Generic::Any)}, "TRUE where a reference refers to a variable", Bool));
     table.push_back(special("__QUERYINTERFACE", {any("FROM", Generic::Any), any("TO", Generic::Any)},
                             "TRUE where FROM's block implements TO's interface, which then is set", Bool));
+    table.push_back(special("__NEW", {any("TYPE", Generic::Any)},
+                            "Address of a new variable of a type; 0 when the project's memory for it is used up"));
+    table.push_back(special("__DELETE", {any("POINTER", Generic::Any)}, "Ends a variable that __NEW made"));
+    table.push_back(special("__POUNAME", {}, "Name of the program unit that this is in", String));
+    table.push_back(special("__POSITION", {}, "Where this is: the line, and the position in it", String));
+    table.push_back(special("TEST_AND_SET", {any("IN", Generic::Any)},
+                            "TRUE where IN was set before; IN is set in the same moment", Bool));
     table.push_back(special("__QUERYPOINTER", {any("FROM", Generic::Any), any("TO", Generic::Any)},
                             "TRUE where FROM refers to a block, whose address TO then holds", Bool));
 }

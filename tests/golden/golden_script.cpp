@@ -46,6 +46,9 @@ Line parseLine(std::string_view raw) {
     } else if (begins("with ")) {
         line.kind = LineKind::With;
         line.left = rest("with ");
+    } else if (begins("setting ")) {
+        line.kind = LineKind::Setting;
+        line.left = rest("setting ");
     } else if (begins("scans ")) {
         line.kind = LineKind::Scans;
         line.left = rest("scans ");

@@ -8,7 +8,8 @@
 //                                         fault division by zero at 12    the controller has stopped at line 12
 //   name.diagnostics   check it: every message as `line:column-column code: text`, nothing else
 //
-// `library toolbox` and `with other.st` lines at the top add to what is compiled. `#` begins a comment. Each run is
+// `library toolbox` and `with other.st` lines at the top add to what is compiled, `setting %word` and the like say how
+// (driver::setRecordedSettings). `#` begins a comment. Each run is
 // made twice, with quick and with optimised code, and both must give the same. `golden --update` writes what came out.
 #pragma once
 #include <string>
@@ -17,7 +18,7 @@
 
 namespace plc::golden {
 
-enum class LineKind { Comment, Library, With, Scans, Write, Force, Release, Reset, Expect, Fault, Unknown };
+enum class LineKind { Comment, Library, With, Setting, Scans, Write, Force, Release, Reset, Expect, Fault, Unknown };
 
 struct Line {
     LineKind kind = LineKind::Unknown;

@@ -42,6 +42,7 @@ driver::BuildInput inputFor(const fs::path& source, const std::vector<Line>& scr
     for (const Line& line : script) {
         if (line.kind == LineKind::With) input.files.push_back({line.left, readText(source.parent_path() / line.left)});
         if (line.kind == LineKind::Library) input.libraries.push_back(line.left);
+        if (line.kind == LineKind::Setting) driver::setRecordedSettings(input, {line.left});
     }
     return input;
 }
@@ -73,6 +74,7 @@ private:
         switch (line.kind) {
         case LineKind::Comment:
         case LineKind::Library:
+        case LineKind::Setting:
         case LineKind::With:
             return;
         case LineKind::Scans:
@@ -185,7 +187,8 @@ void checkGolden(const fs::path& source) {
     const driver::Checked checked = driver::check(inputFor(source, script));
     std::string actual;
     for (const Line& line : script)
-        if (line.kind == LineKind::Comment || line.kind == LineKind::With || line.kind == LineKind::Library)
+        if (line.kind == LineKind::Comment || line.kind == LineKind::With || line.kind == LineKind::Library ||
+            line.kind == LineKind::Setting)
             actual += line.text + "\n";
     for (const auto& diagnostic : checked.analysis->diagnostics) actual += shown(*checked.sources, diagnostic) + "\n";
     if (updates) return writeText(expectedFile, actual);

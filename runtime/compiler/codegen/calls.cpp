@@ -85,6 +85,7 @@ std::vector<llvm::Value*> FunctionEmitter::callArguments(const Call& call) {
         if (argument.mode != ArgumentMode::Input || !argument.value) continue;
         if (m.isScalar(local.type)) {
             values.push_back(scalar(*argument.value));
+            guardRange(values.back(), *argument.value, local.type);
             continue;
         }
         bool isExposed = false;

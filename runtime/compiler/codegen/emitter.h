@@ -194,6 +194,8 @@ private:
     // guards.cpp
     void guard(Value* isBad, image::FaultCode code, Value* d0 = nullptr, Value* d1 = nullptr, Value* d2 = nullptr);
     void raiseAlways(image::FaultCode code);
+    /// Faults where `value`, computed by `from`, is outside the subrange `target`.
+    void guardRange(Value* value, const tree::Expr& from, types::TypeId target);
     void guardReference(Value* offset, Value* size); // null, foreign
     Value* isLive(Value* offset, Value* size);       // lies within variables or live frames
     void guardBlock(Value* offset, types::TypeId block);

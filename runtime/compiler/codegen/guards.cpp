@@ -1,5 +1,6 @@
 #include "runtime/base/assert.h"
 #include "runtime/compiler/codegen/emitter.h"
+#include "runtime/compiler/facts/ranges.h"
 
 namespace plc::codegen {
 
@@ -31,6 +32,18 @@ void FunctionEmitter::raiseAlways(FaultCode code) {
                  {m_context, int32(static_cast<uint32_t>(code)), int32(m_site), int64(0), int64(0), int64(0)});
     b.CreateUnreachable();
     enter(newBlock("dead"));
+}
+
+void FunctionEmitter::guardRange(Value* value, const tree::Expr& from, types::TypeId target) {
+    if (!facts::mayLeaveRange(m.types(), from, target)) return;
+    const types::Type& range = m.types()[target];
+    Value* wide = castInteger(value, target, m.i64);
+    const bool isUnsigned = m.types().family(target) != types::Family::Signed;
+    Value* low = int64(range.low);
+    Value* high = int64(range.high);
+    Value* bad = isUnsigned ? b.CreateOr(b.CreateICmpULT(wide, low), b.CreateICmpUGT(wide, high))
+                            : b.CreateOr(b.CreateICmpSLT(wide, low), b.CreateICmpSGT(wide, high));
+    guard(bad, FaultCode::ValueOutOfRange, wide, low, high);
 }
 
 /// `size` bytes at `offset` lie within declared variables or within frames that are alive (this function's and its

@@ -139,6 +139,7 @@ void FunctionEmitter::assign(const Stmt& stmt) {
     }
     if (m.isScalar(place.type)) {
         Value* value = scalar(*stmt.a);
+        guardRange(value, *stmt.a, place.type);
         store(address(place), value);
         return;
     }

@@ -51,6 +51,8 @@ uint64_t versionOf(const BuildInput& input) {
     for (const SourceFile& file : input.files) hash = mix(mix(hash, file.path), file.text);
     for (const std::string& library : input.libraries) hash = mix(hash, library);
     for (const std::string& define : input.defines) hash = mix(hash, define);
+    if (input.addressing == image::Addressing::Words) hash = mix(hash, "%word");
+    if (input.memoryForNew) hash = mix(hash, "%new" + std::to_string(input.memoryForNew));
     for (const auto& [name, text] : input.libraryTexts) hash = mix(mix(hash, name), text);
     return hash;
 }
@@ -90,6 +92,8 @@ std::shared_ptr<image::CompiledProgram> assemble(const Checked& checked, facts::
 std::vector<std::string> recordedSettings(const BuildInput& input) {
     std::vector<std::string> out = input.libraries;
     for (const std::string& define : input.defines) out.push_back("#" + define);
+    if (input.addressing == image::Addressing::Words) out.push_back("%word");
+    if (input.memoryForNew) out.push_back("%new" + std::to_string(input.memoryForNew));
     return out;
 }
 
@@ -97,6 +101,10 @@ void setRecordedSettings(BuildInput& input, const std::vector<std::string>& sett
     for (const std::string& each : settings)
         if (each.starts_with("#"))
             input.defines.push_back(each.substr(1));
+        else if (each.starts_with("%new"))
+            input.memoryForNew = static_cast<uint32_t>(std::strtoul(each.c_str() + 4, nullptr, 10));
+        else if (each == "%word")
+            input.addressing = image::Addressing::Words;
         else
             input.libraries.push_back(each);
 }
@@ -130,6 +138,8 @@ std::optional<Checked> checkWatched(const BuildInput& input, KeptFiles& kept, Pr
     checked.sources = read->sources;
     sema::Options options;
     options.strict = input.strict;
+    options.addressing = input.addressing;
+    options.memoryForNew = input.memoryForNew;
     for (const std::string& text : input.companions) gatherNames(text, options.usedElsewhere);
     checked.analysis = sema::analyze(*read->sources, std::move(read->trees), std::move(read->diagnostics), options);
     if (!goesOn(progress, kChecked)) return {};

@@ -16,19 +16,24 @@ struct SourceFile {
     std::string path; // as shown in messages
     std::string text;
 };
+inline constexpr int64_t kMostMemoryForNew = 64 << 20;
+
 struct BuildInput {
     std::vector<SourceFile> files;
     std::vector<std::string> libraries; // "toolbox", …; the standard is always there
     bool strict = false;
     std::vector<std::string> companions{}; // texts of panels, alarms, traces, tests: a variable they name is used
     std::vector<std::string> defines{};    // NAME or NAME=VALUE, for conditional pragmas
-    bool keepsEveryResult = true;          // of each line of an instruction list, for online values
-    bool threadSanitizer = false;          // instruments the generated code (tests of the thread contract)
+    image::Addressing addressing = image::Addressing::Bytes; // what the number of %MW1 counts
+    uint32_t memoryForNew = 0;                               // bytes that __NEW may take; 0: there is no __NEW
+    bool keepsEveryResult = true;                            // of each line of an instruction list, for online values
+    bool threadSanitizer = false; // instruments the generated code (tests of the thread contract)
     /// "toolbox/valves.st" and its text, of every library that is used: in the place of this studio's own (D19).
     std::vector<std::pair<std::string, std::string>> libraryTexts{};
 };
 
-/// Libraries and defines in one list, as recordings keep them: "util", "#Simulation".
+/// Libraries, defines and what else decides the layout in one list, as recordings keep them: "util", "#Simulation",
+/// "%word".
 [[nodiscard]] std::vector<std::string> recordedSettings(const BuildInput& input);
 void setRecordedSettings(BuildInput& input, const std::vector<std::string>& settings);
 

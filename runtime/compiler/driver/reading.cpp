@@ -3,6 +3,7 @@
 #include "runtime/base/text.h"
 #include "runtime/compiler/driver/definitions.h"
 #include "runtime/compiler/driver/driver.h"
+#include "runtime/compiler/driver/dynamic_memory.h"
 #include "runtime/compiler/lower/lower.h"
 #include "runtime/compiler/parse/parser.h"
 #include "runtime/library/sources.h"
@@ -64,6 +65,9 @@ std::optional<ReadFiles> KeptFiles::read(const BuildInput& input, Progress* prog
                        {},
                        {},
                        {}});
+    const std::string memory = input.memoryForNew ? dynamicMemoryText(input.memoryForNew) : std::string();
+    if (!memory.empty())
+        all.push_back({"library/standard/dynamic_memory.st", memory, library::namespaceOf("standard"), {}, {}, {}});
 
     const parse::Definitions defines = definitionsOf(input.defines);
     bool asks = false;

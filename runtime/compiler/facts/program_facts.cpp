@@ -1,5 +1,7 @@
 #include "runtime/compiler/facts/program_facts.h"
 
+#include "runtime/compiler/facts/ranges.h"
+
 #include <algorithm>
 #include <unordered_set>
 
@@ -30,6 +32,9 @@ protected:
         case StmtKind::For:
         case StmtKind::Jump:
             m_out.hasLoop = m_out.charges = m_out.canFault = true;
+            break;
+        case StmtKind::Assign:
+            if (mayLeaveRange(*m_program.types, *stmt.a, stmt.place->type)) m_out.canFault = true;
             break;
         default:
             break;
@@ -105,6 +110,12 @@ private:
             noteParameters(callee);
         }
         std::vector<bool> given(m_all[callee].mayBeNull.size(), false);
+        for (const tree::CallArgument& argument : call.arguments)
+            if (argument.mode == tree::ArgumentMode::Input && argument.value &&
+                argument.local < m_program.functions[callee].locals.size() &&
+                mayLeaveRange(*m_program.types, *argument.value,
+                              m_program.functions[callee].locals[argument.local].type))
+                m_out.canFault = true;
         for (const tree::CallArgument& argument : call.arguments)
             if (argument.mode == tree::ArgumentMode::InOut && argument.place && argument.local < given.size())
                 given[argument.local] = true;

@@ -124,6 +124,7 @@ private:
         const std::string_view closer = open == '(' ? "*)" : "*/";
         const size_t firstClose = m_text.find(closer, begin + 2);
         int depth = 1;
+        size_t inner = std::string_view::npos; // the last one that begins inside
         m_at = begin + 2;
         while (m_at < m_text.size() && depth > 0) {
             const void* star = std::memchr(m_text.data() + m_at, '*', m_text.size() - m_at);
@@ -137,14 +138,20 @@ private:
                 m_at = at + 2;
             } else if (at > m_at && m_text[at - 1] == opener[0]) {
                 ++depth;
+                inner = at - 1;
                 m_at = at + 1;
             } else {
                 m_at = at + 1;
             }
         }
         if (depth > 0) {
-            if (open == '(' || firstClose == std::string_view::npos)
-                emit(begin, begin + 2, findings::UnterminatedComment());
+            if (open == '(' || firstClose == std::string_view::npos) {
+                auto& diagnostic = emit(begin, begin + 2, findings::UnterminatedComment());
+                if (inner != std::string_view::npos && firstClose != std::string_view::npos)
+                    diagnostic.related.push_back(
+                        {{m_file, static_cast<uint32_t>(inner), static_cast<uint32_t>(inner + 2)},
+                         notes::InnerComment()});
+            }
             m_at = firstClose == std::string_view::npos ? m_text.size() : firstClose + 2;
         }
         if (std::memchr(m_text.data() + begin, '\n', m_at - begin)) m_newline = true;
@@ -264,8 +271,17 @@ private:
         const std::string_view text = slice(begin, m_at);
         if (peek() == '#') return prefixed(begin, text);
         if (peek() == '=' && m_at + 1 <= m_text.size() && setOrReset(begin, text)) return;
+        if (equalsIgnoringCase(text, "ELSEIF")) return elseIf(begin);
         const Word word = lookUpWord(text);
         push(word.kind, begin, m_at, word.soft);
+    }
+
+    /// Other languages' ELSIF: read as what is meant.
+    void elseIf(size_t begin) {
+        const SourceRange range{m_file, static_cast<uint32_t>(begin), static_cast<uint32_t>(m_at)};
+        emit(begin, m_at, findings::ForeignOperator(slice(begin, m_at), std::string_view("ELSIF")))
+            .fixes.push_back({fixes::Write(std::string("ELSIF")), {{range, "ELSIF"}}});
+        push(TokenKind::Elsif, begin, m_at);
     }
 
     /// `a S= b`: the word stands directly before `=` and behind an operand.

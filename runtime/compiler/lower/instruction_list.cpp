@@ -49,7 +49,7 @@ class Lowering {
 public:
     explicit Lowering(const ListContext& context)
         : m_builder(context.builder), m_section(context.section), m_counter(context.counter), m_sink(context.sink),
-          m_keep(context.keep) {
+          m_keep(context.keep), m_functionName(context.functionName) {
         const std::vector<std::string>& blockTypes = context.blockTypes;
         for (const syntax::VarSection* s : context.sections)
             for (const syntax::VarDecl* decl : s->declarations)
@@ -68,15 +68,29 @@ public:
 
     LoweredList run(const Block& instructions, bool wantsResult) {
         index(instructions);
-        findLiveness(instructions, wantsResult);
+        const bool isFunction = m_functionName.isValid() && !stores(instructions);
+        findLiveness(instructions, wantsResult || isFunction);
         declareLabels(instructions);
         Expr* result = lower(instructions, nullptr, true);
         if (wantsResult && !result && m_reported == 0)
             report(instructions.empty() ? SourceRange{} : instructions.back()->range, "END_TRANSITION");
+        if (isFunction && result && !instructions.empty())
+            emit(m_builder.assign(m_builder.nameRef(m_functionName), result, instructions.back()->range,
+                                  instructions.back()));
         return {std::move(m_out), result};
     }
 
 private:
+    /// An instruction stores under the function's name.
+    [[nodiscard]] bool stores(const Block& instructions) const {
+        return std::any_of(instructions.begin(), instructions.end(), [&](const Stmt* s) {
+            const IlInstruction& il = *s->il;
+            return stores(il.body) || (il.operand && il.operand->kind == ExprKind::NameRef &&
+                                       isWord(il.operand->name.text, m_functionName.text) && kindOf(il) != Op::Load &&
+                                       kindOf(il) != Op::Call);
+        });
+    }
+
     Op kindOf(const IlInstruction& il) const {
         const std::string_view op = il.op.text;
         if (op.empty()) return Op::None;
@@ -258,7 +272,8 @@ private:
     Expr* instruction(const IlInstruction& il, Expr* acc, Stmt* origin, bool live, bool outermost) {
         const Op op = kindOf(il);
         const SourceRange range = origin->range;
-        if (uses(il) && !acc) {
+        const bool isFirstCall = op == Op::Function && !acc && (il.operand || il.arguments.empty());
+        if (uses(il) && !acc && !isFirstCall) {
             if (il.op.isValid()) report(il.op.range, il.op.text);
             acc = m_builder.make<Expr>();
             acc->range = range;
@@ -409,7 +424,7 @@ private:
     Expr* function(const IlInstruction& il, Expr* acc, Stmt* origin) {
         std::vector<Argument> arguments;
         if (!isWholeCall(il)) {
-            arguments.push_back({.value = acc, .range = origin->range});
+            if (acc) arguments.push_back({.value = acc, .range = origin->range}); // none yet: the operands are all
             if (il.operand) arguments.push_back({.value = m_builder.clone(il.operand), .range = il.operand->range});
         }
         for (Argument& argument : cloned(il.arguments)) arguments.push_back(std::move(argument));
@@ -427,6 +442,7 @@ private:
     int& m_counter;
     diagnostics::Sink& m_sink;
     Keep m_keep;
+    Name m_functionName;
     std::map<std::string, bool> m_variables; // of the unit; true: a block instance
     std::map<std::string, size_t> m_labels;
     std::map<std::string, LabelVariable> m_labelVariables;

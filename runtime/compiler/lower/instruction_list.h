@@ -19,6 +19,7 @@ struct ListContext {
     int& counter;                                     // and numbered with this
     diagnostics::Sink& sink;
     Keep keep = Keep::Needed;
+    syntax::Name functionName{}; // of a function: it takes the current result at the end unless one is stored
 };
 
 [[nodiscard]] LoweredList lowerInstructions(const Block& instructions, const ListContext& context, bool wantsResult);

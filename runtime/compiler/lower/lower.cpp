@@ -84,7 +84,8 @@ private:
                                       charts.section,
                                       charts.instructionVariables,
                                       m_sink,
-                                      isStatic ? m_results : Keep::Needed};
+                                      isStatic ? m_results : Keep::Needed,
+                                      pou.kind == PouKind::Function && pou.result ? pou.name : syntax::Name{}};
             body.instructions = std::move(body.statements);
             body.statements = lowerInstructions(body.instructions, context, false).statements;
         } else if (body.language == BodyLanguage::Sfc && body.chart) {

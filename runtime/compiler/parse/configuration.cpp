@@ -119,8 +119,6 @@ ProgramInstance* Parser::parseProgramInstance() {
                 const Name task = takeName(phrases::ATasksName());
                 argument.value = makeName(task);
                 argument.range = rangeFrom(at);
-                report(argument.range, findings::BlockTask(argument.name.text, task.text));
-                m_lastErrorAt = SIZE_MAX;
                 instance->blockTasks.push_back(std::move(argument));
             } else {
                 Argument argument;

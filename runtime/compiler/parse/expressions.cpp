@@ -420,7 +420,9 @@ void Parser::parseArguments(std::vector<Argument>& out, TokenKind close) {
         argument.range = rangeFrom(first);
         out.push_back(std::move(argument));
         if (take(TokenKind::Comma)) {
-            if (at(close)) expected(phrases::AnArgument());
+            // TwinCAT takes a comma behind the last of arguments that stand on lines of their own
+            const bool isLast = at(close) && out.back().name.isValid() && peek().afterNewline;
+            if (at(close) && !isLast) expected(phrases::AnArgument());
             continue;
         }
         if (at(close)) break;

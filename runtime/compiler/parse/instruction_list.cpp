@@ -54,7 +54,7 @@ bool Parser::atInstructionList(size_t ahead) const {
     while (kind(ahead) == TokenKind::Identifier && kind(ahead + 1) == TokenKind::Colon) ahead += 2;
     if (kind(ahead) != TokenKind::Identifier) return false;
     const Reading reading = readOperator(textOf(peek(ahead)));
-    if (!reading.op) return false;
+    if (!reading.op) return atFunctionInstruction(ahead);
     const Token& next = peek(ahead + 1);
     const bool lineEnds = next.afterNewline || next.kind == TokenKind::EndOfFile;
     const std::string_view name = reading.op->name;
@@ -67,6 +67,29 @@ bool Parser::atInstructionList(size_t ahead) const {
     // `JMP there;` is ST
     if (name == "JMP") return kind(ahead + 2) != TokenKind::Semicolon;
     return true;
+}
+
+/// `Twice i`, `Twice(i)` or `CU counter` before a line with an operator: two names side by side are no ST.
+bool Parser::atFunctionInstruction(size_t ahead) const {
+    size_t at = ahead + 1;
+    if (kind(at) == TokenKind::LeftParen && !peek(at).afterNewline) {
+        for (size_t depth = 0; kind(at) != TokenKind::EndOfFile && kind(at) != TokenKind::Semicolon; ++at) {
+            depth += kind(at) == TokenKind::LeftParen;
+            if (kind(at) == TokenKind::RightParen && --depth == 0) break;
+        }
+        if (kind(at) != TokenKind::RightParen) return false;
+    } else {
+        const bool isOperand = lex::isLiteral(kind(at)) || kind(at) == TokenKind::Identifier ||
+                               kind(at) == TokenKind::TypedPrefix || kind(at) == TokenKind::DirectAddress;
+        if (!isOperand || peek(at).afterNewline) return false;
+        while (!peek(at + 1).afterNewline && kind(at + 1) != TokenKind::EndOfFile) {
+            const TokenKind next = kind(at + 1);
+            if (next == TokenKind::Semicolon || next == TokenKind::Assign || next == TokenKind::LeftParen) return false;
+            ++at;
+        }
+    }
+    return peek(at + 1).afterNewline && kind(at + 1) == TokenKind::Identifier &&
+           readOperator(textOf(peek(at + 1))).op != nullptr && atInstructionList(at + 1);
 }
 
 Block Parser::parseInstructions(BodyContext context) {

@@ -111,6 +111,7 @@ public:
     bool atStatementEnd() const;
 
     // instruction_list.cpp
+    bool atFunctionInstruction(size_t ahead) const;
     bool atInstructionList(size_t ahead = 0) const;
     Block parseInstructions(BodyContext context);
     Stmt* parseInstruction();

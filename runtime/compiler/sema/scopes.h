@@ -72,8 +72,9 @@ struct Variable {
     bool isConstant = false;
     bool isLocated = false; // has an address, complete or not
     bool isProgramInstance = false;
-    bool isResult = false;         // the function's own name
-    bool isFoldingPlanned = false; // what its initial value needs was folded, or is about to be
+    bool isResult = false;            // the function's own name
+    bool isReadOnlyReference = false; // ARRAY[*] as input: passed like an in-out, not written
+    bool isFoldingPlanned = false;    // what its initial value needs was folded, or is about to be
     Folding folding = Folding::Open;
     types::Value value;         // Folding::Constant
     Variable* target = nullptr; // VAR_EXTERNAL: the global
@@ -179,6 +180,7 @@ struct EnumType {
     Progress progress = Progress::Open;
     std::vector<SymbolId> symbols;
     std::unordered_map<NameId, uint32_t> indices; // of its values by name
+    bool isTextNamed = false;                     // {attribute 'to_string'}: TO_STRING gives the name
 };
 
 /// A structure or union whose fields are still to be laid out.

@@ -68,7 +68,9 @@ struct Analysis {
 struct Options {
     bool strict = false;                           // dialect features of the books warn
     std::unordered_set<std::string> usedElsewhere; // folded names that panels, traces, tests use; ".name": behind a dot
-    bool wantProgram = true;                       // false: check only (no bodies of the tree are kept)
+    image::Addressing addressing = image::Addressing::Bytes;
+    uint32_t memoryForNew = 0; // bytes for __NEW; 0: there is none
+    bool wantProgram = true;   // false: check only (no bodies of the tree are kept)
 };
 
 /// Checks everything together. Library files carry their namespace in SyntaxFile::library.

@@ -36,17 +36,15 @@ struct Call {
     SourceRange range;
 };
 
-/// An address as written: %IX0.0, %QW4, %M*.
-struct DirectAddress {
-    image::Area area = image::Area::Input;
-    TypeKind kind = TypeKind::Bool;
-    uint32_t byte = 0;
-    int16_t bit = -1;
-    bool isOpen = false; // %I*
-};
-[[nodiscard]] std::optional<DirectAddress> parseAddress(std::string_view text);
+using image::DirectAddress;
 /// What direct addresses begin with.
 [[nodiscard]] inline std::vector<std::string> addressAreas() { return {"%I", "%Q", "%M"}; }
+
+/// Where %IW3.1 is in its area.
+struct HierarchicalPlace {
+    DirectAddress address;
+    uint32_t size = 0;
+};
 
 struct Found {
     Entity entity;
@@ -153,9 +151,11 @@ struct World {
     uint32_t waiting = 0, completing = 0; // see limits.h
     std::vector<uint32_t> nestings;       // by type: of those complete
     std::unordered_set<TypeId> tooLarge;  // reported
+    TypeId anyInput;                      // of VAR_INPUT a : ANY, where there is one
     uint64_t initialBytes = 0;            // of all types
     size_t suggestions = 0;               // so many near names were looked for; at some point a reader has enough
     uint32_t rangeOfInputs = 0, rangeOfOutputs = 0, rangeOfMemory = 0;
+    std::map<std::string, HierarchicalPlace> hierarchical; // by image::hierarchicalName
     std::vector<std::byte> image;
     std::vector<NameId> slotNames;
 };

@@ -2,6 +2,7 @@
 // and back as they were.
 #include "fixture.h"
 
+#include "projects/exchange/plcopen_export.h"
 #include "projects/storage/project_file.h"
 
 namespace plc::exchange {
@@ -222,6 +223,56 @@ TEST_F(OtherFormats, SourcesInFoldersBelongToTheProject) {
     ASSERT_EQ(project->sources.size(), 2u);
     EXPECT_EQ(project->sources[0].path, "src/b.st");
     EXPECT_EQ(project->sources[1].path, "src/deep/er/a.st");
+}
+
+TEST_F(OtherFormats, LaddersOfCodesys2BecomeText) {
+    const Imported imported = folder(write(
+        "rung.EXP",
+        "(* @NESTEDCOMMENTS := 'Yes' *)\n(* @PATH := '' *)\nPROGRAM Rung\nVAR\n\ta, b, c, y, s : BOOL;\nEND_VAR\n"
+        "(* @END_DECLARATION := '0' *)\n_LD_BODY\n_NETWORKS : 2\n_NETWORK\n\n_COMMENT\n'the first'\n_END_COMMENT\n"
+        "_LD_ASSIGN\n_LD_AND\n_LD_OPERATOR : 2\n_LD_CONTACT\na\n_EXPRESSION\n_POSITIV\n_LD_OR\n_LD_OPERATOR : 2\n"
+        "_LD_CONTACT\nb\n_EXPRESSION\n_NEGATIV\n_LD_CONTACT\nc\n_EXPRESSION\n_POSITIV\n_EXPRESSION\n_POSITIV\n"
+        "_EXPRESSION\n_POSITIV\n_EXPRESSION\n_POSITIV\n\n\nENABLELIST : 0\nENABLELIST_END\n_OUTPUTS : 1\n_OUTPUT\n"
+        "_POSITIV\n_NO_SET\ny\n_NETWORK\n\n_COMMENT\n''\n_END_COMMENT\n_LD_ASSIGN\n_EMPTY\n_EXPRESSION\n_POSITIV\n"
+        "ENABLELIST : 0\nENABLELIST_END\n_OUTPUTS : 1\n_OUTPUT\n_POSITIV\n_SET\ns\nEND_PROGRAM\n"));
+    const std::string text = fileOf(imported, "src/Rung.st");
+    EXPECT_NE(text.find("// the first\ny := a AND (NOT b OR c);\ns S= TRUE;\nEND_PROGRAM"), std::string::npos) << text;
+    EXPECT_EQ(imported.report.losses(), 0u) << imported.report.toText();
+    EXPECT_EQ(errorsOf(imported), "");
+}
+
+TEST_F(OtherFormats, AddressesAreCountedAsTheToolDoesAndGoOutInWords) {
+    const Imported imported = folder(write(
+        "words.EXP", "(* @NESTEDCOMMENTS := 'Yes' *)\n(* @PATH := '' *)\nPROGRAM Words\nVAR\n\ta AT %MW1 : WORD;\n"
+                     "\tb AT %MW2 : WORD;\nEND_VAR\n(* @END_DECLARATION := '0' *)\na := b;\nEND_PROGRAM\n"));
+    EXPECT_EQ(imported.addressing, image::Addressing::Words);
+    ASSERT_TRUE(writeImported(imported, path("out")));
+    EXPECT_NE(read(path("out/project.json")).find("\"addressing\": \"word\""), std::string::npos);
+    const auto project = projects::openProject({path("out")});
+    ASSERT_TRUE(project) << project.error().english();
+    EXPECT_EQ(project->buildInput().addressing, image::Addressing::Words);
+    const driver::Checked checked = driver::check(project->buildInput());
+    EXPECT_TRUE(checked.analysis->diagnostics.empty()); // no overlap
+
+    projects::Project bytes = *project;
+    bytes.addressing = image::Addressing::Bytes;
+    bytes.sources = {{"src/p.st",
+                      "PROGRAM P\nVAR\n    a AT %MW4 : WORD;\n    b AT %MW7 : WORD;\n    c AT %MX3.1 : BOOL;\n"
+                      "END_VAR\na := %MW10; // %MW12\nb := 1;\nc := TRUE;\nEND_PROGRAM\n"}};
+    const auto exported = exportPlcopen(bytes, {});
+    ASSERT_TRUE(exported) << exported.error().english();
+    EXPECT_NE(exported->text.find("a := %MW5; // %MW12"), std::string::npos);
+    EXPECT_NE(exported->text.find("address=\"%MW2\""), std::string::npos);
+    EXPECT_NE(exported->report.toText().find("p.st:4: The address %MW7"), std::string::npos)
+        << exported->report.toText();
+}
+
+TEST_F(OtherFormats, AddressingThatIsNeitherIsRefused) {
+    write("p/project.json", "{\"addressing\": \"bit\"}");
+    write("p/src/p.st", "PROGRAM P\nEND_PROGRAM\n");
+    const auto project = projects::openProject({path("p")});
+    ASSERT_FALSE(project);
+    EXPECT_NE(project.error().english().find("\"byte\" or \"word\""), std::string::npos);
 }
 
 } // namespace

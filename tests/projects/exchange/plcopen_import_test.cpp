@@ -129,7 +129,20 @@ TEST_F(PlcopenImport, ParagraphsOfBeremizBecomeLines) {
         "</interface><body><ST><xhtml:p><![CDATA[n := n < 5;\nn := 1;]]></xhtml:p></ST></body></pou></pous></types>"
         "<instances><configurations/></instances></project>");
     EXPECT_NE(fileOf(imported, "src/M.st").find("n := n < 5;\nn := 1;\nEND_PROGRAM"), std::string::npos);
-    EXPECT_TRUE(imported.hasWordAddresses);
+    EXPECT_EQ(imported.addressing, image::Addressing::Words);
+    EXPECT_EQ(toProject(imported).buildInput().addressing, image::Addressing::Words);
+}
+
+TEST_F(PlcopenImport, TypesForPanelsOfBeremizAreDeclared) {
+    const Imported imported = import(document(pou("M", "program",
+                                                  "<localVars>" + variable("n", "<derived name=\"HMI_INT\"/>") +
+                                                      variable("o", "<derived name=\"HMI_NODE\"/>") + "</localVars>",
+                                                  st("n := n + 1; o := n > 3;")),
+                                              {}, "<configurations/>", {}, "Beremiz"));
+    EXPECT_NE(fileOf(imported, "src/tool_types.st").find("TYPE\n    HMI_INT : INT;\n    HMI_NODE : BOOL;\nEND_TYPE"),
+              std::string::npos);
+    EXPECT_EQ(errorsOf(imported), "");
+    EXPECT_EQ(imported.report.losses(), 0u);
 }
 
 TEST_F(PlcopenImport, PlainTextOfCodesysWinsOverTheInterface) {

@@ -136,6 +136,14 @@ TEST_F(RoundTrip, EveryElementIsAFixpointInBothVersions) {
     expectFixpoint(everything("0201"), Edition::Plain0201);
 }
 
+TEST_F(RoundTrip, TheEndOfAnActionHasNoNameInVersion0201) {
+    const projects::Project project = onDisk(import(everything("0200")), "schema");
+    EXPECT_EQ(exported(project, Edition::Plain0201).find("<connectionPointOut formalParameter=\"\""),
+              std::string::npos);
+    EXPECT_NE(exported(project, Edition::Codesys0200).find("<connectionPointOut formalParameter=\"\""),
+              std::string::npos);
+}
+
 TEST_F(RoundTrip, ADiagramGoesOutAsItCameUnlessItsTextChanged) {
     const Imported first = import(everything("0200"));
     projects::Project project = onDisk(first, "drawn");

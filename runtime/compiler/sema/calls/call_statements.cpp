@@ -1,6 +1,7 @@
 // Calls as statements: instances of blocks, programs, actions; functions whose result nobody takes.
 #include "runtime/compiler/sema/calls/call_statements.h"
 
+#include "runtime/compiler/sema/calls/any_inputs.h"
 #include "runtime/compiler/sema/calls/calls.h"
 #include "runtime/compiler/sema/calls/standard_calls.h"
 #include "runtime/compiler/sema/context.h"
@@ -193,7 +194,9 @@ void instanceCall(Context& context, tree::Place* instance, Unit& unit, const syn
             assignAggregate(context, field, *argument->value, {}, before);
             continue;
         }
-        Operand value = converted(context, expression(context, *argument->value, type), type);
+        Operand value = isAnyInput(context.world, parameter)
+                            ? anyArgument(context, parameter, *argument->value)
+                            : converted(context, expression(context, *argument->value, type), type);
         if (argument->negated) value = inverted(context, value, argument->value->range);
         if (!value.isUnknown()) before.push_back(assignStmt(context, field, value.expr, {}));
     }

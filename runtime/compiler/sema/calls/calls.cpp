@@ -2,6 +2,7 @@
 // chosen.
 #include "runtime/compiler/sema/calls/calls.h"
 
+#include "runtime/compiler/sema/calls/any_inputs.h"
 #include "runtime/compiler/sema/calls/standard_calls.h"
 #include "runtime/compiler/sema/context.h"
 #include "runtime/compiler/sema/layout/units.h"
@@ -36,6 +37,11 @@ bool fitsPartOfDate(const Unit& unit, const Variable& part, TypeKind to) {
 
 using syntax::ArgumentKind;
 using syntax::SectionKind;
+
+/// ARRAY[*] in VAR_OUTPUT, which is passed by reference and written as F(a => x).
+static bool isArrayOutput(const Variable& parameter) {
+    return parameter.isInOut() && parameter.section && parameter.section->kind == SectionKind::Output;
+}
 
 /// Which argument belongs to which parameter: by name, or by position.
 ///   ok:    t(IN := TRUE, Q => b); F(1, 2);
@@ -102,7 +108,7 @@ Matched match(Context& context, const syntax::Expr& call, const std::string& nam
             continue;
         }
         const SectionKind kind = match->parameter->kind;
-        const bool isOutput = kind == SectionKind::Output;
+        const bool isOutput = kind == SectionKind::Output || isArrayOutput(*match->parameter);
         if (isOutput != (argument.kind == ArgumentKind::Output)) {
             const Verbatim own(isOutput ? "=>" : ":=");
             auto what = isOutput                     ? phrases::AnOutput()
@@ -172,7 +178,7 @@ tree::Place* inOutTarget(Context& context, Variable& parameter, const syntax::Ar
                          std::vector<tree::Stmt*>& before, std::vector<tree::Stmt*>& after) {
     const TypeId type = typeOf(context.world, parameter);
     const SourceRange range = argument.value->range;
-    const bool isConstant = parameter.section && parameter.section->constant;
+    const bool isConstant = (parameter.section && parameter.section->constant) || parameter.isReadOnlyReference;
     const Denoted denoted = denote(context, *argument.value, isConstant ? Access::Read : Access::ReadWrite);
     if (denoted.kind == Denoted::Kind::Nothing || context.isKind(type, TypeKind::Unknown)) return nullptr;
     const auto refuse = [&]() -> tree::Place* {
@@ -335,6 +341,10 @@ Operand callUnit(Context& context, const Denoted& callee, const syntax::Expr& e)
                     continue;
                 }
                 made.value = defaultOf(context, parameter, e.range);
+            } else if (isAnyInput(context.world, parameter)) {
+                const Operand any = anyArgument(context, parameter, *argument->value);
+                good = good && !any.isUnknown();
+                made.value = any.expr;
             } else {
                 const Operand value = expression(context, *argument->value, type);
                 Operand fitting = converted(context, value, type);

@@ -2,6 +2,8 @@
 #include "runtime/compiler/sema/calls/special_calls.h"
 
 #include "runtime/compiler/sema/calls/calls.h"
+#include "runtime/compiler/sema/calls/dynamic_memory.h"
+#include "runtime/compiler/sema/calls/operators_of_codesys.h"
 #include "runtime/compiler/sema/calls/standard_calls.h"
 #include "runtime/compiler/sema/context.h"
 #include "runtime/compiler/sema/layout/layout.h"
@@ -111,6 +113,9 @@ Operand sizeCall(Context& context, const syntax::Expr& e, TypeKind result) {
             type = settled(context, denoted.value).type();
         else if (denoted.kind == Denoted::Kind::Unit && denoted.unit->type.isValid())
             type = denoted.unit->type;
+        else if (const auto kind =
+                     denoted.kind == Denoted::Kind::Standard ? elementaryNamed(denoted.name) : std::nullopt)
+            type = context.elementary(*kind); // SIZEOF(TIME): TIME() is a function, too
     } else {
         const Operand value = settled(context, expression(context, argument));
         if (value.isUnknown()) return unknown(context, e.range);
@@ -260,6 +265,10 @@ Operand specialCall(Context& context, const library::Signature& signature, const
     if (name == "LOWER_BOUND" || name == "UPPER_BOUND") return boundCall(context, e, name.front() == 'U');
     if (name == "SIZEOF" || name == "XSIZEOF") return sizeCall(context, e, signature.result);
     if (name == "ADR" || name == "REF") return addressCall(context, e, name == "REF");
+    if (name == "__POUNAME" || name == "__POSITION") return placeText(context, e, name == "__POUNAME");
+    if (name == "__NEW") return newCall(context, e);
+    if (name == "__DELETE") return deleteCall(context, e);
+    if (name == "TEST_AND_SET") return testAndSet(context, e);
     if (name == "__QUERYINTERFACE" || name == "__QUERYPOINTER") return queryCall(context, e);
     const StandardArguments arguments = standardArguments(context, signature, e);
     if (!arguments.isGood) return unknown(context, e.range);

@@ -3,6 +3,7 @@
 #include "runtime/compiler/sema/calls/standard_calls.h"
 
 #include "runtime/compiler/sema/calls/calls.h"
+#include "runtime/compiler/sema/calls/operators_of_codesys.h"
 #include "runtime/compiler/sema/calls/special_calls.h"
 #include "runtime/compiler/sema/context.h"
 #include "runtime/compiler/sema/names/lookup.h"
@@ -579,6 +580,8 @@ Operand conversionCall(Context& context, const library::Conversion& conversion, 
     TypeId to = idOf(conversion.to);
     switch (conversion.how) {
     case How::Convert: {
+        if (const auto named = nameOfValue(context, operand, to, e.range))
+            return withEnable(context, *named, arguments, e.range);
         Operand out = convertNode(context, operand, to);
         out.expr->range = e.range;
         if (out.expr == operand.expr && out.expr->kind != tree::ExprKind::Constant) { // same type: nothing to do

@@ -3,6 +3,7 @@
 
 #include "runtime/compiler/sema/context.h"
 #include "runtime/compiler/sema/declare/declare.h"
+#include "runtime/compiler/sema/layout/addresses.h"
 #include "runtime/compiler/sema/layout/initial_values.h"
 #include "runtime/compiler/sema/layout/layout.h"
 #include "runtime/compiler/sema/names/lookup.h"
@@ -109,7 +110,7 @@ void addAccess(World& world, const syntax::VarDecl& declaration, const image::Pl
 
 /// VAR_ACCESS valve : R1.%QX0.1 : BOOL READ_ONLY;
 void accessAddress(World& world, const syntax::VarDecl& declaration, const Scope& scope) {
-    const auto address = parseAddress(declaration.address);
+    const auto address = addressIn(world, declaration.address);
     if (!address || address->isOpen) {
         world.emit(declaration.addressRange, findings::AddressOutOfRange(declaration.address, addressAreas()));
         return;
@@ -191,7 +192,7 @@ void applyVarConfig(World& world) {
                     found->offset < instance.variable->offset + world.types[instance.variable->type].size)
                     rootIndex = instance.root;
             if (!declaration->address.empty()) {
-                const auto address = parseAddress(declaration->address);
+                const auto address = addressIn(world, declaration->address);
                 if (!address || address->isOpen) {
                     world.emit(declaration->addressRange.file.isValid() ? declaration->addressRange : range,
                                findings::AddressMissing(text));

@@ -561,6 +561,7 @@ EnumType* declareEnum(World& world, const syntax::TypeSpec& spec, std::string na
     type.size = type.align = 2;
     type.qualifiedOnly = qualifiedOnly;
     type.isStrict = attributes && hasAttribute(*attributes, "strict");
+    made.isTextNamed = attributes && hasAttribute(*attributes, "to_string");
     world.enumsByType[made.type] = &made;
     world.enumsBySpec[&spec] = &made;
     for (uint32_t i = 0; i < spec.enumerators.size(); ++i) {

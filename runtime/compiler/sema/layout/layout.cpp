@@ -2,6 +2,7 @@
 #include "runtime/compiler/sema/layout/layout.h"
 
 #include "runtime/compiler/sema/context.h"
+#include "runtime/compiler/sema/layout/addresses.h"
 #include "runtime/compiler/sema/layout/initial_values.h"
 #include "runtime/compiler/sema/program/analyze.h"
 #include "runtime/compiler/sema/values/constants.h"
@@ -16,90 +17,16 @@ namespace plc::sema {
 using image::Area;
 
 static void checkAddressSize(World& world, const Variable& variable, std::string_view text, SourceRange range);
-static void measureAddresses(World& world);
 static void checkOverlaps(World& world);
 
 namespace {
 constexpr uint32_t kHeader = sizeof(image::ImageHeader);
-constexpr uint32_t kMinimumArea = 256;
 constexpr uint32_t kMinimumFrames = 256 << 10;
-constexpr uint32_t kMaximumAddress = 16 << 20;
 
 uint32_t aligned(uint64_t offset, uint32_t align) {
     return static_cast<uint32_t>((offset + align - 1) / align * align);
 }
 } // namespace
-
-std::optional<DirectAddress> parseAddress(std::string_view text) {
-    if (text.size() < 3 || text[0] != '%') return std::nullopt;
-    DirectAddress out;
-    switch (text[1] | 0x20) {
-    case 'i':
-        out.area = Area::Input;
-        break;
-    case 'q':
-        out.area = Area::Output;
-        break;
-    case 'm':
-        out.area = Area::Memory;
-        break;
-    default:
-        return std::nullopt;
-    }
-    size_t at = 2;
-    char size = static_cast<char>(text[at] | 0x20);
-    if (text[at] == '*') {
-        out.isOpen = true;
-        return text.size() == at + 1 ? std::optional(out) : std::nullopt;
-    }
-    if (text[at] >= '0' && text[at] <= '9')
-        size = 'x';
-    else
-        ++at;
-    switch (size) {
-    case 'x':
-        out.kind = TypeKind::Bool;
-        break;
-    case 'b':
-        out.kind = TypeKind::Byte;
-        break;
-    case 'w':
-        out.kind = TypeKind::Word;
-        break;
-    case 'd':
-        out.kind = TypeKind::Dword;
-        break;
-    case 'l':
-        out.kind = TypeKind::Lword;
-        break;
-    default:
-        return std::nullopt;
-    }
-    if (at < text.size() && text[at] == '*') {
-        out.isOpen = true;
-        return text.size() == at + 1 ? std::optional(out) : std::nullopt;
-    }
-    std::vector<uint64_t> numbers;
-    while (at < text.size()) {
-        if (text[at] < '0' || text[at] > '9') return std::nullopt;
-        uint64_t number = 0;
-        for (; at < text.size() && text[at] >= '0' && text[at] <= '9'; ++at)
-            number = std::min<uint64_t>(number * 10 + static_cast<uint64_t>(text[at] - '0'), uint64_t(1) << 30);
-        numbers.push_back(number);
-        if (at == text.size()) break;
-        if (text[at] != '.' || at + 1 == text.size()) return std::nullopt;
-        ++at;
-    }
-    if (numbers.empty() || numbers.size() > 2 || (size != 'x' && numbers.size() != 1)) return std::nullopt;
-    out.byte = static_cast<uint32_t>(numbers[0]);
-    if (size == 'x') {
-        const uint64_t bit = numbers.size() == 2 ? numbers[1] : numbers[0] % 8;
-        if (numbers.size() == 1) out.byte /= 8;
-        if (bit > 7) return std::nullopt;
-        out.bit = static_cast<int16_t>(bit);
-    }
-    return out;
-}
 
 image::AreaRange areaOf(const World& world, Area area) {
     const uint32_t outputs = aligned(kHeader + world.rangeOfInputs, 8),
@@ -117,10 +44,11 @@ image::AreaRange areaOf(const World& world, Area area) {
 /// Gives a variable with a complete address its place (again once the areas are measured).
 ///   wrong: x AT %IX99999999.0 : BOOL;  (P2034)
 void locate(World& world, Variable& variable, std::string_view text) {
-    const auto address = parseAddress(text);
+    const auto address = addressIn(world, text);
     const SourceRange range = variable.declaration && variable.declaration->addressRange.file.isValid()
                                   ? variable.declaration->addressRange
                                   : variable.range;
+    if (!address && world.rangeOfInputs == 0) return; // a hierarchical one: its place is measured later
     if (!address || address->byte > kMaximumAddress) {
         if (hasSyntaxErrorAt(world, range)) return;
         world.emit(range, findings::AddressOutOfRange(text, addressAreas()));
@@ -141,45 +69,19 @@ void locate(World& world, Variable& variable, std::string_view text) {
 /// The letter of an address and the type say the same size.
 ///   ok:    a AT %IW4 : INT; b AT %QX0.1 : BOOL;      wrong: a AT %IX4.0 : INT; b AT %QW0 : BOOL;  (P3037)
 void checkAddressSize(World& world, const Variable& variable, std::string_view text, SourceRange range) {
-    const auto address = parseAddress(text);
+    const auto address = addressIn(world, text);
     const types::Family family = world.types.family(variable.type);
     const bool isNumber = types::isInteger(family) || family == types::Family::Real || family == types::Family::Bool;
     const unsigned has = types::bitsOf(world.types.storageKind(variable.type)), holds = types::bitsOf(address->kind);
     if (!isNumber || has == holds || address->isOpen) return;
-    const char letter = has == 1 ? 'X' : has == 8 ? 'B' : has == 16 ? 'W' : has == 32 ? 'D' : 'L';
-    const std::string own =
-        std::string(text.substr(0, 2)) + letter + std::to_string(address->byte) + (has == 1 ? ".0" : "");
+    const TypeKind letter = has == 1    ? TypeKind::Bool
+                            : has == 8  ? TypeKind::Byte
+                            : has == 16 ? TypeKind::Word
+                            : has == 32 ? TypeKind::Dword
+                                        : TypeKind::Lword;
+    const std::string own = withLetter(world, text, letter);
     auto& diagnostic = world.emit(range, findings::AddressSize(text, holds, world.nameOf(variable.type), has, own));
     if (range != variable.range) diagnostic.fixes.push_back({fixes::Write(own), {{range, own}}});
-}
-
-void measureAddresses(World& world) {
-    uint64_t sizes[3] = {kMinimumArea, kMinimumArea, kMinimumArea};
-    const auto use = [&](const DirectAddress& address, uint64_t bytes) {
-        if (address.isOpen || address.byte > kMaximumAddress) return;
-        uint64_t& size = sizes[address.area == Area::Input ? 0 : address.area == Area::Output ? 1 : 2];
-        size = std::max<uint64_t>(size, uint64_t(address.byte) + bytes);
-    };
-    for (const syntax::SyntaxFile* file : world.fileOf) {
-        if (!file) continue;
-        const std::string_view text = world.sources[file->file].text();
-        for (const lex::Token& token : file->tokens.tokens) {
-            if (token.kind != lex::TokenKind::DirectAddress) continue;
-            if (const auto address = parseAddress(text.substr(token.begin, token.end - token.begin)))
-                use(*address, std::max(1u, types::bitsOf(address->kind) / 8));
-        }
-    }
-    const auto located = [&](Variable& variable) {
-        if (!variable.isLocated || !variable.declaration) return;
-        if (const auto address = parseAddress(variable.declaration->address))
-            use(*address, std::max(1u, world.types[variable.type].size));
-    };
-    for (Variable& variable : world.globals) located(variable);
-    for (Unit& unit : world.units)
-        for (Variable& variable : unit.variables) located(variable);
-    world.rangeOfInputs = aligned(sizes[0], 8);
-    world.rangeOfOutputs = aligned(sizes[1], 8);
-    world.rangeOfMemory = aligned(sizes[2], 8);
 }
 
 void layoutGlobals(World& world) {
@@ -189,6 +91,8 @@ void layoutGlobals(World& world) {
     layout.inputs = areaOf(world, Area::Input);
     layout.outputs = areaOf(world, Area::Output);
     layout.memory = areaOf(world, Area::Memory);
+    layout.addressing = world.options.addressing;
+    layout.hierarchical = hierarchicalAddresses(world);
     uint64_t next = aligned(layout.memory.begin + layout.memory.size, 64);
     bool tooLarge = false;
     std::vector<std::pair<Variable*, size_t>> placed; // with the root's index
@@ -214,7 +118,7 @@ void layoutGlobals(World& world) {
     const auto place = [&](Variable& variable, Area area, std::string list) {
         variable.storage = Storage::Absolute;
         if (variable.isLocated && variable.declaration) {
-            const auto address = parseAddress(variable.declaration->address);
+            const auto address = addressIn(world, variable.declaration->address);
             if (address && !address->isOpen) {
                 locate(world, variable, variable.declaration->address);
                 addRoot(variable, address->area, std::move(list));
@@ -369,7 +273,7 @@ void checkOverlaps(World& world) {
         for (const lex::Token& token : file->tokens.tokens) {
             if (token.kind != lex::TokenKind::DirectAddress) continue;
             const auto address =
-                parseAddress(world.sources[file->file].text().substr(token.begin, token.end - token.begin));
+                addressIn(world, world.sources[file->file].text().substr(token.begin, token.end - token.begin));
             if (!address || address->isOpen || address->byte > kMaximumAddress) continue;
             const uint64_t begin = (uint64_t(areaOf(world, address->area).begin) + address->byte) * 8 +
                                    static_cast<uint64_t>(std::max<int>(0, address->bit));
@@ -379,18 +283,18 @@ void checkOverlaps(World& world) {
     std::map<std::pair<Area, uint64_t>, uint64_t> searched;
     const auto nextFree = [&](const Variable& variable, uint64_t begin, uint64_t end) -> std::string {
         const std::string_view text = variable.declaration->address;
-        const DirectAddress address = parseAddress(text).value_or(DirectAddress());
+        if (world.hierarchical.contains(image::hierarchicalName(text))) return freeHierarchical(world, text);
+        const DirectAddress address = addressIn(world, text).value_or(DirectAddress());
         const uint64_t area = uint64_t(areaOf(world, address.area).begin) * 8, size = end - begin;
         const uint64_t step = address.bit >= 0 && variable.bit >= 0 ? 1 : std::max(8u, types::bitsOf(address.kind));
         uint64_t& from = searched[{address.area, step}]; // those sought come in order: nothing before is free
         const uint64_t at = taken.nextFree(std::max(begin + step, from), size, step);
         taken.add(at, at + size);
         from = at;
-        const size_t digits = text.find_first_of("0123456789");
-        std::string out(text.substr(0, digits));
-        out += std::to_string((at - area) / 8);
-        if (address.kind == TypeKind::Bool) out += "." + std::to_string(at % 8);
-        return out;
+        DirectAddress free = address;
+        free.byte = static_cast<uint32_t>((at - area) / 8);
+        if (free.bit >= 0) free.bit = static_cast<int16_t>(at % 8);
+        return image::addressText(free, world.options.addressing).value_or(std::string(text));
     };
     for (size_t i = 1; i < used.size(); ++i) {
         const Used &a = used[i - 1], &b = used[i];

@@ -17,7 +17,8 @@ namespace {
 /// As of %MB4: the area does not count. An address with an area is none here.
 std::optional<DirectAddress> parseRelative(std::string_view text) {
     if (text.size() < 2 || std::string_view("IQMiqm").find(text[1]) != std::string_view::npos) return std::nullopt;
-    return parseAddress("%M" + std::string(text.substr(1)));
+    const auto address = image::parseAddress("%M" + std::string(text.substr(1)), image::Addressing::Bytes);
+    return address && !address->isHierarchical ? address : std::nullopt;
 }
 
 constexpr uint32_t kMaximumByte = 1u << 24;

@@ -298,22 +298,13 @@ public:
             m_world.program->layout.roots[instance.root].isSimulation = simulates;
             m_isConfigured = m_isConfigured || !simulates;
             const syntax::Name& name = instance.declaration->task;
+            for (const syntax::Argument& block : instance.declaration->blockTasks) addBlock(instance, block, simulates);
             if (!name.isValid()) {
                 (simulates ? m_simulation : m_free).programs.push_back(entryOf(m_world, instance));
                 continue;
             }
-            const auto it = std::find_if(m_declared.begin(), m_declared.end(), [&](const DeclaredTask& d) {
-                return d.id == m_world.key(name.text) && d.resource == instance.resource;
-            });
-            if (it == m_declared.end()) {
-                std::vector<std::string> candidates;
-                for (const DeclaredTask& each : m_declared) candidates.push_back(each.task.name);
-                suggest(m_world, m_world.emit(name.range, findings::UnknownTask(name.text)), name.range, name.text,
-                        candidates);
-                continue;
-            }
-            const auto index = static_cast<size_t>(it - m_declared.begin());
-            (simulates ? m_simulations[index] : it->task).programs.push_back(entryOf(m_world, instance));
+            if (image::Task* task = taskOf(instance, name, simulates))
+                task->programs.push_back(entryOf(m_world, instance));
         }
     }
 
@@ -353,6 +344,45 @@ public:
     }
 
 private:
+    /// The task of an instance's RESOURCE; null: there is none, and it was reported.
+    image::Task* taskOf(const Instance& instance, const syntax::Name& name, bool simulates) {
+        const auto it = std::find_if(m_declared.begin(), m_declared.end(), [&](const DeclaredTask& d) {
+            return d.id == m_world.key(name.text) && d.resource == instance.resource;
+        });
+        if (it != m_declared.end())
+            return simulates ? &m_simulations[static_cast<size_t>(it - m_declared.begin())] : &it->task;
+        std::vector<std::string> candidates;
+        for (const DeclaredTask& each : m_declared) candidates.push_back(each.task.name);
+        suggest(m_world, m_world.emit(name.range, findings::UnknownTask(name.text)), name.range, name.text, candidates);
+        return nullptr;
+    }
+
+    /// PROGRAM A WITH T : P(fb WITH T2): the body of that block runs in a task of its own (edition 2, 2.7.2).
+    ///   wrong: P(x WITH T2)  with x : INT (P3038)
+    void addBlock(const Instance& instance, const syntax::Argument& block, bool simulates) {
+        const Member member = findMember(m_world, *instance.variable->program, m_world.key(block.name.text));
+        Variable* variable = member.variable;
+        Unit* unit = variable ? m_world.unitOf(typeOf(m_world, *variable)) : nullptr;
+        if (!unit || unit->kind != UnitKind::Block || variable->storage != Storage::Instance || variable->isInOut())
+            return (void)m_world.emit(block.name.range, findings::BlockTask(block.name.text));
+        refer(m_world, block.name.range, variable->symbol, false, true);
+        ++variable->reads;
+        if (!block.value) return;
+        image::Task* task = taskOf(instance, block.value->name, simulates);
+        if (!task) return;
+        image::Root& root =
+            m_world.program->layout.roots.emplace_back(); // the place of the block, by a name of its own
+        root.name = instance.variable->name + "." + variable->name;
+        root.type = variable->type;
+        root.offset = instance.variable->offset + variable->offset;
+        root.declaration = block.name.range;
+        root.isHidden = true;
+        image::TaskProgram entry;
+        entry.root = static_cast<uint32_t>(m_world.program->layout.roots.size() - 1);
+        entry.function = unit->function.value;
+        task->programs.push_back(entry);
+    }
+
     void addMain(const std::vector<Instance*>& byDefault) {
         Instance* chosen = byDefault.size() == 1 ? byDefault.front() : nullptr;
         for (const std::string_view name : {"PLC_PRG", "Main"})

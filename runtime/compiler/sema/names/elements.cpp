@@ -3,7 +3,9 @@
 
 #include "runtime/compiler/sema/calls/calls.h"
 #include "runtime/compiler/sema/context.h"
+#include "runtime/compiler/sema/layout/addresses.h"
 #include "runtime/compiler/sema/layout/layout.h"
+#include "runtime/compiler/sema/names/lookup.h"
 #include "runtime/compiler/sema/names/names.h"
 #include "runtime/compiler/sema/names/places.h"
 #include "runtime/compiler/sema/operators/operators.h"
@@ -311,9 +313,38 @@ Denoted denoteBit(Context& context, const syntax::Expr& e, Access access) {
     return out;
 }
 
+std::optional<Denoted> namedBit(Context& context, const Denoted& from, tree::Place* base, const syntax::Name& name,
+                                SourceRange range) {
+    if (!types::isInteger(context.types.family(base->type)) || base->bit >= 0) return std::nullopt;
+    const Found constant = lookup(context.world, context.scope, context.key(name.text));
+    const bool isConstant = (constant.member.variable && constant.member.variable->isConstant) ||
+                            (constant.entity.variable && constant.entity.variable->isConstant);
+    if (!isConstant) return std::nullopt;
+    const Denoted number = found(context, constant, name, Access::Read, {});
+    if (number.kind != DK::Value || !number.value.isConstant() ||
+        !std::holds_alternative<int64_t>(number.value.expr->value.data))
+        return std::nullopt;
+    const int64_t bit = number.value.expr->value.integer();
+    const int64_t last = int64_t(types::bitsOf(context.types.storageKind(base->type))) - 1;
+    if (bit < 0 || bit > last) {
+        context.emit(name.range, findings::NoSuchBit(context.nameOf(base->type), last));
+        return Denoted{};
+    }
+    tree::Place* place = context.arena.make<tree::Place>();
+    place->kind = tree::PlaceKind::Bit;
+    place->type = context.elementary(TypeKind::Bool);
+    place->range = range;
+    place->base = base;
+    place->bit = static_cast<int16_t>(bit);
+    Denoted out = from;
+    out.kind = DK::Place;
+    out.place = place;
+    return out;
+}
+
 ///   ok:    %IX0.7      wrong: %IX99999999.0  (P2034)
 Denoted denoteAddress(Context& context, const syntax::Expr& e) {
-    const auto address = parseAddress(e.text);
+    const auto address = addressIn(context.world, e.text);
     if (!address || address->isOpen) {
         context.emit(e.range, findings::AddressOutOfRange(e.text, addressAreas()));
         return {};

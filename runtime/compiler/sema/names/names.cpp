@@ -355,13 +355,16 @@ Denoted ofVariable(Context& context, Variable& declared, tree::Place* instance, 
     if (variable.isConstant || (variable.section && variable.section->constant && !instance)) {
         out.isReadOnly = true;
         out.whyReadOnly = phrases::ConstantVariable(variable.name);
+    } else if (variable.isReadOnlyReference) {
+        out.isReadOnly = true;
+        out.whyReadOnly = phrases::AnInput();
     } else if (instance && !context.isExpression && !context.isTest) {
         if (variable.kind == SectionKind::Output && !variable.isProgramInstance && variable.owner &&
             variable.owner->kind == UnitKind::Block) {
             out.isReadOnly = true;
             out.whyReadOnly = phrases::OutputOfBlock(variable.name);
         } else if (variable.kind == SectionKind::Var && variable.owner && variable.owner->kind == UnitKind::Block &&
-                   !context.isKind(type, TypeKind::Block)) {
+                   !context.isKind(type, TypeKind::Block) && !(variable.section && variable.section->isPublic)) {
             out.isReadOnly = true;
             out.whyReadOnly = phrases::LocalOf(variable.name, variable.owner->name);
         }
@@ -467,6 +470,7 @@ Denoted memberOf(Context& context, tree::Place* base, Denoted from, const syntax
         return {};
     }
     default:
+        if (const auto bit = namedBit(context, from, base, name, range)) return *bit;
         return unknownMember();
     }
 }
@@ -480,6 +484,16 @@ bool hasMembers(Context& context, Variable& variable, std::string_view name) {
            kind == TypeKind::Reference || kind == TypeKind::Unknown;
 }
 
+/// What a returned REFERENCE TO refers to: a variable elsewhere, which can be written.
+static tree::Place* referredBy(Context& context, const Operand& reference, SourceRange range) {
+    tree::Place* place = context.arena.make<tree::Place>();
+    place->kind = tree::PlaceKind::Deref;
+    place->type = context.types[reference.type()].element;
+    place->range = range;
+    place->pointer = reference.expr;
+    return place;
+}
+
 /// A member of a value that no variable holds: the value is kept in a temporary for it.
 static Denoted memberOfValue(Context& context, const Denoted& from, const syntax::Expr& e, Access access) {
     if (context.isKind(from.value.type(), TypeKind::Interface)) {
@@ -487,6 +501,8 @@ static Denoted memberOfValue(Context& context, const Denoted& from, const syntax
         out.interface = from.value.expr;
         return out;
     }
+    if (context.isKind(from.value.type(), TypeKind::Reference))
+        return memberOf(context, referredBy(context, from.value, e.base->range), {}, e.name, e.range, access);
     Denoted out = memberOf(context, temporary(context, from.value), from, e.name, e.range, access);
     out.isReadOnly = true;
     out.whyReadOnly = context.textOf(e.range);
@@ -500,14 +516,7 @@ static Denoted memberOfProperty(Context& context, const Denoted& from, const syn
     if (value.isUnknown()) return {};
     tree::Place* held = temporary(context, value);
     const bool isReference = context.isKind(value.type(), TypeKind::Reference);
-    if (isReference) {
-        tree::Place* place = context.arena.make<tree::Place>();
-        place->kind = tree::PlaceKind::Deref;
-        place->type = context.types[value.type()].element;
-        place->range = base.range;
-        place->pointer = value.expr;
-        held = place;
-    }
+    if (isReference) held = referredBy(context, value, base.range);
     Denoted out = memberOf(context, held, {}, e.name, e.range, access);
     if (!isReference && out.kind == DK::Place && !context.isKind(value.type(), TypeKind::Interface)) {
         out.isReadOnly = true;

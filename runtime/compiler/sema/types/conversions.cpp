@@ -338,6 +338,8 @@ std::optional<Operand> convertedObject(Context& context, const Operand& operand,
             return sameBits(context, operand, to);
         if (isBlockPointer && context.types.isDerivedFrom(context.types[from].element, target.element))
             return sameBits(context, operand, to);
+        // POINTER TO BYTE looks at the bytes of anything, as a MEMCPY does
+        if (isPointer && context.isKind(target.element, TypeKind::Byte)) return sameBits(context, operand, to);
         break;
     default:
         break;

@@ -2,6 +2,7 @@
 // that a pointer may name a type that holds it.
 #include "runtime/compiler/sema/types/type_specs.h"
 
+#include "runtime/compiler/sema/calls/any_inputs.h"
 #include "runtime/compiler/sema/context.h"
 #include "runtime/compiler/sema/declare/declare.h"
 #include "runtime/compiler/sema/layout/initial_values.h"
@@ -373,6 +374,13 @@ TypeId resolveSubrange(World& world, const syntax::TypeSpec& spec, const Scope& 
     return world.types.subrange(world.types.storage(base), *low, *high);
 }
 
+/// Edition 3, 6.5.3: ARRAY[*] as input, output or in-out of a function or method, as in-out of a block.
+static bool isPassedAsArray(const Variable& variable) {
+    const bool isOpen = variable.kind == syntax::SectionKind::Input || variable.kind == syntax::SectionKind::Output;
+    return isOpen && !variable.isResult && variable.owner &&
+           (variable.owner->kind == UnitKind::Function || variable.owner->kind == UnitKind::Method);
+}
+
 ///   ok:    VAR_GLOBAL g : INT; END_VAR … VAR_EXTERNAL g : INT; END_VAR      wrong: without the VAR_GLOBAL (P3022)
 ///          VAR a : ARRAY[*] OF INT; END_VAR  (P3018)
 TypeId typeOf(World& world, Variable& variable) {
@@ -384,7 +392,8 @@ TypeId typeOf(World& world, Variable& variable) {
         return TypeTable::of(TypeKind::Unknown);
     }
     variable.typeProgress = Progress::Working;
-    variable.type = resolveSpec(world, variable.spec, variable.scope, variable.name);
+    variable.type = anyInputType(world, variable);
+    if (!variable.type.isValid()) variable.type = resolveSpec(world, variable.spec, variable.scope, variable.name);
     if (variable.kind == syntax::SectionKind::External) {
         Scope outside = variable.scope;
         outside.unit = nullptr;
@@ -396,6 +405,11 @@ TypeId typeOf(World& world, Variable& variable) {
             variable.target = target;
             if (variable.isConstant == false) variable.isConstant = target->isConstant;
         }
+    }
+    if (world.types.kind(variable.type) == TypeKind::OpenArray && isPassedAsArray(variable)) {
+        // its bounds are the caller's: passed by reference, an input is not written
+        variable.isReadOnlyReference = variable.kind == syntax::SectionKind::Input;
+        variable.kind = syntax::SectionKind::InOut;
     }
     if (variable.kind != syntax::SectionKind::InOut && world.types.kind(variable.type) == TypeKind::OpenArray) {
         world.emit(variable.spec ? variable.spec->range : variable.range,

@@ -1,0 +1,16 @@
+// A diagram of a unit whose declaration is text (TwinCAT, CODESYS 2.3): its statements, the variables they need in the
+// declaration, and the diagram itself for the way back. Functions, any thread.
+#pragma once
+#include "projects/exchange/assemble.h"
+#include "projects/exchange/diagram.h"
+#include "projects/exchange/imported.h"
+
+namespace plc::exchange {
+
+/// The variables of a declaration and their types, as written.
+[[nodiscard]] std::map<std::string, std::string> variableTypesIn(std::string_view declaration);
+/// `diagram` is an <LD> or <FBD> of PLCopen; `unit` is its path in exchange.json, `owner` takes the declarations.
+[[nodiscard]] std::string diagramText(pugi::xml_node diagram, const XmlFile& file, const std::string& unit,
+                                      Piece& owner, Imported& out);
+
+} // namespace plc::exchange

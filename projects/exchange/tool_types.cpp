@@ -1,0 +1,83 @@
+#include "projects/exchange/tool_types.h"
+
+#include "runtime/base/text.h"
+#include "runtime/compiler/lex/token.h"
+#include "runtime/diagnostics/diagnostic.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace plc::exchange {
+namespace {
+
+using lex::TokenKind;
+
+struct ToolType {
+    std::string_view name, type;
+};
+
+/// Of TwinCAT's system library.
+constexpr ToolType kTwinCat[] = {
+    {"T_MaxString", "STRING(255)"}, {"PVOID", "POINTER TO BYTE"}, {"HRESULT", "DINT"},
+    {"T_AmsNetId", "STRING(23)"},   {"T_AmsPort", "UINT"},        {"T_IPv4Addr", "STRING(15)"}};
+
+/// Beremiz has a type HMI_INT beside INT, and so on, for variables that its panels see; HMI_NODE groups them.
+std::optional<std::string> panelType(std::string_view name) {
+    constexpr std::string_view kElementary[] = {"BOOL",  "SINT", "INT",   "DINT",   "LINT", "USINT", "UINT",  "UDINT",
+                                                "ULINT", "REAL", "LREAL", "STRING", "BYTE", "WORD",  "DWORD", "LWORD"};
+    if (name == "HMI_NODE") return "BOOL";
+    if (!name.starts_with("HMI_")) return std::nullopt;
+    const auto known = std::find(std::begin(kElementary), std::end(kElementary), name.substr(4));
+    return known == std::end(kElementary) ? std::nullopt : std::optional(std::string(*known));
+}
+
+std::optional<std::string> twinCatType(std::string_view name) {
+    for (const ToolType& each : kTwinCat)
+        if (equalsIgnoringCase(name, each.name)) return std::string(each.type);
+    return std::nullopt;
+}
+
+/// Names that stand for a type, behind `:`, OF or TO, and names that are declared, before `:`.
+void gather(std::string_view text, std::map<std::string, std::string>& used, std::set<std::string>& declared) {
+    diagnostics::Sink sink;
+    const lex::TokenList list = lex::tokenize(FileId(0), text, sink);
+    for (size_t i = 1; i < list.tokens.size(); ++i) {
+        const lex::Token& token = list.tokens[i];
+        if (token.kind != TokenKind::Identifier) continue;
+        const std::string name(text.substr(token.begin, token.end - token.begin));
+        const lex::Token& before = list.tokens[i - 1];
+        const bool isType = before.kind == TokenKind::Colon || before.kind == TokenKind::Of ||
+                            equalsIgnoringCase(text.substr(before.begin, before.end - before.begin), "TO");
+        if (isType)
+            used.emplace(foldCase(name), name);
+        else if (i + 1 < list.tokens.size() && list.tokens[i + 1].kind == TokenKind::Colon)
+            declared.insert(foldCase(name));
+    }
+}
+
+} // namespace
+
+std::string toolOf(const Imported& imported) {
+    if (!imported.side.contains("source")) return {};
+    const nlohmann::ordered_json& source = imported.side["source"];
+    return source.value("product", source.value("format", ""));
+}
+
+void addToolTypes(Imported& imported) {
+    const std::string tool = foldCase(toolOf(imported));
+    const bool isBeremiz = tool.find("beremiz") != std::string::npos, isTwinCat = tool.find("twincat") == 0;
+    if (!isBeremiz && !isTwinCat) return;
+    std::map<std::string, std::string> used;
+    std::set<std::string> declared;
+    for (const ImportedFile& file : imported.files) gather(file.text, used, declared);
+    std::string text;
+    for (const auto& [folded, name] : used)
+        if (const auto type = isBeremiz ? panelType(name) : twinCatType(name); type && !declared.count(folded))
+            text += "    " + name + " : " + *type + ";\n";
+    if (text.empty()) return;
+    const std::string from = isBeremiz ? "the panels of Beremiz" : "the system library of TwinCAT";
+    addFile(imported, "", "tool_types", "// types of " + from + "\nTYPE\n" + text + "END_TYPE\n");
+    imported.report.add(imported.files.back().path, remarks::ToolTypesAdded(toolOf(imported)));
+}
+
+} // namespace plc::exchange
