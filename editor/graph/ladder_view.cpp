@@ -157,6 +157,10 @@ void LadderView::selectAgain(const LadderPick& before) {
     if (before.rung.isValid()) m_scene->select({RungId(rung), {}});
 }
 
+void LadderView::revealSelection() {
+    if (m_scene->picked().rung.isValid()) m_canvas->ensureVisible(m_scene->rectOf(m_scene->picked()), 20, 20);
+}
+
 void LadderView::setModel(const std::shared_ptr<const analysis::CodeModel>& model, const QString& file) {
     m_model = model;
     m_file = file;
@@ -230,7 +234,7 @@ void LadderView::showCursor(uint32_t offset) {
     if (!m_syntax || m_isStale) return;
     const QSignalBlocker blocker(m_scene);
     m_scene->select({m_diagram.rungAt(offset), m_diagram.nodeAt(offset)});
-    if (m_scene->picked().rung.isValid()) m_canvas->ensureVisible(m_scene->rectOf(m_scene->picked()), 20, 20);
+    revealSelection();
     m_canvas->viewport()->update();
 }
 

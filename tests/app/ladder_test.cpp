@@ -229,6 +229,42 @@ TEST_F(LadderTest, ANewUserDrawsAMotorThatHoldsItselfInUnderFortyKeys) {
     EXPECT_EQ(coil(), ladder::Power::On) << "it holds itself";
 }
 
+/// From the template "Empty", whose program runs in a task of a CONFIGURATION in the same file.
+TEST_F(LadderTest, ANewRungInAProgramWithAConfigurationShowsItsFlow) {
+    const char* const kTemplate = R"(PROGRAM Main
+VAR
+    counter : INT;
+END_VAR
+counter := counter + 1;
+END_PROGRAM
+
+CONFIGURATION Plc
+    RESOURCE Cpu ON Pc
+        TASK Fast(INTERVAL := T#10ms, PRIORITY := 1);
+        PROGRAM Main WITH Fast : Main;
+    END_RESOURCE
+END_CONFIGURATION
+)";
+    open(kTemplate);
+    window->action("file.save")->trigger();
+    press(Qt::Key_T, Qt::ControlModifier);
+    type("motor");
+    press(Qt::Key_K, Qt::ControlModifier);
+    type("start");
+    press(Qt::Key_R, Qt::ControlModifier);
+    type("motor");
+    press(Qt::Key_Escape);
+    press(Qt::Key_K, Qt::ControlModifier);
+    type("/stop");
+    EXPECT_NE(words().find("(start + motor^) /stop -> ()motor\n"), std::string::npos) << words();
+    press(Qt::Key_F5); // the docks of a run take room: what is worked on stays in sight
+    ASSERT_TRUE(waitFor([&] { return view->scene().online().isOn; }));
+    EXPECT_TRUE(waitFor([&] { return powerBehind("stop") == ladder::Power::Off; })) << int(powerBehind("stop"));
+    ASSERT_TRUE(window->control().force("Main.start", "TRUE"));
+    EXPECT_TRUE(waitFor([&] { return powerBehind("stop") == ladder::Power::On; })) << int(powerBehind("stop"));
+    EXPECT_TRUE(view->scene().online().isExact);
+}
+
 // ------------------------------------------------------------------ what the program computed there
 
 const char* const kRewritten = R"(PROGRAM Main
