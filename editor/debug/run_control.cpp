@@ -521,6 +521,14 @@ RunControl::Shown RunControl::value(const QString& expression, const QString& sc
     return shown;
 }
 
+void RunControl::atMoment(Moment& moment, const std::function<void()>& read) {
+    std::swap(m_image, moment.image);
+    std::swap(m_imageProgram, moment.program);
+    read();
+    std::swap(m_image, moment.image);
+    std::swap(m_imageProgram, moment.program);
+}
+
 std::vector<QString> RunControl::instancesOf(const QString& pou) const {
     if (!m_imageProgram) return {};
     if (m_instancesOf != m_imageProgram) { // the walk is long, and asked for with every value

@@ -129,6 +129,13 @@ public:
                               types::NumberFormat format = types::NumberFormat::Decimal) const;
     /// Live value of a name as written inside a POU: its halted frame, else its only instance.
     [[nodiscard]] Shown valueIn(const QString& name, const QString& pou) const;
+    /// An image to show in the place of the one that everybody is shown.
+    struct Moment {
+        std::vector<std::byte> image;
+        std::shared_ptr<const image::CompiledProgram> program;
+    };
+    /// While `read` runs, values are those of the moment.
+    void atMoment(Moment& moment, const std::function<void()>& read);
     [[nodiscard]] std::vector<QString> instancesOf(const QString& pou) const;
     void setPreferredInstance(const QString& pou, const QString& instance);
     [[nodiscard]] QString preferredInstance(const QString& pou) const;
