@@ -191,10 +191,14 @@ void LadderView::marksChanged() {
     for (const ladder::Rung& rung : m_diagram.rungs) places.push_back(rung.range.begin);
     m_scene->setMarks(m_isStale ? std::vector<int>() : breakpointsAt(places));
     std::vector<bool> bookmarks(places.size(), false);
-    for (size_t i = 0; i < m_diagram.rungs.size() && !m_bookmarks.empty() && !m_isStale; ++i) {
-        const std::vector<int> lines = linesOf({m_diagram.rungs[i].range.begin, m_diagram.rungs[i].range.end});
-        const auto next = m_bookmarks.lower_bound(lines[0]);
-        bookmarks[i] = next != m_bookmarks.end() && *next <= lines[1];
+    if (!m_bookmarks.empty() && !m_isStale) {
+        std::vector<uint32_t> ends;
+        for (const ladder::Rung& rung : m_diagram.rungs) ends.push_back(rung.range.end);
+        const std::vector<int> first = linesOf(places), last = linesOf(ends);
+        for (size_t i = 0; i < places.size(); ++i) {
+            const auto next = m_bookmarks.lower_bound(first[i]);
+            bookmarks[i] = next != m_bookmarks.end() && *next <= last[i];
+        }
     }
     m_scene->setBookmarks(std::move(bookmarks));
     setStanding(m_standing);
