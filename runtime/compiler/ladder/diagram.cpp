@@ -89,7 +89,8 @@ void Projector::markReads(const std::vector<std::vector<NodeId>>& nodes) {
             Node& node = m_diagram.nodes[id.index()];
             if (node.kind != NodeKind::Contact && node.kind != NodeKind::Operand && node.kind != NodeKind::Compare)
                 continue;
-            node.isFeedback = isWrittenLater(node.label, i) || (!node.below.empty() && isWrittenLater(node.below, i));
+            node.isFeedback = isWrittenLater(node.label, i);
+            node.isFeedbackBelow = !node.below.empty() && isWrittenLater(node.below, i);
             node.isTemporary = node.operand && node.operand->kind == syntax::ExprKind::NameRef &&
                                m_types.isTemporary(node.operand->name.text, m_scope);
         }
@@ -168,7 +169,8 @@ private:
     std::string describeNode(NodeId id) const {
         const Node& node = m_diagram[id];
         const std::string sign = node.negated ? "/" : "";
-        const std::string mark = std::string(node.isFeedback ? "^" : "") + (node.isTemporary ? "~" : "");
+        const std::string mark =
+            std::string(node.isFeedback || node.isFeedbackBelow ? "^" : "") + (node.isTemporary ? "~" : "");
         switch (node.kind) {
         case NodeKind::Contact:
             return sign + node.label + mark;
