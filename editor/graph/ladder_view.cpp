@@ -25,6 +25,7 @@ LadderView::LadderView(QWidget* parent)
     : GraphView(*new LadderScene, tr("Ladder or function block diagram"), parent),
       m_scene(static_cast<LadderScene*>(m_canvas->scene())) {
     m_scene->setParent(this);
+    m_canvas->setAlignment(Qt::AlignLeft | Qt::AlignTop); // a rung stays where it is when others come
     const auto command = [&](kit::Icon icon, const QString& text, auto run) {
         return addCommand(icon, text, this, run);
     };

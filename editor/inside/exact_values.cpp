@@ -11,8 +11,8 @@ namespace plc::editor {
 
 namespace {
 
-constexpr qint64 kSampleMs = 100, kShare = 10; // a sample each 100 ms; a tenth of a core at most
-constexpr qsizetype kLongest = 40;             // characters of a value
+constexpr qint64 kShare = 10;      // a tenth of a core at most
+constexpr qsizetype kLongest = 40; // characters of a value
 
 /// What a scan did, as the editor draws it.
 ExactText shownOf(const inside::Look& look, const inside::TextPart& part) {
@@ -151,7 +151,7 @@ std::optional<ExactValues::Wanted> ExactValues::wanted(StEditor& editor, const S
     if (statistics.scans == 0 && !stands) return std::nullopt;
     Wanted wanted;
     wanted.history = history;
-    wanted.at = m_control.viewed().value_or(statistics.end - (statistics.scans ? 1 : 0));
+    wanted.at = m_control.viewed().value_or(m_control.sampled());
     if (stands) wanted.halt = m_control.status().halts;
     wanted.path = editor.file().toStdString();
     wanted.model = m_workspace.model();
@@ -173,9 +173,7 @@ void ExactValues::refresh(StEditor& editor) {
         state.shown.reset();
         return showWalk(editor, wanted(editor, state));
     }
-    if (isLive() &&
-        (state.isOpen || (state.since.isValid() && state.since.elapsed() < std::max(kSampleMs, kShare * state.cost))))
-        return;
+    if (isLive() && (state.isOpen || (state.since.isValid() && state.since.elapsed() < kShare * state.cost))) return;
     std::optional<Wanted> now = wanted(editor, state);
     if (!now) {
         state.shown.reset();
