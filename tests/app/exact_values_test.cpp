@@ -161,7 +161,9 @@ TEST_F(ExactValuesTest, AnUndoBringsThemBack) {
 }
 
 TEST_F(ExactValuesTest, AScanAtABreakpointShowsWhatItHasComputedUntilThere) {
-    window->control().toggleBreakpoint("src/main.st", 19); // a(step := 1)
+    const std::string above = std::string(kProgram).substr(0, at("a(step := 1)"));
+    window->control().toggleBreakpoint("src/main.st",
+                                       static_cast<int>(std::count(above.begin(), above.end(), '\n')) + 1);
     window->action("run.start")->trigger();
     ASSERT_TRUE(waitFor([&] { return window->control().status().state == controller::State::Halted; }));
     ASSERT_EQ(markedLine(), "a(step := 1);");

@@ -257,7 +257,7 @@ END_CONFIGURATION
     press(Qt::Key_K, Qt::ControlModifier);
     type("/stop");
     EXPECT_NE(words().find("(start + motor^) /stop -> ()motor\n"), std::string::npos) << words();
-    press(Qt::Key_F5); // the docks of a run take room: what is worked on stays in sight
+    window->action("run.start")->trigger(); // the docks of a run take room: what is worked on stays in sight
     ASSERT_TRUE(waitFor([&] { return view->scene().online().isOn; }));
     EXPECT_TRUE(waitFor([&] { return powerBehind("stop") == ladder::Power::Off; })) << int(powerBehind("stop"));
     ASSERT_TRUE(window->control().force("Main.start", "TRUE"));
