@@ -1,6 +1,7 @@
 // Exact values in the text of the scan that is shown, and the walk through it, forwards and backwards.
 #include "app/inside_views.h"
 #include "app/live_views.h"
+#include "tests/app/idle_chart.h"
 #include "tests/app/studio_fixture.h"
 
 #include <QAction>
@@ -194,27 +195,7 @@ TEST_F(ExactValuesTest, AllThatATextShowsIsOfOneMoment) {
 }
 
 TEST_F(ExactValuesTest, AChartDimsTheActionsThatDidNotRun) {
-    runText(R"(PROGRAM Main
-VAR
-    go : BOOL;
-    n, made : INT;
-END_VAR
-INITIAL_STEP Idle:
-    Count(N);
-END_STEP
-STEP Work:
-    Produce(N);
-END_STEP
-TRANSITION FROM Idle TO Work := go; END_TRANSITION
-TRANSITION FROM Work TO Idle := NOT go; END_TRANSITION
-ACTION Count:
-    n := n + 1;
-END_ACTION
-ACTION Produce:
-    made := made + 1;
-END_ACTION
-END_PROGRAM
-)");
+    runText(kIdleChart);
     EXPECT_TRUE(waitFor([&] { return isDimmed("made := made + 1;"); }));
     EXPECT_FALSE(isDimmed("n := n + 1;"));
     EXPECT_EQ(beside("n := n + 1;", "n"), std::to_string(n() - 1) + " → " + std::to_string(n()));

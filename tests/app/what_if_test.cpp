@@ -5,6 +5,7 @@
 #include "app/test_view.h"
 #include "app/what_if_dialog.h"
 #include "editor/graph/chart_view.h"
+#include "tests/app/idle_chart.h"
 #include "tests/app/studio_fixture.h"
 
 #include <QAction>
@@ -110,34 +111,13 @@ TEST_F(WhatIfTest, TestsColourTheMarginWithWhatTheyCover) {
 }
 
 TEST_F(WhatIfTest, AChartIsColouredWithWhatWasCovered) {
-    const char* const chart = R"(PROGRAM Main
-VAR
-    go : BOOL;
-    level, made : DINT;
-END_VAR
-INITIAL_STEP Idle:
-    Count(N);
-END_STEP
-STEP Work:
-    Produce(N);
-END_STEP
-TRANSITION FROM Idle TO Work := go; END_TRANSITION
-TRANSITION FROM Work TO Idle := NOT go; END_TRANSITION
-ACTION Count:
-    level := level + 1;
-END_ACTION
-ACTION Produce:
-    made := made + 1;
-END_ACTION
-END_PROGRAM
-)";
-    editor().applyEdits({{{FileId(), 0, static_cast<uint32_t>(editor().utf8().size())}, chart}});
+    editor().applyEdits({{{FileId(), 0, static_cast<uint32_t>(editor().utf8().size())}, kIdleChart}});
     analysed();
     window->action("file.save")->trigger();
     editor::ChartView* view = window->tabs().currentPage()->showChart("Main");
     ASSERT_NE(view, nullptr);
     window->action("run.start")->trigger();
-    ASSERT_TRUE(waitFor([&] { return level() > 20; }));
+    ASSERT_TRUE(waitFor([&] { return window->control().value("Main.n").text.toInt() > 20; }));
     window->action("run.pause")->trigger();
     EXPECT_TRUE(view->scene().coverage().steps.isEmpty());
     window->action("time.coverage")->trigger();

@@ -64,6 +64,12 @@ void save(QWidget& window, const QString& name) {
         std::printf("%s\n", qPrintable(file));
 }
 
+void hideDocks(app::MainWindow& window) {
+    for (const char* side :
+         {"forces", "callPath", "breakpoints", "panel", "watch", "trace", "problems", "search", "tasks", "log"})
+        window.dock(side)->hide();
+}
+
 /// The pictures on the PID example: text, values, watch, trace, breakpoint, panel.
 void takeLoop(app::MainWindow& window, const QString& project) {
     window.openProject(project);
@@ -162,9 +168,7 @@ void takeLoop(app::MainWindow& window, const QString& project) {
     window.control().disconnectSession();
     QTest::qWait(100);
 
-    for (const char* side :
-         {"watch", "forces", "callPath", "breakpoints", "panel", "trace", "problems", "search", "tasks", "log"})
-        window.dock(side)->hide();
+    hideDocks(window);
     window.openDesigner("loop");
     QTest::qWait(600);
     save(window, "panel_designer_studio");
@@ -178,9 +182,7 @@ void takeChart(app::MainWindow& window, const QString& project) {
     auto* page = window.tabs().openFile("src/main.st");
     page->first().goTo(static_cast<uint32_t>(page->first().utf8().find("INITIAL_STEP")));
     page->showChart("Main");
-    for (const char* side :
-         {"forces", "callPath", "breakpoints", "panel", "watch", "trace", "problems", "search", "tasks", "log"})
-        window.dock(side)->hide();
+    hideDocks(window);
     window.action("run.start")->trigger();
     waitFor([&] { return window.control().status().scans > 20; }, 8000);
     (void)window.control().force("IO.SinglePb", "TRUE");
@@ -195,9 +197,7 @@ void takeInside(app::MainWindow& window, const QString& project) {
     window.openProject(project);
     waitFor([&] { return window.workspace().model() != nullptr; });
     editor::StEditor& editor = window.tabs().openFile("src/main.st")->first();
-    for (const char* side :
-         {"forces", "callPath", "breakpoints", "panel", "watch", "trace", "problems", "search", "tasks", "log"})
-        window.dock(side)->hide();
+    hideDocks(window);
     window.action("run.start")->trigger();
     waitFor([&] { return window.control().status().scans > 30; }, 8000);
     (void)window.control().write("Plant.StartButton", "TRUE");
