@@ -1,5 +1,5 @@
-// What tests or a recording have covered of one line of the text, as a graph view draws it at what stands there.
-// Values.
+// What tests or a recording have covered of one line of the text, as a graph view draws it at what stands there: filled
+// by the page that shows the graph, from the margin of its text. Values; GUI thread.
 #pragma once
 #include <QHash>
 #include <QString>

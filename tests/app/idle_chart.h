@@ -1,4 +1,5 @@
-// A small chart that stays in its first step until `go`: what a scan runs of it, and what it does not.
+// A small chart that stays in its first step until `go` is TRUE: what a scan runs of it, and what it does not. Shared
+// by the tests of exact values and of coverage.
 #pragma once
 
 namespace plc::app {
