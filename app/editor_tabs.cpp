@@ -111,7 +111,7 @@ EditorTabs::EditorTabs(editor::Workspace& workspace, editor::RunControl& control
         if (StPage* page = currentPage()) {
             for (StEditor* editor : page->editors()) editor->refreshOnlineValues();
             if (page->beside()) page->beside()->refreshOnlineValues();
-            page->table().refreshOnlineValues();
+            page->active().atShownMoment([page] { page->table().refreshOnlineValues(); });
             showInstance(*page);
             for (editor::GraphView* graph : page->graphs()) {
                 graph->setPast(m_control.viewed().has_value());
@@ -265,6 +265,16 @@ void EditorTabs::connectGraph(StPage* page, editor::GraphView* graph) {
             program && shown.type.isValid() && program->layout.types->storageKind(shown.type) == types::TypeKind::Time;
         return editor::GraphValue{shown.text, shown.isTrue, shown.isForced,
                                   isTime && !shown.text.isEmpty() ? shown.value.integer() : 0};
+    });
+    graph->setCoverage([text](int line) -> std::optional<editor::CoverageMark> {
+        const auto coverage = text->coverageOf(line - 1);
+        if (!coverage) return std::nullopt;
+        using State = editor::CoverageMark::State;
+        using From = editor::LineCoverage::State;
+        const State state = coverage->state == From::Run      ? State::Run
+                            : coverage->state == From::Partly ? State::Partly
+                                                              : State::NotRun;
+        return editor::CoverageMark{state, coverage->text};
     });
     connect(graph, &editor::GraphView::editsRequested, text,
             [text](const std::vector<diagnostics::TextEdit>& edits) { text->applyEdits(edits); });

@@ -48,7 +48,7 @@ void InsideViews::walk() {
 /// The text stands where the walk stands, with the values of that moment.
 void InsideViews::showWalk() {
     const inside::SlowScan* scan = m_slow->scan();
-    m_exact.setWalk(m_slow->look(), scan ? scan->event() : inside::kNone);
+    m_exact.setWalk(m_slow->look(), scan);
     std::optional<editor::RunControl::TextPlace> place;
     if (scan) place = m_control.placeInText(scan->range(), m_slow->look()->program());
     m_tabs.showWalk(place);
@@ -91,6 +91,8 @@ void InsideViews::hideCoverage() {
 void InsideViews::showCoverageIn(editor::StEditor& editor) const {
     const auto found = m_coverage.find(editor.file());
     editor.setCoverage(found == m_coverage.end() ? std::map<int, editor::LineCoverage>() : found->second);
+    if (StPage* page = m_tabs.pageOf(editor.file()))
+        for (editor::GraphView* graph : page->graphs()) graph->coverageChanged();
 }
 
 void InsideViews::coverRecording() {
@@ -103,7 +105,7 @@ void InsideViews::coverRecording() {
         if (bench.history.seek(statistics.end - 1, &program).empty() || !program) return {};
         inside::Coverage coverage(program);
         history::Position at = statistics.end;
-        for (; at > statistics.first && spent.elapsed() < kLongestMs; --at)
+        for (; at > statistics.first && spent.elapsed() < kLongestMs && !bench.insight.isCancelled(); --at)
             if (const auto look = bench.insight.look(at - 1)) coverage.add(**look);
         return [this, program, all = coverage.functions(), scans = statistics.end - at, of = statistics.scans] {
             showCoverage(program, all);

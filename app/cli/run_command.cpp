@@ -1,6 +1,7 @@
 #include "app/cli/command.h"
 #include "app/cli/device_output.h"
 #include "app/cli/errors.h"
+#include "app/cli/recorded_run.h"
 #include "app/cli/run_output.h"
 #include "app/cli/timed_write.h"
 
@@ -153,10 +154,7 @@ int run(const Arguments& arguments) {
         if (auto good = checkFolder(*file, errors::NoFolderForRetain); !good) return wrongUse(good.error());
     if (const auto file = arguments.value("--record"))
         if (auto good = checkFolder(*file, errors::NoFolderForRecording); !good) return wrongUse(good.error());
-    if (auto start = calendarStart(arguments.value("--start").value_or(project->calendarStart)); !start)
-        return wrongUse(start.error());
-    else if (*start)
-        settings.controller.calendarStartNs = **start;
+    if (auto set = setCalendarStart(arguments, *project, settings); !set) return wrongUse(set.error());
     catchInterrupt();
     std::unique_ptr<devices::Engine> engine;
     if (arguments.has("--devices")) {

@@ -2,6 +2,7 @@
 #include "app/cli/device_output.h"
 #include "app/cli/errors.h"
 #include "app/cli/panel_findings.h"
+#include "app/cli/recorded_run.h"
 #include "app/cli/run_output.h"
 #include "app/serve/errors.h"
 #include "app/serve/serve.h"
@@ -88,10 +89,7 @@ int run(const Arguments& arguments) {
     forSession.retainFile = serve::retainFileOf(*settings);
     forSession.historyBudget = size_t(64) << 20; // the rest is on disk
     forSession.retainInterval = std::chrono::seconds(1);
-    if (auto start = calendarStart(arguments.value("--start").value_or(project->calendarStart)); !start)
-        return wrongUse(start.error());
-    else if (*start)
-        forSession.controller.calendarStartNs = **start;
+    if (auto set = setCalendarStart(arguments, *project, forSession); !set) return wrongUse(set.error());
     catchInterrupt();
     needApplication();
     const hmi::PanelProject panels = hmi::loadPanelProject(*project);

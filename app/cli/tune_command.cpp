@@ -1,8 +1,8 @@
 #include "app/cli/command.h"
 #include "app/cli/errors.h"
 #include "app/cli/inside_output.h"
+#include "app/cli/recorded_run.h"
 #include "app/cli/run_output.h"
-#include "app/cli/timed_write.h"
 #include "app/cli/tune_output.h"
 
 #include "projects/session/session.h"
@@ -229,30 +229,15 @@ int tuneHistory(const Arguments& arguments, const Question& question, const hist
 }
 
 int tuneProject(const Arguments& arguments, const Question& question, const std::string& path) {
-    const auto project = openNamedProject(arguments, {path});
-    if (!project) return wrongUse(project.error());
-    const driver::Built built = [&] {
-        const Busy busy("building " + project->name);
-        return driver::build(project->buildInput());
-    }();
-    if (built.checked.analysis->hasErrors) {
-        printDiagnostics(built.checked, arguments.wantsJson(), false);
-        return kProgramWrong;
-    }
-    if (!built.program)
-        return wrongUse({built.failure.isEmpty() ? errors::NothingToRun() : built.failure, project->name});
-    if (const auto loop = loopFor(question, *built.program); !loop) return wrongUse(loop.error());
-    session::Settings settings;
-    if (auto start = calendarStart(arguments.value("--start").value_or(project->calendarStart)); !start)
-        return wrongUse(start.error());
-    else if (*start)
-        settings.controller.calendarStartNs = **start;
-    catchInterrupt();
-    session::Session session(built, settings);
-    session.controller().actFor("the command line");
-    constexpr std::chrono::nanoseconds kLength = std::chrono::seconds(60);
-    if (auto ran = runProject(arguments, built, session, kLength, "--for"); !ran) return wrongUse(ran.error());
-    return tuneHistory(arguments, question, session.history());
+    RecordedRun run;
+    run.path = path;
+    run.length = std::chrono::seconds(60);
+    run.check = [&](const driver::Built& built) -> Result<void> {
+        if (const auto loop = loopFor(question, *built.program); !loop) return loop.error();
+        return {};
+    };
+    run.ask = [&](const history::History& history) { return tuneHistory(arguments, question, history); };
+    return askRecordedRun(arguments, run);
 }
 
 int tune(const Arguments& arguments) {

@@ -1,10 +1,9 @@
 #include "app/cli/command.h"
 #include "app/cli/errors.h"
 #include "app/cli/inside_output.h"
+#include "app/cli/recorded_run.h"
 #include "app/cli/run_output.h"
-#include "app/cli/timed_write.h"
 
-#include "projects/session/session.h"
 #include "projects/storage/project_file.h"
 #include "runtime/inside/words.h"
 
@@ -45,33 +44,15 @@ int answer(const Arguments& arguments, const history::History& history, const st
     return kGood;
 }
 
-/// Runs the project as `run` does, recorded, up to the scan that is asked about.
+/// Runs the project, up to the scan that is asked about.
 int answerByRunning(const Arguments& arguments, const std::string& path, const std::string& question) {
-    const auto project = openNamedProject(arguments, {path});
-    if (!project) return wrongUse(project.error());
-    const driver::Built built = [&] {
-        const Busy busy("building " + project->name);
-        return driver::build(project->buildInput());
-    }();
-    if (built.checked.analysis->hasErrors) {
-        printDiagnostics(built.checked, arguments.wantsJson(), false);
-        return kProgramWrong;
-    }
-    if (!built.program)
-        return wrongUse({built.failure.isEmpty() ? errors::NothingToRun() : built.failure, project->name});
-    session::Settings settings;
-    if (auto start = calendarStart(arguments.value("--start").value_or(project->calendarStart)); !start)
-        return wrongUse(start.error());
-    else if (*start)
-        settings.controller.calendarStartNs = **start;
-    catchInterrupt();
-    session::Session session(built, settings);
-    session.controller().actFor("the command line");
-    std::chrono::nanoseconds length = std::chrono::seconds(10);
+    RecordedRun run;
+    run.path = path;
+    run.length = std::chrono::seconds(10);
     if (const auto text = arguments.value("--at"); text && !arguments.has("--for"))
-        if (const auto time = parseDuration(*text)) length = *time + std::chrono::nanoseconds(1);
-    if (auto ran = runProject(arguments, built, session, length, "--for"); !ran) return wrongUse(ran.error());
-    return answer(arguments, session.history(), question);
+        if (const auto time = parseDuration(*text)) run.length = *time + std::chrono::nanoseconds(1);
+    run.ask = [&](const history::History& history) { return answer(arguments, history, question); };
+    return askRecordedRun(arguments, run);
 }
 
 int why(const Arguments& arguments) {

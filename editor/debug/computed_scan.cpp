@@ -116,7 +116,7 @@ std::shared_ptr<ComputedScan::Job> ComputedScan::makeJob() {
         job->standing = inside::Standing{now.program, std::move(now.image), frames.front()};
     } else {
         if (all.end == all.first) return nullptr;
-        job->position = m_control.viewed().value_or(all.end - 1);
+        job->position = m_control.viewed().value_or(m_control.sampled());
         job->isLive = !recorded && !m_control.viewed();
         job->scan = QString("%1 %2").arg(job->isLive).arg(job->position);
         job->program = m_control.sharedImageProgram();

@@ -422,6 +422,7 @@ void RunControl::tick() {
     const uint64_t scansBefore = m_status.scans;
     const Message retainProblem = m_status.retainProblem;
     m_status = m_session->status();
+    takeSample();
     if (!m_status.retainProblem.isEmpty() && !(m_status.retainProblem == retainProblem))
         emit messageAdded(kit::messageText(m_status.retainProblem), true);
     for (const Error& refusal : m_session->takeRefusals()) emit messageAdded(kit::messageText(refusal), true);
@@ -519,6 +520,31 @@ RunControl::Shown RunControl::value(const QString& expression, const QString& sc
     shown.isForced =
         !m_recorded && (m_forced.contains(foldCase(path)) || m_forced.contains(foldCase(expression.toStdString())));
     return shown;
+}
+
+void RunControl::takeSample() {
+    constexpr qint64 kSampleMs = 100;
+    const bool isRunning = m_status.state == controller::State::Running;
+    if (isRunning && m_sinceSample.isValid() && m_sinceSample.elapsed() < kSampleMs) return;
+    const history::Statistics all = m_session->history().statistics();
+    m_sampled = all.end - std::min<history::Position>(all.end, 1);
+    m_sinceSample.start();
+}
+
+history::Position RunControl::sampled() const {
+    const history::History* history = shownHistory();
+    if (!history) return 0;
+    const history::Statistics all = history->statistics();
+    const history::Position newest = all.end - std::min<history::Position>(all.end, 1);
+    return m_recorded || m_sampled < all.first ? newest : std::min(m_sampled, newest); // of a session before
+}
+
+void RunControl::atMoment(Moment& moment, const std::function<void()>& read) {
+    std::swap(m_image, moment.image);
+    std::swap(m_imageProgram, moment.program);
+    read();
+    std::swap(m_image, moment.image);
+    std::swap(m_imageProgram, moment.program);
 }
 
 std::vector<QString> RunControl::instancesOf(const QString& pou) const {

@@ -129,6 +129,16 @@ public:
                               types::NumberFormat format = types::NumberFormat::Decimal) const;
     /// Live value of a name as written inside a POU: its halted frame, else its only instance.
     [[nodiscard]] Shown valueIn(const QString& name, const QString& pou) const;
+    /// The scan that whoever looks inside the running controller looks at, so that all of them show the same one;
+    /// another one ten times a second. Stopped, the newest. Only where something is recorded.
+    [[nodiscard]] history::Position sampled() const;
+    /// An image to show in the place of the one that everybody is shown.
+    struct Moment {
+        std::vector<std::byte> image;
+        std::shared_ptr<const image::CompiledProgram> program;
+    };
+    /// While `read` runs, values are those of the moment.
+    void atMoment(Moment& moment, const std::function<void()>& read);
     [[nodiscard]] std::vector<QString> instancesOf(const QString& pou) const;
     void setPreferredInstance(const QString& pou, const QString& instance);
     [[nodiscard]] QString preferredInstance(const QString& pou) const;
@@ -167,6 +177,7 @@ signals:
 
 private:
     void tick();
+    void takeSample();
     /// Builds on a thread of its own; `then` comes back to this one, unless it was cancelled.
     void buildAside(std::function<void(std::shared_ptr<driver::Built>)> then);
     void watchOptimising(std::shared_ptr<Progress> now);
@@ -199,6 +210,8 @@ private:
     std::vector<std::byte> m_image;
     std::shared_ptr<const image::CompiledProgram> m_imageProgram;
     std::set<std::string> m_forced; // folded paths
+    history::Position m_sampled = 0;
+    QElapsedTimer m_sinceSample;
     QTimer m_timer;
     std::shared_ptr<Progress> m_building, m_optimising; // null: nothing of the kind goes on
     std::weak_ptr<void> m_hold;

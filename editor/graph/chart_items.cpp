@@ -27,6 +27,26 @@ QColor litGround() {
 }
 } // namespace
 
+namespace {
+QColor colourOf(const CoverageMark& coverage) {
+    const kit::ThemeColors& c = kit::colors();
+    switch (coverage.state) {
+    case CoverageMark::State::Run:
+        return c.good;
+    case CoverageMark::State::Partly:
+        return c.warning;
+    case CoverageMark::State::NotRun:
+        return c.bad;
+    }
+    return c.muted;
+}
+/// As in the margin of a text: a strip of the colour; nothing where nothing is known.
+template <class Marks, class Key>
+void paintCoverage(QPainter& painter, const Marks& marks, const Key& key, const QRectF& strip) {
+    if (const auto mark = marks.find(key); mark != marks.end()) painter.fillRect(strip, colourOf(*mark));
+}
+} // namespace
+
 const QFont& chartFont() {
     static const QFont font = [] {
         QFont f("Noto Sans");
@@ -119,6 +139,8 @@ void ChartItem::paintStep(QPainter& painter, bool isSmall) const {
         painter.setPen(QPen(frame, 1.2, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
         painter.drawRect(m_rect.adjusted(4, 4, -4, -4));
     }
+    paintCoverage(painter, m_scene.m_coverage.steps, m_index,
+                  {m_rect.left() + 1, m_rect.top() + 1, kCoverageStrip, m_rect.height() - 2});
     if (isSmall) return;
     painter.setPen(c.text);
     if (state.isActive) {
@@ -170,6 +192,8 @@ void ChartItem::paintTransition(QPainter& painter, bool isSmall) const {
     painter.drawLine(QPointF(x, m_rect.top()), QPointF(x, m_rect.bottom()));
     painter.setPen(QPen(isSelected() ? c.accent : ink, isSelected() ? 4 : 3, Qt::SolidLine, Qt::FlatCap));
     painter.drawLine(QPointF(x - kBarHalf, y), QPointF(x + kBarHalf, y));
+    paintCoverage(painter, m_scene.m_coverage.transitions, m_index,
+                  {x - kBarHalf, y + 2.5, 2 * kBarHalf, kCoverageStrip});
     if (isSmall) return;
     const syntax::TransitionDecl& decl = *m_scene.m_chart->transitions[index].decl;
     if (decl.priority) { // at the left, as the standard puts it
@@ -215,6 +239,8 @@ void ChartItem::paintAction(QPainter& painter, bool isSmall) const {
             QRectF(left.left(), left.bottom() - 3.5, left.width() * std::clamp(state.progress, 0.0, 1.0), 3.5),
             state.progress < 1 ? c.online : c.good);
     }
+    paintCoverage(painter, m_scene.m_coverage.actions, QPair<int, int>(m_index, m_sub),
+                  {m_rect.right() - kCoverageStrip, m_rect.top() + 1, kCoverageStrip, m_rect.height() - 2});
     painter.setBrush(Qt::NoBrush);
     const bool problem = m_scene.m_actionProblems.contains({m_index, m_sub});
     painter.setPen(QPen(problem        ? c.bad

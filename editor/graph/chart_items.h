@@ -10,7 +10,7 @@ namespace plc::editor {
 
 inline constexpr double kStepHeight = 40, kStepLeast = 92, kActionHeight = 24, kTransitionRow = 52, kBarRow = 22,
                         kGap = 36;
-inline constexpr double kQualifierLeast = 26, kBarHalf = 15, kActionGap = 18, kIndicatorPad = 12;
+inline constexpr double kQualifierLeast = 26, kBarHalf = 15, kActionGap = 18, kIndicatorPad = 12, kCoverageStrip = 3;
 
 [[nodiscard]] const QFont& chartFont();
 [[nodiscard]] double widthOf(const QString& text);

@@ -282,10 +282,23 @@ void ChartScene::showMessages(const std::vector<ChartMessage>& messages) {
             if (inside(m_chart->transitions[i].decl->range, message.range))
                 note(m_transitionProblems, static_cast<int>(i), message);
     }
+    showToolTips();
+    update();
+}
+
+/// What is wrong there, then what is covered.
+void ChartScene::showToolTips() {
+    const auto tipOf = [](QString problem, const CoverageMark& coverage) {
+        if (!problem.isEmpty() && !coverage.text.isEmpty()) problem += u'\n';
+        return problem + coverage.text;
+    };
     for (size_t i = 0; i < m_stepItems.size(); ++i) {
-        m_stepItems[i]->setToolTip(m_stepProblems.value(static_cast<int>(i)).text);
-        for (size_t k = 0; k < m_actionItems[i].size(); ++k)
-            m_actionItems[i][k]->setToolTip(m_actionProblems.value({static_cast<int>(i), static_cast<int>(k)}).text);
+        const int step = static_cast<int>(i);
+        m_stepItems[i]->setToolTip(tipOf(m_stepProblems.value(step).text, m_coverage.steps.value(step)));
+        for (size_t k = 0; k < m_actionItems[i].size(); ++k) {
+            const QPair<int, int> key(step, static_cast<int>(k));
+            m_actionItems[i][k]->setToolTip(tipOf(m_actionProblems.value(key).text, m_coverage.actions.value(key)));
+        }
     }
     for (size_t i = 0; i < m_transitionItems.size(); ++i) {
         QString tip = m_transitionProblems.value(static_cast<int>(i)).text;
@@ -293,9 +306,8 @@ void ChartScene::showMessages(const std::vector<ChartMessage>& messages) {
         if (tip.isEmpty() && m_conditions[i].contains(QChar(0x2026)) && decl.condition)
             tip = kit::fromView(
                 m_text.substr(decl.condition->range.begin, decl.condition->range.length())); // cut: the whole of it
-        m_transitionItems[i]->setToolTip(tip);
+        m_transitionItems[i]->setToolTip(tipOf(tip, m_coverage.transitions.value(static_cast<int>(i))));
     }
-    update();
 }
 
 void ChartScene::setOnline(ChartOnline online) {
@@ -319,6 +331,13 @@ void ChartScene::setOnline(ChartOnline online) {
 void ChartScene::setMarks(const ChartMarks& marks) {
     if (marks == m_marks) return;
     m_marks = marks;
+    update();
+}
+
+void ChartScene::setCoverage(const ChartCoverage& coverage) {
+    if (coverage == m_coverage) return;
+    m_coverage = coverage;
+    if (m_chart) showToolTips();
     update();
 }
 

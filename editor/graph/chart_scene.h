@@ -5,6 +5,7 @@
 #include <QHash>
 #include <QSet>
 
+#include "editor/graph/coverage_mark.h"
 #include "runtime/compiler/chart/chart.h"
 #include "runtime/compiler/chart/layout.h"
 
@@ -59,6 +60,8 @@ public:
     void showMessages(const std::vector<ChartMessage>& messages);
     void setOnline(ChartOnline online);
     void setMarks(const ChartMarks& marks);
+    void setCoverage(const ChartCoverage& coverage);
+    [[nodiscard]] const ChartCoverage& coverage() const { return m_coverage; }
     /// A drawing that is no longer the text's.
     void setFaint(bool faint);
     [[nodiscard]] const ChartOnline& online() const { return m_online; }
@@ -89,6 +92,7 @@ private:
         bool isError = true;
     };
     void measure();
+    void showToolTips();
     void drawLines();
     void indexCells();
     [[nodiscard]] QString makeConditionText(int transition) const;
@@ -104,6 +108,7 @@ private:
     chart::Layout m_layout;
     ChartOnline m_online;
     ChartMarks m_marks;
+    ChartCoverage m_coverage;
     bool m_isFaint = false;
     QSet<QString> m_charts;
     std::vector<double> m_rowTops, m_columnMiddles;

@@ -250,6 +250,30 @@ void ChartView::marksChanged() {
         }
     }
     m_scene->setMarks(marks);
+    m_scene->setCoverage(coverageOf());
+}
+
+ChartCoverage ChartView::coverageOf() const {
+    ChartCoverage coverage;
+    if (!m_coverage || !m_chart || m_isStale) return coverage;
+    std::vector<uint32_t> places;
+    for (const chart::Step& step : m_chart->steps) {
+        places.push_back(step.decl->range.begin);
+        for (const syntax::ActionAssociation& action : step.decl->actions) places.push_back(action.range.begin);
+    }
+    for (const chart::Transition& transition : m_chart->transitions) places.push_back(transition.decl->range.begin);
+    const std::vector<int> lines = linesOf(places);
+    auto line = lines.begin(); // in the same order
+    const auto note = [&](auto& marks, const auto& key) {
+        if (const auto mark = m_coverage(*line++)) marks[key] = *mark;
+    };
+    for (int i = 0; i < static_cast<int>(m_chart->steps.size()); ++i) {
+        note(coverage.steps, i);
+        for (int k = 0; k < static_cast<int>(m_chart->steps[static_cast<size_t>(i)].decl->actions.size()); ++k)
+            note(coverage.actions, QPair<int, int>(i, k));
+    }
+    for (int i = 0; i < static_cast<int>(m_chart->transitions.size()); ++i) note(coverage.transitions, i);
+    return coverage;
 }
 
 // ------------------------------------------------------------------ selection

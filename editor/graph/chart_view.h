@@ -69,6 +69,7 @@ protected:
     void marksChanged() override;
     void themeChanged() override;
     [[nodiscard]] bool hasDrawing() const override { return m_chart != nullptr; }
+    [[nodiscard]] ChartCoverage coverageOf() const;
 
 private:
     struct Picked {

@@ -81,6 +81,11 @@ void GraphView::setBookmarks(const std::set<int>& lines) {
     marksChanged();
 }
 
+void GraphView::setCoverage(CoverageSource source) {
+    m_coverage = std::move(source);
+    marksChanged();
+}
+
 std::vector<int> GraphView::linesOf(const std::vector<uint32_t>& places) const {
     std::vector<uint32_t> lineBegins{0};
     for (size_t i = 0; i < m_text.size(); ++i)
@@ -154,6 +159,7 @@ void GraphView::updateMap() {
 
 void GraphView::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
+    if (hasDrawing()) revealSelection();
     updateMap();
 }
 

@@ -2,6 +2,7 @@
 // bar, a field over the drawing for what is typed, and edits that leave as text replacements for the one undo history
 // of the text (D4). A text with syntax errors leaves the last good drawing, read-only. Owned by its page; GUI thread.
 #pragma once
+#include "editor/graph/coverage_mark.h"
 #include "editor/kit/canvas.h"
 #include "editor/kit/expression_edit.h"
 #include "projects/analysis/code_model.h"
@@ -61,6 +62,9 @@ public:
     virtual void setStanding(std::optional<uint32_t>) {}
     /// Lines from 1 with a bookmark.
     void setBookmarks(const std::set<int>& lines);
+    /// Asked with each new drawing, and when it has changed.
+    void setCoverage(CoverageSource source);
+    void coverageChanged() { marksChanged(); }
     /// What is shown is a recorded scan.
     virtual void setPast(bool isPast) { m_isPast = isPast; }
     virtual void refreshOnline() = 0;
@@ -120,6 +124,8 @@ protected:
     [[nodiscard]] virtual std::vector<kit::Completion> completions(const QString& text, int cursor) const = 0;
     [[nodiscard]] virtual QString complaintOf(const QString& text) const = 0;
     virtual void marksChanged() = 0;
+    /// The view has another size, because docks opened beside it, for example: what is worked on stays in sight.
+    virtual void revealSelection() {}
     virtual void themeChanged() = 0;
     [[nodiscard]] virtual bool hasDrawing() const = 0;
 
@@ -139,6 +145,7 @@ protected:
     QString m_file;
     GraphValues m_values;
     ComputedSource m_computed;
+    CoverageSource m_coverage;
 };
 
 } // namespace plc::editor

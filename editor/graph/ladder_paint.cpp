@@ -52,7 +52,14 @@ const QFont& RungItem::font() {
     return font;
 }
 
-QRectF RungItem::boundingRect() const {
+void RungItem::resized() {
+    const QRectF now = bounds();
+    if (now == m_bounds) return;
+    prepareGeometryChange();
+    m_bounds = now;
+}
+
+QRectF RungItem::bounds() const {
     if (!m_scene.m_layout || m_index >= m_scene.m_layout->rungs.size()) return {};
     const ladder::RungPicture& rung = m_scene.m_layout->rungs[m_index];
     return {-12, -4, (std::max(rung.width, 24) + 4) * m_scene.m_cellWidth + 24,

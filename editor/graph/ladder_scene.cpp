@@ -82,11 +82,11 @@ void LadderScene::show(const ladder::Diagram& diagram, const ladder::Layout& lay
     m_nodeProblems.clear();
     m_rungProblems.clear();
     while (m_items.size() > layout.rungs.size()) m_items.pop_back();
-    for (const auto& item : m_items) item->resized();
     while (m_items.size() < layout.rungs.size()) {
         m_items.push_back(std::make_unique<RungItem>(*this, m_items.size()));
         addItem(m_items.back().get());
     }
+    for (const auto& item : m_items) item->resized();
     for (size_t i = 0; i < m_items.size(); ++i) m_items[i]->setPos(0, layout.rungs[i].top * m_cellHeight);
     setSceneRect(-16, -16, (layout.width + 2) * m_cellWidth + 32, (layout.height + 1) * m_cellHeight + 32);
     update();

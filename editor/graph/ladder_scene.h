@@ -55,12 +55,14 @@ class LadderScene;
 class RungItem : public QGraphicsItem {
 public:
     RungItem(LadderScene& scene, size_t index) : m_scene(scene), m_index(index) {}
-    [[nodiscard]] QRectF boundingRect() const override;
+    [[nodiscard]] QRectF boundingRect() const override { return m_bounds; }
     void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) override;
-    void resized() { prepareGeometryChange(); }
+    /// After a new layout; most rungs have kept their size.
+    void resized();
     [[nodiscard]] static const QFont& font();
 
 private:
+    [[nodiscard]] QRectF bounds() const;
     void paintShape(QPainter& painter, const ladder::Shape& shape) const;
     void paintText(QPainter& painter, const ladder::Shape& shape) const;
     void paintValue(QPainter& painter, const ladder::Shape& shape) const;
@@ -74,6 +76,7 @@ private:
 
     LadderScene& m_scene;
     size_t m_index;
+    QRectF m_bounds;
 };
 
 class LadderScene : public QGraphicsScene {

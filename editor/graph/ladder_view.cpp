@@ -25,6 +25,7 @@ LadderView::LadderView(QWidget* parent)
     : GraphView(*new LadderScene, tr("Ladder or function block diagram"), parent),
       m_scene(static_cast<LadderScene*>(m_canvas->scene())) {
     m_scene->setParent(this);
+    m_canvas->setAlignment(Qt::AlignLeft | Qt::AlignTop); // a rung stays where it is when others come
     const auto command = [&](kit::Icon icon, const QString& text, auto run) {
         return addCommand(icon, text, this, run);
     };
@@ -157,6 +158,10 @@ void LadderView::selectAgain(const LadderPick& before) {
     if (before.rung.isValid()) m_scene->select({RungId(rung), {}});
 }
 
+void LadderView::revealSelection() {
+    if (m_scene->picked().rung.isValid()) m_canvas->ensureVisible(m_scene->rectOf(m_scene->picked()), 20, 20);
+}
+
 void LadderView::setModel(const std::shared_ptr<const analysis::CodeModel>& model, const QString& file) {
     m_model = model;
     m_file = file;
@@ -187,10 +192,14 @@ void LadderView::marksChanged() {
     for (const ladder::Rung& rung : m_diagram.rungs) places.push_back(rung.range.begin);
     m_scene->setMarks(m_isStale ? std::vector<int>() : breakpointsAt(places));
     std::vector<bool> bookmarks(places.size(), false);
-    for (size_t i = 0; i < m_diagram.rungs.size() && !m_bookmarks.empty() && !m_isStale; ++i) {
-        const std::vector<int> lines = linesOf({m_diagram.rungs[i].range.begin, m_diagram.rungs[i].range.end});
-        const auto next = m_bookmarks.lower_bound(lines[0]);
-        bookmarks[i] = next != m_bookmarks.end() && *next <= lines[1];
+    if (!m_bookmarks.empty() && !m_isStale) {
+        std::vector<uint32_t> ends;
+        for (const ladder::Rung& rung : m_diagram.rungs) ends.push_back(rung.range.end);
+        const std::vector<int> first = linesOf(places), last = linesOf(ends);
+        for (size_t i = 0; i < places.size(); ++i) {
+            const auto next = m_bookmarks.lower_bound(first[i]);
+            bookmarks[i] = next != m_bookmarks.end() && *next <= last[i];
+        }
     }
     m_scene->setBookmarks(std::move(bookmarks));
     setStanding(m_standing);
@@ -230,7 +239,7 @@ void LadderView::showCursor(uint32_t offset) {
     if (!m_syntax || m_isStale) return;
     const QSignalBlocker blocker(m_scene);
     m_scene->select({m_diagram.rungAt(offset), m_diagram.nodeAt(offset)});
-    if (m_scene->picked().rung.isValid()) m_canvas->ensureVisible(m_scene->rectOf(m_scene->picked()), 20, 20);
+    revealSelection();
     m_canvas->viewport()->update();
 }
 

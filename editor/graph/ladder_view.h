@@ -76,6 +76,7 @@ protected:
     [[nodiscard]] QString complaintOf(const QString& text) const override;
     [[nodiscard]] std::vector<kit::Completion> completions(const QString& text, int cursor) const override;
     void marksChanged() override;
+    void revealSelection() override;
     void themeChanged() override;
     [[nodiscard]] bool hasDrawing() const override { return m_syntax != nullptr; }
 

@@ -23,18 +23,33 @@ InsideDesk::~InsideDesk() {
     m_thread.join();
 }
 
-bool InsideDesk::ask(const QString& key, Work work) {
+/// Those that wait go, the one that is worked on is let know; how many went. Under the lock.
+size_t InsideDesk::drop(const QString& key) {
+    if (m_isWorking && m_workingOn == key) *m_stopsWorking = true;
+    return std::erase_if(m_jobs, [&](const Job& job) { return job.key == key; });
+}
+
+bool InsideDesk::ask(const QString& key, Work work, Needs needs) {
     const history::History* history = m_control.shownHistory();
-    if (!history || history->statistics().scans == 0) return false;
+    if (!history || (needs == Needs::Recording && history->statistics().scans == 0)) return false;
     size_t given = 0;
     {
         const std::lock_guard lock(m_mutex);
-        given = std::erase_if(m_jobs, [&](const Job& job) { return job.key == key; });
+        given = drop(key);
         m_jobs.push_back({key, std::move(work), history, m_control.recordedOwner(), m_control.hold(), m_generation});
     }
     m_changed.notify_all();
     setOpen(m_open + 1 - static_cast<int>(given));
     return true;
+}
+
+void InsideDesk::cancel(const QString& key) {
+    size_t given = 0;
+    {
+        const std::lock_guard lock(m_mutex);
+        given = drop(key);
+    }
+    setOpen(m_open - static_cast<int>(given));
 }
 
 void InsideDesk::setOpen(int open) {
@@ -49,6 +64,7 @@ void InsideDesk::letGo() {
         std::unique_lock lock(m_mutex);
         ++m_generation;
         m_jobs.clear();
+        if (m_isWorking) *m_stopsWorking = true;
         m_changed.wait(lock, [this] { return !m_isWorking; });
         m_bench.reset();
         m_benchOwner.reset();
@@ -64,13 +80,18 @@ void InsideDesk::work() {
         Job job = std::move(m_jobs.front());
         m_jobs.pop_front();
         m_isWorking = true;
+        m_workingOn = job.key;
+        m_stopsWorking = job.isCancelled;
         if (!m_bench || &m_bench->history != job.history) {
             m_bench = std::make_unique<Bench>(*job.history);
             m_benchOwner = job.owner;
         }
+        m_bench->insight.setCancel(job.isCancelled);
         lock.unlock();
         const Finish finish = job.work(*m_bench);
-        kit::post(this, [this, generation = job.generation, finish] { answered(generation, finish); });
+        kit::post(this, [this, generation = job.generation, isCancelled = job.isCancelled, finish] {
+            answered(generation, *isCancelled, finish);
+        });
         job = {}; // the hold goes while nobody waits for this thread
         lock.lock();
         m_isWorking = false;
@@ -78,13 +99,13 @@ void InsideDesk::work() {
     }
 }
 
-void InsideDesk::answered(uint64_t generation, const Finish& finish) {
+void InsideDesk::answered(uint64_t generation, bool isCancelled, const Finish& finish) {
     {
         const std::lock_guard lock(m_mutex);
         if (generation != m_generation) return;
     }
     setOpen(std::max(0, m_open - 1));
-    if (finish) finish();
+    if (finish && !isCancelled) finish();
 }
 
 } // namespace plc::editor

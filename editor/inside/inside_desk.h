@@ -1,10 +1,11 @@
 // Asks recorded scans what they computed (runtime/inside), on a thread of its own: of the controller's recording, or of
 // the one that is shown from a file. Answers come back on the GUI thread, and not at all when the session has ended
-// meanwhile. Owned by the main window; GUI thread.
+// meanwhile or nobody waits for them. Owned by the main window; GUI thread.
 #pragma once
 #include "editor/debug/run_control.h"
 #include "runtime/inside/why.h"
 
+#include <atomic>
 #include <condition_variable>
 #include <deque>
 #include <functional>
@@ -31,8 +32,12 @@ public:
     explicit InsideDesk(RunControl& control, QObject* parent = nullptr);
     ~InsideDesk() override;
 
-    /// False: there is no recording to ask. A question that waits under the same key gives way to this one.
-    bool ask(const QString& key, Work work);
+    /// What there has to be: a scan that stands in the controller needs no recorded one.
+    enum class Needs : uint8_t { Recording, Controller };
+    /// False: there is nothing to ask. A question under the same key gives way to this one, answered by half or not.
+    bool ask(const QString& key, Work work, Needs needs = Needs::Recording);
+    /// Nobody waits for the answer any more. Long work looks at Insight::isCancelled().
+    void cancel(const QString& key);
     [[nodiscard]] bool isBusy() const { return m_open > 0; }
 
 signals:
@@ -46,10 +51,12 @@ private:
         std::shared_ptr<const void> owner; // of a recording from a file
         RunControl::Hold hold;             // the session stays until it is answered
         uint64_t generation = 0;
+        std::shared_ptr<std::atomic<bool>> isCancelled = std::make_shared<std::atomic<bool>>(false);
     };
+    [[nodiscard]] size_t drop(const QString& key);
     void letGo();
     void work();
-    void answered(uint64_t generation, const Finish& finish);
+    void answered(uint64_t generation, bool isCancelled, const Finish& finish);
     void setOpen(int open);
 
     RunControl& m_control;
@@ -59,6 +66,8 @@ private:
     std::deque<Job> m_jobs;
     uint64_t m_generation = 0;
     bool m_isWorking = false, m_quits = false;
+    QString m_workingOn;                               // key of the question that is being answered
+    std::shared_ptr<std::atomic<bool>> m_stopsWorking; // and the word that nobody waits for it
     std::unique_ptr<Bench> m_bench;
     std::shared_ptr<const void> m_benchOwner;
     std::thread m_thread;

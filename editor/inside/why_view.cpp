@@ -9,6 +9,7 @@
 #include <QClipboard>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QMenu>
 #include <QToolButton>
@@ -69,6 +70,12 @@ WhyView::WhyView(InsideDesk& desk, RunControl& control, QWidget* parent)
                       "whyNot", kit::AskWhy::WhyNot);
     m_who = button(tr("Who Set This?"), tr("All changes in the recording, and what made each of them"), "who",
                    kit::AskWhy::Who);
+    m_cancel = new QToolButton(this);
+    m_cancel->setText(tr("Cancel"));
+    m_cancel->setToolTip(tr("Do not wait for the answer (Esc)"));
+    m_cancel->setObjectName("whyCancel");
+    m_cancel->hide();
+    connect(m_cancel, &QToolButton::clicked, this, &WhyView::cancel);
     connect(m_input, &QLineEdit::returnPressed, this, [this] { askAgain(kit::AskWhy::Why); });
     m_state = new QLabel(this);
     m_state->setWordWrap(true);
@@ -93,8 +100,11 @@ WhyView::WhyView(InsideDesk& desk, RunControl& control, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(4, 4, 4, 0);
     layout->setSpacing(4);
+    auto* stateRow = new QHBoxLayout;
+    stateRow->addWidget(m_state, 1);
+    stateRow->addWidget(m_cancel, 0, Qt::AlignTop);
     layout->addLayout(row);
-    layout->addWidget(m_state);
+    layout->addLayout(stateRow);
     layout->addWidget(m_tree, 1);
     setMinimumSize(260, 120);
     showState(tr("Right-click a variable in the text, the watch, the tree, the trace or a panel and ask why it has its "
@@ -108,7 +118,26 @@ void WhyView::clear() {
     m_tree->clear();
     m_places.clear();
     m_programs.clear();
+    setWaiting(false);
     showState({}, false);
+}
+
+void WhyView::setWaiting(bool isWaiting) {
+    m_isWaiting = isWaiting;
+    m_cancel->setVisible(isWaiting);
+}
+
+void WhyView::cancel() {
+    if (!m_isWaiting) return;
+    ++m_number;
+    m_desk.cancel("why");
+    setWaiting(false);
+    showState(tr("Cancelled: there is no answer."), false);
+}
+
+void WhyView::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Escape && m_isWaiting) return cancel();
+    QWidget::keyPressEvent(event);
 }
 
 void WhyView::showState(const QString& text, bool isError) {
@@ -140,6 +169,7 @@ void WhyView::ask(kit::AskWhy question, const QString& expression, const QString
                 if (number == m_number) show(answer, false);
             };
         });
+    setWaiting(isAsked);
     if (isAsked)
         showState(tr("Looking into the recorded scans…"), false);
     else
@@ -212,6 +242,7 @@ QTreeWidgetItem* WhyView::add(QTreeWidgetItem* parent, const Sentence& sentence,
 }
 
 void WhyView::show(const Answer& answer, bool isMore) {
+    setWaiting(false);
     if (!answer.error.message.isEmpty()) {
         showState(kit::messageText(answer.error), true);
         return emit answered();
@@ -240,6 +271,7 @@ void WhyView::showMore(QTreeWidgetItem* item) {
     const history::Position before = item->data(0, kMoreRole).toULongLong();
     delete item;
     const inside::Question question{m_asked.expression.toStdString(), m_asked.scope.toStdString()};
+    setWaiting(true);
     (void)m_desk.ask("why", [this, question, before, number = m_number](InsideDesk::Bench& bench) {
         return [this, number, answer = writersOf(bench, question, before, false)] {
             if (number == m_number) show(answer, true);

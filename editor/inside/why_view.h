@@ -29,6 +29,8 @@ public:
     /// The whole answer, a line for each sentence.
     [[nodiscard]] QString text() const;
     void clear();
+    /// Nobody waits for the answer any more.
+    void cancel();
     /// The variable that the sentence with the focus speaks of; empty: none.
     [[nodiscard]] QString focusedPath() const;
 
@@ -36,6 +38,9 @@ signals:
     void placeRequested(const QString& file, uint32_t offset, uint32_t length);
     void scanRequested(plc::history::Position position);
     void answered();
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override; // Esc
 
 private:
     struct Asked {
@@ -60,6 +65,7 @@ private:
     void showMore(QTreeWidgetItem* item);
     void showMenu(const QPoint& position);
     void showState(const QString& text, bool isError);
+    void setWaiting(bool isWaiting);
 
     InsideDesk& m_desk;
     RunControl& m_control;
@@ -68,7 +74,8 @@ private:
     std::vector<std::shared_ptr<const image::CompiledProgram>> m_programs;
     std::vector<std::pair<SourceRange, const image::CompiledProgram*>> m_places; // by the role of an item
     kit::ExpressionEdit* m_input;
-    QToolButton *m_why, *m_whyNot, *m_who;
+    QToolButton *m_why, *m_whyNot, *m_who, *m_cancel;
+    bool m_isWaiting = false;
     QLabel* m_state;
     QTreeWidget* m_tree;
 };

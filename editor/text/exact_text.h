@@ -4,6 +4,7 @@
 #include <QString>
 
 #include <cstdint>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -30,6 +31,7 @@ struct ExactText {
     std::vector<Condition> conditions;
     std::vector<std::pair<uint32_t, uint32_t>> notRun;
     std::vector<Loop> loops;
+    std::map<uint32_t, Value> results; // of instructions of a list, by AccumulatorPlace::at
     bool operator==(const ExactText&) const = default;
 };
 

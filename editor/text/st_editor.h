@@ -91,14 +91,21 @@ public:
     void setOnlineValues(OnlineValues values);
     void refreshOnlineValues();
     /// What a recorded scan did in this text, in the place of the live values; none: these again.
-    void setExactText(std::optional<ExactText> exact);
+    /// `atMoment` runs what it is given while the online values are those of the same moment; empty: they are.
+    using AtMoment = std::function<void(const std::function<void()>&)>;
+    void setExactText(std::optional<ExactText> exact, AtMoment atMoment = {});
+    /// Runs it while the online values are those of the moment that the text shows.
+    void atShownMoment(const std::function<void()>& read) const;
     [[nodiscard]] const std::optional<ExactText>& exactText() const { return m_exact; }
     [[nodiscard]] bool showsValues() const { return m_settings.showOnlineValues; }
     [[nodiscard]] bool isAsAnalysed() const { return m_isAsAnalysed; }
+    /// Of the analysed text.
+    [[nodiscard]] const std::vector<analysis::AccumulatorPlace>& accumulators() const { return m_accumulators; }
     /// By line from 1, in a margin of its own; none: no margin.
     void setCoverage(const std::map<int, LineCoverage>& lines);
     /// What the line's coverage says, with edits taken into account; line from 0.
     [[nodiscard]] QString coverageAt(int line) const;
+    [[nodiscard]] std::optional<LineCoverage> coverageOf(int line) const;
     /// Bytes of the lines in sight.
     [[nodiscard]] std::pair<uint32_t, uint32_t> visibleRange() const;
     /// What stands beside the lines now, by line from 0.
@@ -178,6 +185,8 @@ private:
     void showToolTip(const QPoint& position);
     [[nodiscard]] std::string textRange(uint32_t begin, uint32_t end) const;
     void drawOnlineValues(QPainter& painter);
+    void findShownValues();
+    [[nodiscard]] const ExactText::Value* exactResult(uint32_t at) const;
     void findDeclared();
     void showExactMarks();
     [[nodiscard]] std::vector<OnlineValue> exactValues(uint32_t begin, uint32_t end) const;
@@ -201,7 +210,8 @@ private:
     std::map<int, int> m_breakpointMarks; // handle of the mark → line where it was set, from 1
     std::vector<std::pair<int, std::vector<OnlineValue>>> m_shownValues; // by visible line
     std::optional<ExactText> m_exact;
-    std::map<int, QString> m_coverage;                      // handle of a mark → what it says
+    AtMoment m_atMoment;
+    std::map<int, LineCoverage> m_coverage;                 // by handle of a mark
     std::vector<std::pair<QRect, uint32_t>> m_passBoxes;    // where passes of loops are drawn
     std::vector<analysis::AccumulatorPlace> m_accumulators; // of the analysed text
     std::vector<const sema::Symbol*> m_declared;            // of the model, in order of place

@@ -14,11 +14,20 @@ namespace {
 constexpr int kCoverageWidth = 6;
 }
 
-void StEditor::setExactText(std::optional<ExactText> exact) {
-    if (exact == m_exact) return;
+void StEditor::setExactText(std::optional<ExactText> exact, AtMoment atMoment) {
+    const bool isSame = exact == m_exact;
+    if (isSame && !atMoment && !m_atMoment) return;
     m_exact = std::move(exact);
-    showExactMarks();
+    m_atMoment = std::move(atMoment);
+    if (!isSame) showExactMarks();
     refreshOnlineValues();
+}
+
+void StEditor::atShownMoment(const std::function<void()>& read) const {
+    if (m_exact && m_atMoment)
+        m_atMoment(read);
+    else
+        read();
 }
 
 std::pair<uint32_t, uint32_t> StEditor::visibleRange() const {
@@ -90,6 +99,13 @@ std::vector<OnlineValue> StEditor::exactValues(uint32_t begin, uint32_t end) con
     return values;
 }
 
+/// What an instruction came to; null: not known.
+const ExactText::Value* StEditor::exactResult(uint32_t at) const {
+    if (!m_exact) return nullptr;
+    const auto found = m_exact->results.find(at);
+    return found == m_exact->results.end() ? nullptr : &found->second;
+}
+
 void StEditor::setCoverage(const std::map<int, LineCoverage>& lines) {
     for (const int marker : {int(kCovered), int(kPartlyCovered), int(kNotCovered)}) markerDeleteAll(marker);
     m_coverage.clear();
@@ -98,14 +114,19 @@ void StEditor::setCoverage(const std::map<int, LineCoverage>& lines) {
         const int marker = coverage.state == LineCoverage::State::Run      ? kCovered
                            : coverage.state == LineCoverage::State::Partly ? kPartlyCovered
                                                                            : kNotCovered;
-        m_coverage[markerAdd(line - 1, marker)] = coverage.text;
+        m_coverage[markerAdd(line - 1, marker)] = coverage;
     }
 }
 
+std::optional<LineCoverage> StEditor::coverageOf(int line) const {
+    for (const auto& [handle, coverage] : m_coverage)
+        if (markerLine(handle) == line) return coverage;
+    return std::nullopt;
+}
+
 QString StEditor::coverageAt(int line) const {
-    for (const auto& [handle, text] : m_coverage)
-        if (markerLine(handle) == line) return text;
-    return {};
+    const auto coverage = coverageOf(line);
+    return coverage ? coverage->text : QString();
 }
 
 bool StEditor::isRun(uint32_t at) const {

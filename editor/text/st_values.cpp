@@ -92,8 +92,8 @@ std::optional<StEditor::NamedValue> StEditor::askedAbout() const {
     return variableAt(cursorOffset());
 }
 
-void StEditor::refreshOnlineValues() {
-    auto before = std::exchange(m_shownValues, {});
+void StEditor::findShownValues() {
+    m_shownValues.clear();
     const auto file = fileId();
     if (m_onlineValues && m_settings.showOnlineValues && file && m_isAsAnalysed) {
         const long top = SendScintilla(S::SCI_GETFIRSTVISIBLELINE), count = SendScintilla(S::SCI_LINESONSCREEN);
@@ -143,6 +143,10 @@ void StEditor::refreshOnlineValues() {
                 auto shown = m_onlineValues({{QString::fromStdString(result->expression),
                                               QString::fromStdString(m_model->pouAt(*file, result->at))}});
                 if (shown.empty()) continue;
+                if (const auto* exact = exactResult(result->at)) {
+                    shown.front().value = exact->text;
+                    shown.front().isTrue = exact->isTrue;
+                }
                 if (!values.empty() && values.front().isAccumulator) values.erase(values.begin());
                 shown.front().name = tr("CR", "current result of an instruction list");
                 shown.front().isAccumulator = true;
@@ -151,6 +155,11 @@ void StEditor::refreshOnlineValues() {
             if (!values.empty()) m_shownValues.emplace_back(static_cast<int>(line), std::move(values));
         }
     }
+}
+
+void StEditor::refreshOnlineValues() {
+    const auto before = m_shownValues;
+    atShownMoment([this] { findShownValues(); });
     if (before == m_shownValues) return;
     // Only the lines whose values changed are painted again.
     QRegion changed;

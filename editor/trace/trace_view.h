@@ -41,6 +41,7 @@ public:
     const QString& openedName() const { return m_openedName; }
     /// The recording that is drawn: the opened file's, else the running one.
     const Recording* recording() const { return m_recording; }
+    [[nodiscard]] const Recording* beneath() const { return m_beneath.get(); }
     /// The program has changed: names and completion follow, expressions are tried again.
     void programChanged();
     /// Draws an older recording beneath; null takes it away.

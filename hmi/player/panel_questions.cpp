@@ -47,8 +47,10 @@ void PanelPlayer::askWhy(kit::AskWhy question, const QString& expression) {
     const history::History* history = m_recording ? m_recording->history : m_session ? &m_session->history() : nullptr;
     if (!history || history->statistics().scans == 0)
         return refuse(systemText(m_project.texts, SystemText::NoController, language()));
-    m_why =
-        new PanelWhy(*history, question, expression, m_values ? m_values->position() : std::nullopt, language(), this);
+    const auto program = m_recording ? m_recording->program : m_session->program();
+    OperatorNames names = program ? operatorNames(m_project, *program, language()) : OperatorNames();
+    m_why = new PanelWhy(*history, question, expression, m_values ? m_values->position() : std::nullopt, language(),
+                         std::move(names), this);
     m_why->setGeometry(rect().adjusted(width() / 12, height() / 12, -width() / 12, -height() / 12));
     static_cast<QWidget*>(m_why.data())->show();
     m_why->setFocus();

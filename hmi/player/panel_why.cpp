@@ -42,8 +42,9 @@ std::vector<Sentence> changesOf(const Result<std::vector<inside::Writer>>& found
 } // namespace
 
 PanelWhy::PanelWhy(const history::History& history, kit::AskWhy question, const QString& expression,
-                   std::optional<history::Position> at, const QString& language, QWidget* parent)
-    : QWidget(parent), m_language(language), m_state(new QLabel(expression, this)), m_tree(new QTreeWidget(this)) {
+                   std::optional<history::Position> at, const QString& language, OperatorNames names, QWidget* parent)
+    : QWidget(parent), m_language(language), m_names(std::move(names)), m_state(new QLabel(expression, this)),
+      m_tree(new QTreeWidget(this)) {
     setAutoFillBackground(true);
     setFocusPolicy(Qt::StrongFocus);
     auto* close = new QToolButton(this);
@@ -63,6 +64,7 @@ PanelWhy::PanelWhy(const history::History& history, kit::AskWhy question, const 
     const history::Position when = at.value_or(history.statistics().end - 1);
     m_thread = std::thread([this, &history, question, when, asked = inside::Question{expression.toStdString(), {}}] {
         inside::Insight insight(history);
+        insight.setCancel(m_isCancelled);
         inside::Reasoner reasoner(insight);
         Answer answer;
         switch (question) {
@@ -80,14 +82,18 @@ PanelWhy::PanelWhy(const history::History& history, kit::AskWhy question, const 
     });
 }
 
-PanelWhy::~PanelWhy() { m_thread.join(); }
+PanelWhy::~PanelWhy() {
+    *m_isCancelled = true;
+    m_thread.join();
+}
 
 void PanelWhy::show(const Answer& answer) {
     m_isAnswered = true;
     if (!answer.error.message.isEmpty()) return m_state->setText(kit::messageText(answer.error, m_language));
     const auto add = [this](auto&& self, QTreeWidgetItem* parent, const Sentence& sentence) -> void {
         auto* item = parent ? new QTreeWidgetItem(parent) : new QTreeWidgetItem(m_tree);
-        item->setText(0, kit::messageText(sentence.text, m_language));
+        item->setText(0, kit::messageText(inOperatorsWords(sentence.text, m_names), m_language));
+        item->setToolTip(0, kit::messageText(sentence.text, m_language)); // with the program's names
         for (const Sentence& part : sentence.parts) self(self, item, part);
         item->setExpanded(sentence.kind != inside::SentenceKind::Step);
     };

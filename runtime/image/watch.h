@@ -19,6 +19,7 @@ enum class WatchKind : uint32_t {
     Text,      // tree::Expr: a = address of the characters, b = capacity, bit 32 = wide
     Bytes,     // tree::Expr: a = address, b = size (arrays, structures)
     Read,      // tree::Place: a = address, b = size | (bit + 1) << 32
+    Load,      // tree::Expr, a scalar variable: its Read and its Value in one; a, b as Read
     Write      // tree::Stmt that caused it, null: parameters and initial values; a, b as Read, after the write
 };
 

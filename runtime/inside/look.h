@@ -14,6 +14,7 @@
 #include "runtime/image/watch.h"
 #include "runtime/inside/rerun.h"
 
+#include <atomic>
 #include <mutex>
 #include <unordered_map>
 
@@ -149,6 +150,10 @@ public:
                                                                const LookOptions& options = {});
     [[nodiscard]] const history::History& history() const { return m_history; }
     [[nodiscard]] Rerunner& rerunner() { return m_rerunner; }
+    /// Whoever asked no longer wants to know: long questions end soon, with whatever they have. Another thread may say
+    /// so; null: nobody will.
+    void setCancel(std::shared_ptr<const std::atomic<bool>> cancel) { m_cancel = std::move(cancel); }
+    [[nodiscard]] bool isCancelled() const { return m_cancel && *m_cancel; }
 
 private:
     struct Code {
@@ -161,6 +166,7 @@ private:
 
     const history::History& m_history;
     Rerunner m_rerunner;
+    std::shared_ptr<const std::atomic<bool>> m_cancel;
     std::vector<Code> m_codes;
     std::vector<std::shared_ptr<const Look>> m_looks; // the newest last
 };

@@ -42,6 +42,7 @@ void Recorder::report(image::RuntimeContext& context, const void* node, WatchKin
     if (kind == WatchKind::Begin) begin(where, static_cast<uint32_t>(a), context.depth);
     if (m_running.empty()) return;
     if (kind == WatchKind::Pass) pass(*static_cast<const tree::Stmt*>(node));
+    if (kind == WatchKind::Load) return load(context, *static_cast<const tree::Expr*>(node), where, a, b);
     Event event;
     event.kind = kind;
     event.node = node;
@@ -73,6 +74,15 @@ void Recorder::report(image::RuntimeContext& context, const void* node, WatchKin
         m_look.m_events.push_back(event);
     }
     if (kind == WatchKind::End) end();
+}
+
+/// The read of a variable, and the value that its bytes are.
+void Recorder::load(image::RuntimeContext& context, const tree::Expr& expr, uint64_t where, uint64_t a, uint64_t b) {
+    report(context, expr.place, WatchKind::Read, where, a, b);
+    const int bit = static_cast<int>(b >> 32) - 1;
+    uint64_t bits = 0;
+    std::memcpy(&bits, reinterpret_cast<const void*>(a), std::min<size_t>(sizeof bits, b & 0xffffffffu));
+    report(context, &expr, WatchKind::Value, where, bit >= 0 ? bits >> bit & 1 : bits, 0);
 }
 
 bool Recorder::isLeftOut(const void*, WatchKind kind) {

@@ -18,6 +18,7 @@ private:
     void begin(uint64_t where, uint32_t function, uint32_t depth);
     void end();
     void pass(const tree::Stmt& loop);
+    void load(image::RuntimeContext& context, const tree::Expr& expr, uint64_t where, uint64_t a, uint64_t b);
     [[nodiscard]] bool isLeftOut(const void* node, image::WatchKind kind);
     [[nodiscard]] uint64_t copyOf(uint64_t address, uint64_t size);
     [[nodiscard]] SourceRange extentOf(const tree::Stmt& loop);

@@ -142,6 +142,9 @@ private:
         if (!isWithin(expr.range, m_part) || !isInShownPass(expr.range)) return;
         if (event.kind == WatchKind::Value) m_results[keyOf(expr.range)] = event.bits != 0;
         if (expr.kind == ExprKind::Load) put({expr.range, m_look.valueOf(event), false});
+        if (m_part.results.empty()) return;
+        for (const uint32_t at : {expr.range.begin, expr.range.end - 1})
+            if (m_part.results.contains(at)) m_text.results[at] = m_look.valueOf(event);
     }
 
     void readWrite(const Event& event) {

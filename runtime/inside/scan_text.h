@@ -4,6 +4,7 @@
 #include "runtime/inside/look.h"
 
 #include <map>
+#include <set>
 
 namespace plc::inside {
 
@@ -15,6 +16,8 @@ struct TextPart {
     std::map<std::string, std::string> instances;
     /// The pass that is shown, by the start of the loop's text; for others the last one.
     std::map<uint32_t, uint64_t> passes;
+    /// Where instructions of a list begin, or their parentheses end: what they came to is asked for.
+    std::set<uint32_t> results;
     /// What came before this event is all that has happened (the scan is walked through).
     EventIndex until = kNone;
 };
@@ -36,10 +39,11 @@ struct ScanText {
         uint64_t pass = 0, count = 0; // the one that is shown, from 0; how many there were
         bool operator==(const Loop&) const = default;
     };
-    std::vector<Value> values;         // in order of time; a place that ran again counts with its last run
-    std::vector<Condition> conditions; // by place
-    std::vector<SourceRange> notRun;   // statements that did not run, by place
-    std::vector<Loop> loops;           // by place
+    std::vector<Value> values;                // in order of time; a place that ran again counts with its last run
+    std::vector<Condition> conditions;        // by place
+    std::vector<SourceRange> notRun;          // statements that did not run, by place
+    std::vector<Loop> loops;                  // by place
+    std::map<uint32_t, types::Value> results; // as asked for
     bool operator==(const ScanText&) const = default;
 };
 

@@ -280,11 +280,14 @@ void Reasoner::findTriggers(Explanation& answer, const Asked& asked, Position ch
     };
     std::vector<Toggle> found;
     for (const Toggle& toggle : toggles)
-        if (comesOut({toggle}) == answer.before) found.push_back(toggle);
+        if (m_insight.isCancelled())
+            return;
+        else if (comesOut({toggle}) == answer.before)
+            found.push_back(toggle);
     const auto togetherOf = [&] {
         if (toggles.empty() || comesOut(toggles) == answer.value) return;
         found = toggles; // only together: leave out what does not matter
-        for (size_t i = 0; i < found.size() && found.size() > 1;) {
+        for (size_t i = 0; i < found.size() && found.size() > 1 && !m_insight.isCancelled();) {
             std::vector<Toggle> fewer = found;
             fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
             if (comesOut(fewer) != answer.value)
@@ -340,7 +343,7 @@ void Reasoner::findEnablers(Explanation& answer, const Asked& asked, Position at
         });
         if (isTrigger || leaf.isClock || leaf.isInternal) continue;
         for (const types::Value& other : alternatives(layout, leaf)) {
-            if (++reruns > kMostReruns / 10) return;
+            if (++reruns > kMostReruns / 10 || m_insight.isCancelled()) return;
             history::ScanInput changed = *input;
             put(changed, leaf.place, other);
             if (outcomeOf(std::move(changed), asked.expression) == asked.value) continue;
@@ -406,7 +409,7 @@ Result<WhyNot> Reasoner::whyNot(const Question& question, Position at) {
     for (size_t together = 1; together <= kMostTogether && successes.size() < kMostWays; ++together) {
         std::vector<Attempt> next;
         for (const Attempt& attempt : open) {
-            if (++looks > kMostLooks) break;
+            if (++looks > kMostLooks || m_insight.isCancelled()) break;
             const auto seen = attempt.changes.empty() ? look : m_insight.lookFrom(apply(attempt));
             if (!seen) continue;
             const Slice slice = Slicer(**seen, mapOf(**seen)).sliceOf(targets);
@@ -422,7 +425,7 @@ Result<WhyNot> Reasoner::whyNot(const Question& question, Position at) {
                     more.changes.emplace_back(leaf, value);
                     const auto contains = [&](const Attempt& known) { return isWithin(known, more); };
                     if (std::any_of(successes.begin(), successes.end(), contains)) break;
-                    if (++reruns > kMostReruns) break;
+                    if (++reruns > kMostReruns || m_insight.isCancelled()) break;
                     if (outcomeOf(apply(more), asked->expression) == answer.wanted) {
                         successes.push_back(std::move(more));
                         break;

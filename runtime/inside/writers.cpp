@@ -225,7 +225,7 @@ Result<std::vector<Writer>> Reasoner::writers(const Question& question, Position
     if (to == 0) return all;
     Result<Asked> asked = ask(question, to - 1);
     if (!asked) return asked.error();
-    for (Position at = from; all.size() < limit;) {
+    for (Position at = from; all.size() < limit && !m_insight.isCancelled();) {
         const std::optional<Position> change = m_insight.history().findChange(asked->expression, recompile(question),
                                                                               at, history::History::Direction::Forward);
         if (!change || *change >= to) break;
@@ -239,7 +239,7 @@ Result<std::vector<Writer>> Reasoner::writersBackFrom(const Question& question, 
     std::vector<Writer> all;
     Result<Asked> asked = ask(question, at);
     if (!asked) return asked.error();
-    for (Position before = at + 1; all.size() < limit;) {
+    for (Position before = at + 1; all.size() < limit && !m_insight.isCancelled();) {
         const std::optional<Position> change = lastChange(asked->expression, question, before - 1);
         const Position when = change ? *change : m_insight.history().statistics().first;
         auto writer = lastWriter(question, when);

@@ -1,6 +1,7 @@
 // Exact values in the text of the scan that is shown, and the walk through it, forwards and backwards.
 #include "app/inside_views.h"
 #include "app/live_views.h"
+#include "tests/app/idle_chart.h"
 #include "tests/app/studio_fixture.h"
 
 #include <QAction>
@@ -53,6 +54,18 @@ protected:
         analysed();
         window->action("file.save")->trigger();
         for (QDockWidget* dock : window->findChildren<QDockWidget*>()) dock->hide(); // all lines are in sight
+        editor().goTo(0);
+        window->action("run.start")->trigger();
+        ASSERT_TRUE(waitFor([&] { return window->control().value("Main.n").text.toInt() > 50; }));
+        window->action("run.pause")->trigger();
+        ASSERT_TRUE(waitFor([&] { return window->control().status().state == controller::State::Paused; }));
+    }
+    /// Another text, running and paused after some scans.
+    void runText(const char* text) {
+        window->control().disconnectSession();
+        editor().applyEdits({{{FileId(), 0, static_cast<uint32_t>(editor().utf8().size())}, text}});
+        analysed();
+        window->action("file.save")->trigger();
         editor().goTo(0);
         window->action("run.start")->trigger();
         ASSERT_TRUE(waitFor([&] { return window->control().value("Main.n").text.toInt() > 50; }));
@@ -130,6 +143,83 @@ TEST_F(ExactValuesTest, AnEditTakesThemAway) {
     QTest::keyClicks(editor().viewport(), " ");
     EXPECT_FALSE(editor().exactText());
     window->workspace().revert("src/main.st");
+}
+
+TEST_F(ExactValuesTest, AnUndoBringsThemBack) {
+    ASSERT_TRUE(isExact());
+    for (int i = 0; i < 3; ++i) { // with and without a check in between
+        editor().goTo(at("n := n + 1;"));
+        QTest::keyClicks(editor().viewport(), " ");
+        ASSERT_FALSE(editor().exactText());
+        if (i > 0) analysed();
+        window->action("edit.undo")->trigger();
+        ASSERT_EQ(editor().utf8(), kProgram);
+        EXPECT_TRUE(waitFor([&] {
+            return beside("n := n + 10;", "n") == std::to_string(n() - 10) + " → " + std::to_string(n());
+        })) << "round "
+            << i << ": " << beside("n := n + 10;", "n");
+    }
+}
+
+TEST_F(ExactValuesTest, AScanAtABreakpointShowsWhatItHasComputedUntilThere) {
+    const std::string above = std::string(kProgram).substr(0, at("a(step := 1)"));
+    window->control().toggleBreakpoint("src/main.st",
+                                       static_cast<int>(std::count(above.begin(), above.end(), '\n')) + 1);
+    window->action("run.start")->trigger();
+    ASSERT_TRUE(waitFor([&] { return window->control().status().state == controller::State::Halted; }));
+    ASSERT_EQ(markedLine(), "a(step := 1);");
+    const int now = n();
+    EXPECT_TRUE(waitFor([&] {
+        return beside("n := n + 1;", "n") == std::to_string(now - 11) + " → " + std::to_string(now - 10);
+    })) << beside("n := n + 1;", "n");
+    EXPECT_EQ(beside("n := n + 10;", "n"), std::to_string(now - 10) + " → " + std::to_string(now));
+    EXPECT_EQ(beside("sum := sum + i;", "sum"), "") << "it has not come there yet";
+    EXPECT_FALSE(isDimmed("sum := sum + i;")) << "it may still come there";
+    window->action("run.stepOver")->trigger();
+    ASSERT_TRUE(waitFor([&] { return markedLine() == "b(step := 2);"; }));
+    EXPECT_TRUE(
+        waitFor([&] { return editor().exactText() && beside("n := n + 10;", "n").find(" → ") != std::string::npos; }));
+}
+
+TEST_F(ExactValuesTest, AllThatATextShowsIsOfOneMoment) {
+    window->action("run.start")->trigger();
+    ASSERT_TRUE(waitFor([&] { return window->control().status().state == controller::State::Running; }));
+    int seen = 0;
+    EXPECT_TRUE(waitFor([&] { // "n" beside its declaration is what the last line that writes it left
+        const std::string line = beside("n := n + 10;", "n"), declared = beside("n, i, sum : INT;", "n");
+        const size_t arrow = line.find(" → ");
+        if (arrow == std::string::npos || declared.empty()) return false;
+        EXPECT_EQ(line.substr(arrow + std::string(" → ").size()), declared);
+        return HasFailure() || ++seen > 40;
+    }));
+}
+
+TEST_F(ExactValuesTest, AChartDimsTheActionsThatDidNotRun) {
+    runText(kIdleChart);
+    EXPECT_TRUE(waitFor([&] { return isDimmed("made := made + 1;"); }));
+    EXPECT_FALSE(isDimmed("n := n + 1;"));
+    EXPECT_EQ(beside("n := n + 1;", "n"), std::to_string(n() - 1) + " → " + std::to_string(n()));
+    EXPECT_EQ(beside("FROM Idle TO Work", "go"), "FALSE");
+}
+
+TEST_F(ExactValuesTest, AnInstructionListShowsItsResultsOfThatPlace) {
+    runText(R"(PROGRAM Main
+VAR
+    n, m : INT;
+END_VAR
+LD n
+ADD 1
+ST n
+LD n
+ADD 10
+ST n
+ST m
+END_PROGRAM
+)");
+    EXPECT_TRUE(waitFor([&] { return beside("ADD 1\n", "CR") == std::to_string(n() - 10); }))
+        << beside("ADD 1\n", "CR");
+    EXPECT_EQ(beside("LD n", "CR"), std::to_string(n() - 11));
+    EXPECT_EQ(beside("ADD 10", "CR"), std::to_string(n()));
 }
 
 TEST_F(ExactValuesTest, RunningItIsASampleAgainAndAgain) {

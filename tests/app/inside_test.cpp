@@ -4,7 +4,9 @@
 #include "app/live_views.h"
 #include "app/project_tree.h"
 #include "editor/debug/watch_view.h"
+#include "hmi/player/panel_player.h"
 #include "hmi/player/panel_why.h"
+#include "projects/storage/project_file.h"
 #include "tests/app/studio_fixture.h"
 
 #include <QAction>
@@ -15,6 +17,9 @@
 #include <QTimer>
 #include <QToolButton>
 #include <QTreeWidget>
+
+#include <atomic>
+#include <thread>
 
 namespace plc::app {
 namespace {
@@ -137,6 +142,60 @@ TEST_F(InsideTest, WhyNotNamesTheChangesThatWouldMakeIt) {
     EXPECT_NE(answer().find("start were TRUE"), std::string::npos) << answer();
 }
 
+TEST_F(InsideTest, AQuestionCanBeCancelledAndANewOneReplacesIt) {
+    runUntilLamp();
+    // The desk is busy with something long, so that the questions wait; it looks whether anybody still does.
+    std::atomic<bool> isAt{false}, mayEnd{false};
+    ASSERT_TRUE(window->inside().desk().ask("long", [&](editor::InsideDesk::Bench&) -> editor::InsideDesk::Finish {
+        isAt = true;
+        while (!mayEnd) std::this_thread::yield();
+        return {};
+    }));
+    ASSERT_TRUE(waitFor([&] { return isAt.load(); }));
+    auto* cancel = why().findChild<QToolButton*>("whyCancel");
+    ASSERT_NE(cancel, nullptr);
+    window->inside().ask(kit::AskWhy::Why, "Main.lamp");
+    EXPECT_TRUE(cancel->isVisible());
+    QTest::keyClick(&why().tree(), Qt::Key_Escape);
+    EXPECT_FALSE(cancel->isVisible());
+    window->inside().ask(kit::AskWhy::Why, "Main.n");
+    window->inside().ask(kit::AskWhy::Who, "start");
+    mayEnd = true;
+    ASSERT_TRUE(answered());
+    EXPECT_FALSE(cancel->isVisible());
+    EXPECT_EQ(answer().find("Main.n is"), std::string::npos) << answer();
+    EXPECT_EQ(answer().find("Main.lamp is"), std::string::npos) << answer();
+    EXPECT_NE(answer().find("start"), std::string::npos) << answer();
+}
+
+TEST_F(InsideTest, WorkThatNobodyWaitsForHearsOfIt) {
+    runUntilLamp();
+    std::atomic<bool> isAt{false}, hasHeard{false}, isFinished{false};
+    const auto longOne = [&](editor::InsideDesk::Bench& bench) -> editor::InsideDesk::Finish {
+        isAt = true;
+        while (!bench.insight.isCancelled()) std::this_thread::yield();
+        hasHeard = true;
+        return [&] { isFinished = true; };
+    };
+    ASSERT_TRUE(window->inside().desk().ask("long", longOne));
+    ASSERT_TRUE(waitFor([&] { return isAt.load(); }));
+    window->inside().desk().cancel("long");
+    ASSERT_TRUE(waitFor([&] { return hasHeard && !window->inside().desk().isBusy(); }));
+    EXPECT_FALSE(isFinished) << "its answer is not wanted";
+    isAt = hasHeard = false;
+    ASSERT_TRUE(window->inside().desk().ask("long", longOne));
+    ASSERT_TRUE(waitFor([&] { return isAt.load(); }));
+    bool isAnswered = false;
+    ASSERT_TRUE(window->inside().desk().ask(
+        "long", [&](auto&) -> editor::InsideDesk::Finish { return [&] { isAnswered = true; }; }));
+    EXPECT_TRUE(waitFor([&] { return isAnswered; }));
+    EXPECT_TRUE(hasHeard) << "the new question took its place";
+    isAt = false;
+    ASSERT_TRUE(window->inside().desk().ask("long", longOne));
+    ASSERT_TRUE(waitFor([&] { return isAt.load(); }));
+    window->control().disconnectSession(); // does not wait for what nobody will hear
+}
+
 TEST_F(InsideTest, TheWatchListsAllChangesWithTheirWriters) {
     runUntilLamp();
     window->showDock("watch");
@@ -190,6 +249,44 @@ TEST_F(InsideTest, APlayerWithoutAStudioAnswersOverThePanel) {
     player.askWhy(kit::AskWhy::WhyNot, "Main.n");
     ASSERT_TRUE(waitFor([&] { return player.answer()->isAnswered(); }));
     EXPECT_TRUE(player.answer()->text().contains("condition")) << player.answer()->text().toStdString();
+    QTest::keyClick(player.answer(), Qt::Key_Escape);
+    EXPECT_TRUE(waitFor([&] { return !player.answer(); }));
+}
+
+TEST_F(InsideTest, APlayerAnswersInTheOperatorsWords) {
+    runUntilLamp();
+    const auto write = [](const QString& path, const QByteArray& bytes) {
+        QFile file(path);
+        return file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size();
+    };
+    ASSERT_TRUE(write(folder.filePath("hmi/overview.panel.json"),
+                      R"({"elements": [
+  {"kind": "lamp", "id": "Lamp", "rect": [40, 40, 120, 120], "value": "Main.lamp", "label": "@lamp"},
+  {"kind": "button", "id": "Start", "rect": [200, 40, 120, 60], "target": "start", "text": "@start"}]})"));
+    ASSERT_TRUE(write(folder.filePath("hmi/texts.csv"), "key,en,de\r\nlamp,Pump runs,Pumpe läuft\r\n"
+                                                        "start,Start pump,Pumpe starten\r\n"));
+    ASSERT_TRUE(write(folder.filePath("project.json"),
+                      "{\"name\": \"Test\", \"libraries\": [], \"languages\": [\"en\", \"de\"]}"));
+    const auto project = projects::openProject({folder.path().toStdString()});
+    ASSERT_TRUE(project) << project.error().english();
+    const hmi::PanelProject panels = hmi::loadPanelProject(*project);
+    hmi::PanelPlayer player(panels, window->control().session());
+    player.showPanel("overview");
+    player.resize(800, 600);
+    player.show();
+    const auto ask = [&](const char* language) {
+        player.setLanguage(language);
+        player.askWhy(kit::AskWhy::Why, "Main.lamp");
+        EXPECT_TRUE(waitFor([&] { return player.answer() && player.answer()->isAnswered(); }));
+        return player.answer()->text().toStdString();
+    };
+    const std::string english = ask("en");
+    EXPECT_NE(english.find("“Start pump” became TRUE"), std::string::npos) << english;
+    EXPECT_EQ(english.find("start became"), std::string::npos) << english;
+    const std::string german = ask("de");
+    EXPECT_NE(german.find("“Pumpe starten”"), std::string::npos) << german;
+    EXPECT_EQ(german.find("became"), std::string::npos) << "the sentences, too: " << german;
+    player.askWhy(kit::AskWhy::Who, "Main.n"); // closed at once: nothing waits for the answer
     QTest::keyClick(player.answer(), Qt::Key_Escape);
     EXPECT_TRUE(waitFor([&] { return !player.answer(); }));
 }

@@ -1,5 +1,6 @@
 // The ladder diagram beside its text, with real keys and clicks: what is drawn, edits as minimal text edits, one undo
 // history, power flow while it runs, and the way of a new user to a motor that holds itself.
+#include "app/new_project.h"
 #include "tests/app/studio_fixture.h"
 
 #include <QAction>
@@ -63,6 +64,18 @@ protected:
         if (view->field().isVisible())
             QTest::keyClick(&view->field(), Qt::Key_Return); // the first one took a completion
         presses += static_cast<int>(text.size()) + 1;
+    }
+    /// One rung that holds itself.
+    void drawMotor() {
+        press(Qt::Key_T, Qt::ControlModifier);
+        type("motor");
+        press(Qt::Key_K, Qt::ControlModifier);
+        type("start");
+        press(Qt::Key_R, Qt::ControlModifier);
+        type("motor");
+        press(Qt::Key_Escape);
+        press(Qt::Key_K, Qt::ControlModifier);
+        type("/stop");
     }
     /// The part with this label, or its place on the screen.
     [[nodiscard]] editor::LadderPick pickOf(const char* label) const {
@@ -203,15 +216,7 @@ TEST_F(LadderTest, F1ListsTheKeys) {
 
 TEST_F(LadderTest, ANewUserDrawsAMotorThatHoldsItselfInUnderFortyKeys) {
     open("PROGRAM Main\nVAR\nEND_VAR\n\nEND_PROGRAM\n");
-    press(Qt::Key_T, Qt::ControlModifier);
-    type("motor");
-    press(Qt::Key_K, Qt::ControlModifier);
-    type("start");
-    press(Qt::Key_R, Qt::ControlModifier);
-    type("motor");
-    press(Qt::Key_Escape);
-    press(Qt::Key_K, Qt::ControlModifier);
-    type("/stop");
+    drawMotor();
     EXPECT_EQ(editor().utf8(), "PROGRAM Main\nVAR\n    motor : BOOL;\n    start : BOOL;\n    stop : BOOL;\nEND_VAR\n"
                                "motor := (start OR motor) AND NOT stop;\n\nEND_PROGRAM\n");
     EXPECT_EQ(words(), "(start + motor^) /stop -> ()motor\n");
@@ -227,6 +232,26 @@ TEST_F(LadderTest, ANewUserDrawsAMotorThatHoldsItselfInUnderFortyKeys) {
     EXPECT_TRUE(waitFor([&] { return coil() == ladder::Power::On; }));
     window->control().unforce("Main.start");
     EXPECT_EQ(coil(), ladder::Power::On) << "it holds itself";
+}
+
+/// From the template "Empty", whose program runs in a task of a CONFIGURATION in the same file.
+TEST_F(LadderTest, ANewRungInAProgramWithAConfigurationShowsItsFlow) {
+    const QString made = folder.filePath("new");
+    ASSERT_TRUE(createProject(made.toStdString(), "New", "empty"));
+    QFile file(made + "/src/main.st");
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    const std::string text = file.readAll().toStdString();
+    ASSERT_NE(text.find("CONFIGURATION"), std::string::npos);
+    open(text.c_str());
+    window->action("file.save")->trigger();
+    drawMotor();
+    EXPECT_NE(words().find("(start + motor^) /stop -> ()motor\n"), std::string::npos) << words();
+    window->action("run.start")->trigger(); // the docks of a run take room: what is worked on stays in sight
+    ASSERT_TRUE(waitFor([&] { return view->scene().online().isOn; }));
+    EXPECT_TRUE(waitFor([&] { return powerBehind("stop") == ladder::Power::Off; })) << int(powerBehind("stop"));
+    ASSERT_TRUE(window->control().force("Main.start", "TRUE"));
+    EXPECT_TRUE(waitFor([&] { return powerBehind("stop") == ladder::Power::On; })) << int(powerBehind("stop"));
+    EXPECT_TRUE(view->scene().online().isExact);
 }
 
 // ------------------------------------------------------------------ what the program computed there

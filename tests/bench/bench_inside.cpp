@@ -2,9 +2,11 @@
 // journal adds to a recording. Prints a table.
 #include "projects/session/session.h"
 #include "runtime/compiler/jit/jit.h"
+#include "runtime/inside/scan_text.h"
 #include "runtime/inside/why.h"
 #include "tests/bench/program_generator.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 
@@ -45,6 +47,37 @@ void lookTable() {
     one.functions = {static_cast<uint32_t>(built.program->tasks.at(0).programs.at(0).function)};
     row("first look, one program watched", milliseconds([&] { look = *fresh.look(100, one); }), "ms");
     row("the next scan", milliseconds([&] { look = *fresh.look(101, one); }), "ms");
+}
+
+/// What exact values beside 60 visible lines of a running program cost, ten times a second.
+void liveTable() {
+    const driver::Built built = build(generateProgram(10'000));
+    session::Session session(built);
+    session.runHere([](const controller::Controller& c) { return c.nextScan() == 200; });
+    inside::Insight insight(session.history());
+    const tree::Program& tree = *driver::treeOf(built.program);
+    inside::TextPart part;
+    part.file = FileId(size_t(0));
+    const std::string_view text = built.program->sources[part.file].text();
+    part.begin = static_cast<uint32_t>(text.size() / 2);
+    part.end = part.begin;
+    for (int line = 0; line < 60 && part.end < text.size(); ++line)
+        part.end = static_cast<uint32_t>(std::min(text.size(), text.find('\n', part.end) + 1));
+    inside::LookOptions options;
+    options.functions = inside::functionsIn(tree, part.file, part.begin, part.end);
+    size_t values = 0;
+    const auto sample = [&](inside::Position at) {
+        values = inside::textOf(**insight.look(at, options), part).values.size();
+    };
+    std::printf("\nlive exact values of 60 lines of 10,000\n");
+    row("first sample", milliseconds([&] { sample(99); }), "ms");
+    const double each = milliseconds([&] {
+                            for (inside::Position at = 100; at < 200; ++at) sample(at);
+                        }) /
+                        100;
+    row("values of a sample", static_cast<double>(values), "");
+    row("a sample", each, "ms");
+    row("ten samples a second, of a core", each * 10 / 1000 * 100, "%");
 }
 
 const char* const kPlant = R"(
@@ -116,6 +149,7 @@ void journalTable() {
 
 int main() {
     plc::bench::lookTable();
+    plc::bench::liveTable();
     plc::bench::hourTable();
     plc::bench::journalTable();
 }

@@ -1,11 +1,13 @@
 // Power flow of the examples: at the recorded scans of their tests, what a ladder and a function block diagram show is
 // held against every sub-expression evaluated for itself, by the evaluator of watches, on the image as it was when its
-// statement began. STEPWISE_LONG=1 takes every scan.
+// statement began; the variables of methods and functions, which lie in frames, are put into the expression as they
+// were then. STEPWISE_LONG=1 takes every scan.
 #include "tests/examples/example_names.h"
 
 #include "projects/session/session.h"
 #include "projects/storage/project_file.h"
 #include "projects/testing/test_run.h"
+#include "runtime/base/text.h"
 #include "runtime/compiler/ladder/flow.h"
 #include "runtime/compiler/parse/parser.h"
 #include "runtime/inside/place_values.h"
@@ -13,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -120,7 +123,7 @@ public:
             for (const Drawn& drawn : text.units) compareUnit(text, drawn, look, owner);
     }
 
-    size_t compared = 0, unknown = 0, values = 0, notExecuted = 0;
+    size_t compared = 0, unknown = 0, values = 0, notExecuted = 0, inFrames = 0;
 
 private:
     using KnownAt = std::map<uint64_t, Known>;
@@ -143,10 +146,68 @@ private:
         }
     }
 
-    Known evaluate(const Text& text, SourceRange range, const std::string& instance, std::span<const std::byte> image) {
+    /// The run of a method or function whose variables lie in a frame.
+    struct Frame {
+        const image::FunctionInfo* function = nullptr;
+        uint32_t offset = 0;
+    };
+
+    /// A variable of the frame as ST writes its value; nothing where that cannot be written or is not its own.
+    std::optional<std::string> literalOf(const image::FunctionLocal& local, const Frame& frame,
+                                         std::span<const std::byte> image) const {
+        const types::TypeTable& types = *m_program->layout.types;
+        const bool isPlain = !local.isInOut && !types.isAggregate(local.type) && !types.isText(local.type) &&
+                             types.kind(local.type) == types.storageKind(local.type);
+        const size_t at = size_t(frame.offset) + local.frameOffset;
+        if (!isPlain || at + types[local.type].size > image.size()) return std::nullopt;
+        const std::string text = types::toText(types, types::readValue(types, local.type, image.subspan(at), -1));
+        if (text.empty() || text.find_first_of("0123456789TF") == std::string::npos) return std::nullopt; // no number
+        const bool isTyped =
+            types::isInteger(types.family(local.type)) || types.family(local.type) == types::Family::Real;
+        return "(" + (isTyped ? types[local.type].name + "#" + text : text) + ")";
+    }
+
+    /// The expression with the frame's variables as values; nothing where one has none.
+    std::optional<std::string> withValues(const std::string& words, const Frame& frame,
+                                          std::span<const std::byte> image) const {
+        if (words.find_first_of("'\"{") != std::string::npos) return std::nullopt;
+        const auto isWord = [](char c) { return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0; };
+        std::string out;
+        for (size_t i = 0; i < words.size();) {
+            size_t end = i;
+            while (end < words.size() && isWord(words[end])) ++end;
+            if (end == i) {
+                out += words[i++];
+                continue;
+            }
+            const std::string word = words.substr(i, end - i);
+            const bool isMember = i > 0 && (words[i - 1] == '.' || words[i - 1] == '#');
+            const auto& locals = frame.function->locals;
+            const auto local = std::find_if(locals.begin(), locals.end(), [&](const image::FunctionLocal& each) {
+                return foldCase(each.name) == foldCase(word);
+            });
+            i = end;
+            if (isMember || local == locals.end()) {
+                out += word;
+                continue;
+            }
+            const auto literal = literalOf(*local, frame, image);
+            if (!literal) return std::nullopt;
+            out += *literal;
+        }
+        return out;
+    }
+
+    Known evaluate(const Text& text, SourceRange range, const std::string& instance, std::span<const std::byte> image,
+                   const Frame& frame) {
         Known known;
         known.isExecuted = true;
-        const std::string words(text.text.substr(range.begin, range.length()));
+        std::string words(text.text.substr(range.begin, range.length()));
+        if (frame.function) {
+            auto filled = withValues(words, frame, image);
+            if (!filled) return known;
+            words = std::move(*filled);
+        }
         const auto expression = m_session.expression(words, instance);
         if (!expression) return known;
         const expression::Outcome outcome = expression->evaluate(image);
@@ -173,7 +234,7 @@ private:
 
     /// Follows the scan's writes and evaluates what each statement of the activation asks, as it begins.
     KnownAt follow(const Text& text, const Drawn& drawn, const Look& look, uint32_t activation,
-                   const std::string& instance) {
+                   const std::string& instance, const Frame& frame) {
         KnownAt known;
         std::vector<std::byte> image = look.input().image;
         std::memcpy(image.data(), look.image().data(), kClockEnd); // set when the scan began
@@ -191,7 +252,7 @@ private:
             const auto asked = drawn.asked.find(keyOf(event.stmt()->range));
             if (asked == drawn.asked.end()) continue;
             for (const SourceRange& range : asked->second) {
-                Known value = evaluate(text, range, instance, image);
+                Known value = evaluate(text, range, instance, image, frame);
                 Known& at = known[keyOf(range)];
                 value.isExecuted = true;
                 at = std::move(value);
@@ -201,7 +262,6 @@ private:
     }
 
     void compareUnit(const Text& text, const Drawn& drawn, const Look& look, const std::shared_ptr<const Look>& owner) {
-        if (drawn.unit.owner) return; // a method or property: its parameters are in a frame, as a function's are
         std::map<std::string, std::vector<uint32_t>> runs; // by instance
         for (uint32_t i = 0; i < look.activations().size(); ++i) {
             const auto& function = m_program->functions[look.activations()[i].function];
@@ -209,19 +269,25 @@ private:
                 runs[function.instanceType.isValid() ? look.instanceOf(i) : std::string()].push_back(i);
         }
         for (const auto& [instance, activations] : runs) {
-            if (activations.size() != 1 || instance.empty()) continue; // functions keep their variables in frames
-            const KnownAt known = follow(text, drawn, look, activations[0], instance);
+            if (activations.size() != 1) continue; // places tell of the last run only
+            const inside::Activation& run = look.activations()[activations[0]];
+            const image::FunctionInfo& function = m_program->functions[run.function];
+            Frame frame;
+            if (!function.locals.empty()) frame = {&function, run.frame};
+            inFrames += frame.function ? 1 : 0;
+            const KnownAt known = follow(text, drawn, look, activations[0], instance, frame);
             const inside::PlaceValues places(owner, text.id, instance);
             for (const ladder::Diagram& diagram : drawn.forms)
-                compareDiagram(text, drawn, diagram, known, places, instance);
+                compareDiagram(text, drawn, diagram, known, places, instance, frame);
         }
     }
 
     void compareDiagram(const Text& text, const Drawn& drawn, const ladder::Diagram& diagram, const KnownAt& known,
-                        const inside::PlaceValues& places, const std::string& instance) {
+                        const inside::PlaceValues& places, const std::string& instance, const Frame& frame) {
         const ladder::Answers answers = [&](const ladder::Question& question) {
             if (const auto* value = places.at(question.range)) return value->value.isTrue() ? Power::On : Power::Off;
-            const Known constant = evaluate(text, question.range, instance, places.look().image());
+            // Not computed, so a constant: a variable of a frame is none.
+            const Known constant = evaluate(text, question.range, instance, places.look().image(), frame);
             return !constant.truth ? Power::Unknown : *constant.truth ? Power::On : Power::Off;
         };
         const ladder::Executed isExecuted = [&](SourceRange range) { return places.isExecuted(range); };
@@ -322,14 +388,15 @@ class ExampleFlow : public ::testing::TestWithParam<std::string> {};
 TEST_P(ExampleFlow, IsTheValueOfEverySubExpressionWhereItWasComputed) {
     const auto project = projects::openProject({exampleFolder(GetParam())});
     ASSERT_TRUE(project) << project.error().english();
+    constexpr history::Position kScans = 40; // of each test
     const bool takesAll = std::getenv("STEPWISE_LONG") != nullptr;
-    size_t scans = 0, compared = 0, unknown = 0, values = 0, notExecuted = 0;
+    size_t scans = 0, compared = 0, unknown = 0, values = 0, notExecuted = 0, inFrames = 0;
     plc::testing::Options options;
     options.finished = [&](session::Session& session) {
         Flow flow(session);
         inside::Insight insight(session.history());
         const history::Statistics all = session.history().statistics();
-        const history::Position step = takesAll ? 1 : std::max<history::Position>(1, (all.end - all.first) / 12);
+        const history::Position step = takesAll ? 1 : std::max<history::Position>(1, (all.end - all.first) / kScans);
         for (history::Position at = all.first; at < all.end; at += step) {
             const auto look = insight.look(at);
             if (!look) continue; // the first one of an evicted recording
@@ -341,11 +408,13 @@ TEST_P(ExampleFlow, IsTheValueOfEverySubExpressionWhereItWasComputed) {
         unknown += flow.unknown;
         values += flow.values;
         notExecuted += flow.notExecuted;
+        inFrames += flow.inFrames;
     };
     const auto report = plc::testing::runTests(*project, options);
     ASSERT_TRUE(report) << report.error().english();
-    std::printf("%s: %zu scans, %zu places of power, %zu values, %zu rungs not executed, %zu not known\n",
-                GetParam().c_str(), scans, compared, values, notExecuted, unknown);
+    std::printf("%s: %zu scans, %zu places of power, %zu values, %zu rungs not executed, %zu runs of methods and "
+                "functions, %zu not known\n",
+                GetParam().c_str(), scans, compared, values, notExecuted, inFrames, unknown);
     EXPECT_GT(scans, 0u);
     EXPECT_GT(compared + values, 0u);
 }

@@ -1,6 +1,7 @@
 // Makes docs/pictures: drives the real window on the shipped examples and saves what it shows, light and dark. Run by
-// docs/make_pictures.sh under Xvfb.
+// docs/make_pictures.sh under Xvfb; with a second argument only those of "start", "loop", "chart" or "inside".
 #include "app/editor_tabs.h"
+#include "app/inside_views.h"
 #include "app/live_views.h"
 #include "app/main_window.h"
 #include "app/problems_view.h"
@@ -61,6 +62,12 @@ void save(QWidget& window, const QString& name) {
         std::fprintf(stderr, "%s can not be written\n", qPrintable(file));
     else
         std::printf("%s\n", qPrintable(file));
+}
+
+void hideDocks(app::MainWindow& window) {
+    for (const char* side :
+         {"forces", "callPath", "breakpoints", "panel", "watch", "trace", "problems", "search", "tasks", "log"})
+        window.dock(side)->hide();
 }
 
 /// The pictures on the PID example: text, values, watch, trace, breakpoint, panel.
@@ -161,9 +168,7 @@ void takeLoop(app::MainWindow& window, const QString& project) {
     window.control().disconnectSession();
     QTest::qWait(100);
 
-    for (const char* side :
-         {"watch", "forces", "callPath", "breakpoints", "panel", "trace", "problems", "search", "tasks", "log"})
-        window.dock(side)->hide();
+    hideDocks(window);
     window.openDesigner("loop");
     QTest::qWait(600);
     save(window, "panel_designer_studio");
@@ -177,9 +182,7 @@ void takeChart(app::MainWindow& window, const QString& project) {
     auto* page = window.tabs().openFile("src/main.st");
     page->first().goTo(static_cast<uint32_t>(page->first().utf8().find("INITIAL_STEP")));
     page->showChart("Main");
-    for (const char* side :
-         {"forces", "callPath", "breakpoints", "panel", "watch", "trace", "problems", "search", "tasks", "log"})
-        window.dock(side)->hide();
+    hideDocks(window);
     window.action("run.start")->trigger();
     waitFor([&] { return window.control().status().scans > 20; }, 8000);
     (void)window.control().force("IO.SinglePb", "TRUE");
@@ -188,17 +191,61 @@ void takeChart(app::MainWindow& window, const QString& project) {
     window.control().disconnectSession();
 }
 
-void takeAll(const QString& examples) {
+/// Inside a scan of the motor: exact values and an answer, the walk, coverage.
+void takeInside(app::MainWindow& window, const QString& project) {
+    window.resetLayout();
+    window.openProject(project);
+    waitFor([&] { return window.workspace().model() != nullptr; });
+    editor::StEditor& editor = window.tabs().openFile("src/main.st")->first();
+    hideDocks(window);
+    window.action("run.start")->trigger();
+    waitFor([&] { return window.control().status().scans > 30; }, 8000);
+    (void)window.control().write("Plant.StartButton", "TRUE");
+    waitFor([&] { return window.control().value("IO.K1").isTrue; }, 8000);
+    QTest::qWait(300);
+    (void)window.control().write("Plant.StartButton", "FALSE");
+    waitFor([&] { return window.control().value("Plant.Speed").text.toDouble() > 600; }, 8000);
+    window.action("run.pause")->trigger();
+    waitFor([&] { return window.control().status().state == controller::State::Paused; });
+
+    editor.goTo(static_cast<uint32_t>(editor.utf8().find("K1 := K1Latch")));
+    window.inside().ask(kit::AskWhy::Why, "IO.K1");
+    waitFor([&] { return window.inside().whyView().tree().topLevelItemCount() > 0; }, 8000);
+    window.resizeDocks({window.dock("why")}, {330}, Qt::Vertical);
+    waitFor([&] { return editor.exactText().has_value(); }, 8000);
+    QTest::qWait(400);
+    save(window, "inside_why");
+
+    window.dock("why")->hide();
+    window.action("time.walk")->trigger();
+    waitFor([&] { return window.inside().slowScan().isOpen(); }, 8000);
+    for (int i = 0; i < 4; ++i) window.action("run.stepOver")->trigger();
+    QTest::qWait(400);
+    save(window, "inside_walk");
+    window.inside().slowScan().close();
+    window.dock("slowScan")->hide();
+
+    window.action("time.coverage")->trigger();
+    waitFor([&] { return !editor.coverageAt(editor.lineAt(QPoint(10, 200))).isEmpty(); }, 8000);
+    QTest::qWait(400);
+    save(window, "inside_coverage");
+    window.action("time.noCoverage")->trigger();
+    window.control().disconnectSession();
+}
+
+void takeAll(const QString& examples, const QString& only) {
     QTemporaryDir scratch;
-    copyProject(examples + "/pid_pt1", scratch.path() + "/pid_pt1");
-    copyProject(examples + "/agv", scratch.path() + "/agv");
+    for (const char* each : {"pid_pt1", "agv", "motor"})
+        copyProject(examples + "/" + each, scratch.path() + "/" + each);
+    const auto isWanted = [&](const char* name) { return only.isEmpty() || only == name; };
     app::MainWindow window;
     window.resize(1440, 900);
     window.show();
     (void)QTest::qWaitForWindowExposed(&window);
-    save(window, "start_page");
-    takeLoop(window, scratch.path() + "/pid_pt1");
-    takeChart(window, scratch.path() + "/agv");
+    if (isWanted("start")) save(window, "start_page");
+    if (isWanted("loop")) takeLoop(window, scratch.path() + "/pid_pt1");
+    if (isWanted("chart")) takeChart(window, scratch.path() + "/agv");
+    if (isWanted("inside")) takeInside(window, scratch.path() + "/motor");
 }
 
 } // namespace
@@ -213,7 +260,7 @@ int main(int argc, char** argv) {
     app::Settings().setSawTour();
     for (const kit::ThemeChoice choice : {kit::ThemeChoice::Light, kit::ThemeChoice::Dark}) {
         kit::Theme::install(application, choice);
-        takeAll(app::StartPage::examplesFolder());
+        takeAll(app::StartPage::examplesFolder(), argc > 2 ? argv[2] : "");
     }
     return 0;
 }

@@ -183,6 +183,7 @@ private:
     Value* int64(int64_t v) { return b.getInt64(static_cast<uint64_t>(v)); }
 
     // watch.cpp: nothing unless the code is watched
+    Value* watchedLoad(const tree::Expr& expr);
     void watch(image::WatchKind kind, const void* node, Value* a = nullptr, Value* more = nullptr);
     void watchValue(const tree::Expr& expr, Value* value);
     void watchText(const tree::Expr& expr, const Text& text);

@@ -19,6 +19,7 @@ bool isSigned(Family family) {
 } // namespace
 
 llvm::Value* FunctionEmitter::scalar(const Expr& expr) {
+    if (m.options.watched && expr.kind == ExprKind::Load && !counterOf(*expr.place)) return watchedLoad(expr);
     Value* value = plainScalar(expr);
     watchValue(expr, value);
     return value;

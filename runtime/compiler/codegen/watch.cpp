@@ -39,6 +39,19 @@ void FunctionEmitter::watchValue(const tree::Expr& expr, Value* value) {
     watch(WatchKind::Value, &expr, b.CreateZExtOrTrunc(value, m.i64));
 }
 
+/// A read variable and its value are one report: half of what watched code says are these two.
+llvm::Value* FunctionEmitter::watchedLoad(const tree::Expr& expr) {
+    const tree::Place& place = *expr.place;
+    const Address from =
+        place.kind == tree::PlaceKind::TextIndex ? textIndexAddress(place, Purpose::Read) : address(place);
+    Value* value = load(from);
+    if (from.isImage)
+        watchPlace(WatchKind::Load, &expr, from);
+    else
+        watchValue(expr, value);
+    return value;
+}
+
 void FunctionEmitter::watchText(const tree::Expr& expr, const Text& text) {
     if (!m.options.watched || expr.kind == tree::ExprKind::Constant) return;
     Value* shape = b.CreateZExt(text.capacity, m.i64);

@@ -64,12 +64,10 @@ RungId Diagram::rungAt(uint32_t offset) const {
 }
 
 /// Reads of what is written in the same rung or below show the value of the scan before (IEC 61131-3, 4.1.3).
-void Projector::markReads() {
+void Projector::markReads(const std::vector<std::vector<NodeId>>& nodes) {
     std::unordered_map<std::string, size_t> firstWrite;
-    std::vector<std::vector<NodeId>> nodes;
-    for (size_t i = 0; i < m_diagram.rungs.size(); ++i) {
-        nodes.push_back(m_diagram.nodesOf(m_diagram.rungs[i]));
-        for (const NodeId id : nodes.back()) {
+    for (size_t i = 0; i < nodes.size(); ++i) {
+        for (const NodeId id : nodes[i]) {
             const Node& node = m_diagram[id];
             if (node.kind == NodeKind::Coil) firstWrite.emplace(foldedLabel(node.label), i);
             if (!node.instance.empty()) firstWrite.emplace(foldedLabel(node.instance) + ".", i);
@@ -91,7 +89,8 @@ void Projector::markReads() {
             Node& node = m_diagram.nodes[id.index()];
             if (node.kind != NodeKind::Contact && node.kind != NodeKind::Operand && node.kind != NodeKind::Compare)
                 continue;
-            node.isFeedback = isWrittenLater(node.label, i) || (!node.below.empty() && isWrittenLater(node.below, i));
+            node.isFeedback = isWrittenLater(node.label, i);
+            node.isFeedbackBelow = !node.below.empty() && isWrittenLater(node.below, i);
             node.isTemporary = node.operand && node.operand->kind == syntax::ExprKind::NameRef &&
                                m_types.isTemporary(node.operand->name.text, m_scope);
         }
@@ -99,10 +98,10 @@ void Projector::markReads() {
 }
 
 /// In order of execution: what feeds a box comes before it.
-void Projector::numberBoxes() {
+void Projector::numberBoxes(const std::vector<std::vector<NodeId>>& nodes) {
     int next = 1;
-    for (const Rung& rung : m_diagram.rungs)
-        for (const NodeId id : m_diagram.nodesOf(rung)) {
+    for (const std::vector<NodeId>& ofRung : nodes)
+        for (const NodeId id : ofRung) {
             Node& node = m_diagram.nodes[id.index()];
             if (node.kind == NodeKind::Box && node.order == 0) node.order = next++;
         }
@@ -170,7 +169,8 @@ private:
     std::string describeNode(NodeId id) const {
         const Node& node = m_diagram[id];
         const std::string sign = node.negated ? "/" : "";
-        const std::string mark = std::string(node.isFeedback ? "^" : "") + (node.isTemporary ? "~" : "");
+        const std::string mark =
+            std::string(node.isFeedback || node.isFeedbackBelow ? "^" : "") + (node.isTemporary ? "~" : "");
         switch (node.kind) {
         case NodeKind::Contact:
             return sign + node.label + mark;

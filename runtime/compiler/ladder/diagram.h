@@ -56,11 +56,12 @@ struct Node {
     const syntax::Stmt* stmt = nullptr;  // Coil, Jump, Return, a block's call, Edge: the call
     SourceRange range;
     bool negated = false;
-    bool isShort = false;       // AND_THEN, OR_ELSE: drawn as double lines
-    bool isFalling = false;     // Edge
-    bool isFeedback = false;    // reads what this rung or a later one writes: the value of the scan before
-    bool isTemporary = false;   // reads a VAR_TEMP: a result that was kept for use further down
-    bool isConditional = false; // Coil: written as IF … THEN y := TRUE; END_IF
+    bool isShort = false;         // AND_THEN, OR_ELSE: drawn as double lines
+    bool isFalling = false;       // Edge
+    bool isFeedback = false;      // reads what this rung or a later one writes: the value of the scan before
+    bool isFeedbackBelow = false; // Compare: so does its right operand
+    bool isTemporary = false;     // reads a VAR_TEMP: a result that was kept for use further down
+    bool isConditional = false;   // Coil: written as IF … THEN y := TRUE; END_IF
     CoilKind coil = CoilKind::Normal;
     std::string address, comment; // of the variable, as it is declared; empty: none
     std::string label;            // operand, title of a box, target of a jump

@@ -330,7 +330,10 @@ private:
         const int above = captions(id, x, y, w);
         glyph(id, x, y, w, source, inner, ShapeKind::Contact);
         const bool isCompare = node.kind == NodeKind::Compare;
-        if (isCompare) text(id, x, y + 1, cut(node.below), TextRole::Operand, Align::Middle, w + 1);
+        if (isCompare) {
+            text(id, x, y + 1, cut(node.below), TextRole::Operand, Align::Middle, w + 1);
+            m_picture.shapes.back().isMarked = node.isFeedbackBelow;
+        }
         hit(id, x + 1, y - above, w - 1, above + (isCompare ? 2 : 1));
     }
 

@@ -86,6 +86,8 @@ Projector::Projector(std::string_view text, const syntax::SyntaxFile& file, cons
 Diagram Projector::run() {
     if (!m_unit.body) return std::move(m_diagram);
     const syntax::Body& body = *m_unit.body;
+    constexpr uint32_t kTextOfANode = 16; // about; nodes are large, so that growing by copies costs
+    m_diagram.nodes.reserve(body.range.length() / kTextOfANode);
     if (body.language == syntax::BodyLanguage::St) {
         uint32_t begin = body.range.begin;
         // the comment above the first statement belongs to it
@@ -101,8 +103,11 @@ Diagram Projector::run() {
         rung.text = std::string(m_text.substr(body.range.begin, body.range.length()));
         m_diagram.share.text += std::max<size_t>(1, body.statements.size());
     }
-    markReads();
-    numberBoxes();
+    std::vector<std::vector<NodeId>> nodes;
+    nodes.reserve(m_diagram.rungs.size());
+    for (const Rung& rung : m_diagram.rungs) nodes.push_back(m_diagram.nodesOf(rung));
+    markReads(nodes);
+    numberBoxes(nodes);
     describeVariables();
     return std::move(m_diagram);
 }

@@ -80,8 +80,9 @@ private:
     [[nodiscard]] NodeId takeWaiting(const syntax::Expr& leaf);
     [[nodiscard]] Watched* watchedBy(const syntax::Expr& leaf);
 
-    void numberBoxes();
-    void markReads();
+    /// By rung.
+    void numberBoxes(const std::vector<std::vector<NodeId>>& nodes);
+    void markReads(const std::vector<std::vector<NodeId>>& nodes);
     void describeVariables();
 
     [[nodiscard]] NodeId add(Node node);

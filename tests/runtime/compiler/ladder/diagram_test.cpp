@@ -1,5 +1,6 @@
 // What each statement looks like: the table of docs/ladder.md, row by row.
 #include "opened.h"
+#include "runtime/compiler/ladder/layout.h"
 
 #include <gtest/gtest.h>
 
@@ -51,6 +52,16 @@ TEST(LadderDiagram, DrawsEdgesAndComparisonsAsContacts) {
                                   {"y := i > 5;", "{i > 5} -> ()y"},
                                   {"y := a AND i + 1 <= j AND (b XOR c);", "a {i + 1 <= j} {b XOR c} -> ()y"},
                                   {"y := NOT (i > 5) AND a;", "/{i > 5} a -> ()y"}});
+}
+
+/// A mark says that a variable is read before it is written; a literal beside it is not.
+TEST(LadderDiagram, MarksOfAComparisonOnlyWhatIsWrittenLater) {
+    const Opened opened(program("y := i > 3;\ny := 3 < j;\ni := i + 1;\nj := 2;\n"));
+    std::vector<std::string> marked;
+    for (const RungPicture& rung : computeLayout(opened.diagram, {}).rungs)
+        for (const Shape& shape : rung.shapes)
+            if (shape.kind == ShapeKind::Text && shape.isMarked) marked.push_back(shape.text);
+    EXPECT_EQ(marked, (std::vector<std::string>{"i", "j", "i"}));
 }
 
 TEST(LadderDiagram, InvertsTheWireOnlyWhereNothingStandsToTheLeft) {
