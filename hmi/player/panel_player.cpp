@@ -412,7 +412,7 @@ void PanelPlayer::frame() {
     }
     if (m_logIn.expire(std::chrono::steady_clock::now())) {
         record(QStringLiteral("log out"), {}, {}, {}, {}, QStringLiteral("timeout"));
-        userChanged();
+        showUser();
     }
     // Once, by who keeps the alarms that all share.
     for (const QString& alarm : m_station ? std::vector<QString>() : m_alarms.expire(QDateTime::currentDateTimeUtc()))
