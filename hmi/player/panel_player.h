@@ -110,6 +110,8 @@ signals:
     void writeRefused(const QString& reason);
     /// Logged in or out; empty: nobody is.
     void userChanged(const QString& name);
+    /// Changed and saved by the operator: recipes().
+    void recipesSaved();
     /// Of an expression that an element shows or writes.
     void whyRequested(plc::kit::AskWhy question, const QString& expression);
 
@@ -143,6 +145,7 @@ private:
     /// Saves; a change that cannot be saved is taken back.
     bool keepRecipes(RecipeFile changed);
     void askForPassword(const QString& user);
+    void watchPeople();
     void showUser();
     QString passwordRefusal(LogIn::Answer answer) const;
     QString titlesOf(const QString& roles) const;
