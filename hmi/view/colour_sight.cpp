@@ -46,7 +46,7 @@ bool isAlarmColour(const QString& color) {
 bool isLoud(const QString& color) {
     if (!color.startsWith(u'#')) return isAlarmColour(color) || isOneOf(color, {"green", "blue", "low"});
     const QColor seen(color);
-    constexpr double Quiet = 0.56; // the loudest of the themes' quiet roles
+    constexpr double Quiet = 0.6; // the themes' quiet roles and the colours of wood and earth are below
     return seen.isValid() && chroma(seen) > Quiet;
 }
 

@@ -46,8 +46,11 @@ private:
         if (element.kind() == ElementKind::SevenSegment || isSometimesHidden(m_panel, element)) return;
         for (const PropertyDescriptor& property : element.descriptor().properties) {
             if (property.type != PropertyType::Color) continue;
-            const bool isOn = property.key == "onColor" || property.key == "litColor";
-            if (isOn && element.kind() == ElementKind::Lamp) continue; // lit is what it is for
+            // Lit is a condition; of a symbol or a cell, it is the normal one: running.
+            const bool isLit =
+                property.key == "litColor" || (property.key == "onColor" && element.kind() != ElementKind::Symbol &&
+                                               element.kind() != ElementKind::CellGrid);
+            if (isLit) continue;
             checkStatic(element.id(), element, property.key);
         }
     }

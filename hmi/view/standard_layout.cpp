@@ -11,6 +11,8 @@ namespace plc::hmi {
 
 namespace {
 
+constexpr double kTouchArea = 44; // at least, as ElementView::touchArea has it
+
 int64_t pixels(double length) { return static_cast<int64_t>(std::lround(length)); }
 
 bool isAlways(const QString& expression) { return expression.trimmed().isEmpty(); }
@@ -57,24 +59,31 @@ void checkScaled(StandardFindings& out, const Element& placed, const Panel& draw
                 errors::FaceplateShrinksTargets(pixels(target), pixels(neededTarget)));
 }
 
-void checkTarget(StandardFindings& out, const Element& element) {
-    if (!isOperated(element)) return;
+/// What reacts to a finger is larger than what is drawn, up to its neighbours.
+void checkTargets(StandardFindings& out) {
     const double needed = out.input().standard.smallestTarget();
-    QSizeF size = element.rect().size();
-    if (element.kind() == ElementKind::CellGrid)
-        size = {size.width() / std::max(1, element.integer("columns")),
-                size.height() / std::max(1, element.integer("rows"))};
-    if (std::min(size.width(), size.height()) >= needed - 0.5) return;
-    Edit fix;
-    if (element.kind() != ElementKind::CellGrid) {
-        QRectF rect = element.rect();
-        const QPointF center = rect.center();
-        rect.setSize({std::max(rect.width(), needed), std::max(rect.height(), needed)});
-        rect.moveCenter(center);
-        fix = setProperty(out.panel(), element.id(), "rect", rectToJson(rect.toRect()));
+    std::vector<QRectF> operated;
+    for (const Element& element : out.panel().elements())
+        if (isOperated(element) && !isSometimesHidden(out.panel(), element)) operated.push_back(element.rect());
+    for (const Element& element : out.panel().elements()) {
+        if (!isOperated(element)) continue;
+        const QRectF rect = element.rect();
+        QSizeF size = rect.size();
+        const bool isGrid = element.kind() == ElementKind::CellGrid;
+        if (isGrid)
+            size = {size.width() / std::max(1, element.integer("columns")),
+                    size.height() / std::max(1, element.integer("rows"))};
+        const double dx = (needed - size.width()) / 2, dy = (needed - size.height()) / 2;
+        if (dx <= 0.25 && dy <= 0.25) continue;
+        const QRectF finger =
+            rect.adjusted(-std::max(0.0, dx), -std::max(0.0, dy), std::max(0.0, dx), std::max(0.0, dy));
+        const bool isFree = !isGrid && std::none_of(operated.begin(), operated.end(), [&](const QRectF& other) {
+            return other != rect && other.intersects(finger) && !other.intersects(rect);
+        });
+        if (!isFree)
+            out.add(StandardRule::TouchTargetTooSmall, element.id(), QStringLiteral("rect"),
+                    errors::TargetTooSmall(pixels(size.width()), pixels(size.height()), pixels(needed)));
     }
-    out.add(StandardRule::TouchTargetTooSmall, element.id(), QStringLiteral("rect"),
-            errors::TargetTooSmall(pixels(size.width()), pixels(size.height()), pixels(needed)), std::move(fix));
 }
 
 /// What is looked for and read: drawings are not.
@@ -212,10 +221,10 @@ bool isSometimesHidden(const Panel& panel, const Element& element) {
 void checkSizes(StandardFindings& out) {
     for (const Element& element : out.panel().elements()) {
         checkFont(out, element);
-        checkTarget(out, element);
         if (element.kind() != ElementKind::Faceplate) continue;
         if (const Panel* drawn = out.input().panelLookup()(element.text("panel"))) checkScaled(out, element, *drawn);
     }
+    checkTargets(out);
     checkCrowding(out);
 }
 

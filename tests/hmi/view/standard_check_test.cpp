@@ -85,8 +85,12 @@ TEST(StandardCheck, EachRuleHasAGoodAndABadPanel) {
         {"small letters", R"({"id":"a","kind":"text","rect":[0,0,160,40],"text":"L","fontSize":9})",
          "H1105 a.fontSize"},
         {"a key for a finger", R"({"id":"a","kind":"button","rect":[0,0,40,40],"text":"1","target":"M.b"})", ""},
-        {"a key for a needle", R"({"id":"a","kind":"button","rect":[0,0,40,20],"text":"1","target":"M.b"})",
-         "H1109 a.rect"},
+        {"a small key with room around it",
+         R"({"id":"a","kind":"button","rect":[0,20,40,20],"text":"1","target":"M.b"})", ""},
+        {"keys for a needle",
+         R"({"id":"a","kind":"button","rect":[0,0,40,20],"text":"1","target":"M.b"},
+            {"id":"b","kind":"button","rect":[0,24,40,20],"text":"2","target":"M.c"})",
+         "H1109 a.rect, H1109 b.rect"},
         {"keys beside each other",
          R"({"id":"a","kind":"button","rect":[0,0,80,40],"text":"1","target":"M.b"},
             {"id":"b","kind":"button","rect":[80,0,80,40],"text":"2","target":"M.c"})",
@@ -242,11 +246,10 @@ TEST(StandardCheck, WrongSettingsAreReportedAndChangeNothing) {
 TEST(StandardCheck, FixesCorrectWhatTheyAreGivenWith) {
     CheckInput input = project({panelOf(QStringLiteral("main"),
                                         R"({"id":"a","kind":"rectangle","rect":[0,0,80,80],"fill":"green"},
-                                           {"id":"b","kind":"button","rect":[200,0,60,20],"color":"red","target":"M.x","access":"service"},
+                                           {"id":"b","kind":"button","rect":[200,0,60,40],"color":"red","target":"M.x","access":"service"},
                                            {"id":"t","kind":"text","rect":[0,200,160,40],"text":"L","textColor":"faint","fontSize":9})")});
     const std::vector<Finding> found = checkStandard(input, input.panels[0]);
-    EXPECT_EQ(codes(found),
-              "H1101 a.fill, H1102 b.color, H1104 t.textColor, H1109 b.rect, H1105 t.fontSize, H1113 b.critical");
+    EXPECT_EQ(codes(found), "H1101 a.fill, H1102 b.color, H1104 t.textColor, H1105 t.fontSize, H1113 b.critical");
     for (const Finding& one : found) {
         EXPECT_FALSE(one.fix.isEmpty()) << one.text().toStdString();
         EXPECT_FALSE(one.why.isEmpty()) << one.text().toStdString();
