@@ -46,6 +46,8 @@ const std::vector<ActionSpec> kActions = {
     {"file.newTrace", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "New Trace…"), "", drawn(Icon::Trace), [](MainWindow& w) { w.newTrace(); }},
     {"file.texts", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Panel Texts"), "", drawn(Icon::Texts), [](MainWindow& w) { w.openTexts(); }},
     {"file.alarms", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Alarms"), "", drawn(Icon::Alarm), [](MainWindow& w) { w.openAlarms(); }},
+    {"file.recipes", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Recipes"), "", drawn(Icon::Table), [](MainWindow& w) { w.openRecipes(); }},
+    {"file.people", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Users and Rights"), "", drawn(Icon::User), [](MainWindow& w) { w.openPeople(); }},
     {"file.saveAll", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Save All"), "Ctrl+Shift+S", none, [](MainWindow& w) { w.saveAll(); }},
     {"file.closeTab", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Close Document"), "Ctrl+W", none, [](MainWindow& w) { if (w.tabs().count()) w.tabs().closePage(w.tabs().currentIndex()); }},
     {"file.libraries", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Libraries…"), "", drawn(Icon::Library), [](MainWindow& w) { w.chooseLibraries(); }},

@@ -68,7 +68,7 @@ void DesignFindings::continueCheck() {
     std::vector<OtherProblem> problems;
     for (const PanelProblem& each : this->problems()) {
         const QString place = each.line ? QString("%1:%2").arg(each.file).arg(each.line) : each.file;
-        problems.push_back({"H1000", each.message, place, true, each.file, {}});
+        problems.push_back({"H1000", each.message, place, true, each.file, {}, {}});
     }
     for (const hmi::Finding& each : m_found) {
         QString place = each.file;
@@ -76,7 +76,8 @@ void DesignFindings::continueCheck() {
         if (!each.element.isEmpty())
             place += "  " + each.element + (each.property.isEmpty() ? "" : "." + each.property);
         if (!each.language.isEmpty()) place += "  [" + each.language + "]";
-        problems.push_back({each.code(), kit::messageText(each.message), place, each.isError, each.file, each.element});
+        problems.push_back({each.code(), kit::messageText(each.message), place, each.isError, each.file, each.element,
+                            kit::messageText(each.why)});
     }
     m_problems.setOtherProblems(std::move(problems));
     m_input = {};

@@ -181,6 +181,8 @@ void LiveViews::connectDesign() {
     });
     connect(m_design.get(), &hmi::DesignContext::textsChanged, this, &LiveViews::designEdited);
     connect(m_design.get(), &hmi::DesignContext::alarmsChanged, this, &LiveViews::designEdited);
+    connect(m_design.get(), &hmi::DesignContext::recipesChanged, this, &LiveViews::designEdited);
+    connect(m_design.get(), &hmi::DesignContext::peopleChanged, this, &LiveViews::designEdited);
     connect(m_design.get(), &hmi::DesignContext::programChanged, this, &LiveViews::designEdited);
     m_design->setSession(m_control.session());
     if (m_workspace.model() && !m_workspace.model()->checked().analysis->hasErrors)
@@ -194,6 +196,12 @@ void LiveViews::connectPlayer() {
             [this](const QString& reason) { emit message(reason, true); });
     connect(m_player, &hmi::PanelPlayer::panelChanged, m_panelChoice, &QComboBox::setCurrentText);
     connect(m_player, &hmi::PanelPlayer::whyRequested, this, &LiveViews::whyRequested);
+    // What the operator changes is what the editor shows, unless it has changes of its own.
+    connect(m_player, &hmi::PanelPlayer::recipesSaved, this, [this] {
+        if (!m_design || m_design->areRecipesChanged()) return;
+        m_panels->recipes = m_player->recipes();
+        m_design->recipesReplaced();
+    });
 }
 
 LiveViews::Kept LiveViews::release() {
@@ -410,6 +418,20 @@ bool LiveViews::takeTextsFile() {
 bool LiveViews::takeAlarmsFile() {
     const bool isGood = m_panels->readAlarms();
     if (isGood && m_design) m_design->alarmsReplaced();
+    panelsTaken();
+    return isGood;
+}
+
+bool LiveViews::takeRecipesFile() {
+    const bool isGood = m_panels->readRecipes();
+    if (isGood && m_design) m_design->recipesReplaced();
+    panelsTaken();
+    return isGood;
+}
+
+bool LiveViews::takePeopleFile() {
+    const bool isGood = m_panels->readPeople();
+    if (isGood && m_design) m_design->peopleReplaced();
     panelsTaken();
     return isGood;
 }

@@ -53,6 +53,8 @@ public:
     bool takePanelFile(const QString& name);
     bool takeTextsFile();
     bool takeAlarmsFile();
+    bool takeRecipesFile();
+    bool takePeopleFile();
     /// Its file is gone.
     void removePanel(const QString& name);
 

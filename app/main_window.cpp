@@ -338,11 +338,13 @@ void MainWindow::connectParts() {
     });
     connect(m_tree, &ProjectTree::textsRequested, this, &MainWindow::openTexts);
     connect(m_tree, &ProjectTree::alarmsRequested, this, &MainWindow::openAlarms);
+    connect(m_tree, &ProjectTree::recipesRequested, this, &MainWindow::openRecipes);
+    connect(m_tree, &ProjectTree::peopleRequested, this, &MainWindow::openPeople);
     connect(m_live, &LiveViews::designsMustClose, this, [this] {
         for (int i = m_tabs->count() - 1; i >= 0; --i) {
             QWidget* page = m_tabs->widget(i);
             const QString key = page->property("pageKey").toString();
-            if (!key.startsWith("panel:") && key != "texts" && key != "alarms") continue;
+            if (!isDesignKey(key)) continue;
             m_tabs->removeTab(i);
             delete page;
         }

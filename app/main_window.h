@@ -135,6 +135,8 @@ public:
     void openDesigner(const QString& panel);
     void openTexts();
     void openAlarms();
+    void openRecipes();
+    void openPeople();
     /// A place in a panel, in the texts or in the alarms: where a finding lies.
     void openDesignPlace(const QString& file, const QString& element);
     void openRecording();
@@ -172,7 +174,9 @@ private:
     void keepRecording();
     void updateActions();
     void updateStatus();
-    bool closeDesigns();               // designers, texts, alarms; false when one wants to stay
+    bool closeDesigns(); // designers, texts, alarms…; false when one wants to stay
+    /// A page that works on the panels and what belongs to them.
+    [[nodiscard]] static bool isDesignKey(const QString& key);
     bool maySwitchAway(QWidget* page); // asks for what a design page has not saved
     bool maySwitchAway(const QString& key);
     bool asksToSave(const QString& title, const std::function<Result<void>()>& save,

@@ -12,6 +12,8 @@
 #include "editor/kit/message_text.h"
 #include "hmi/designer/alarm_editor.h"
 #include "hmi/designer/panel_designer.h"
+#include "hmi/designer/people_editor.h"
+#include "hmi/designer/recipe_editor.h"
 #include "hmi/designer/text_editor.h"
 #include "projects/storage/project_file.h"
 
@@ -136,11 +138,15 @@ void MainWindow::deleteProjectFile(const QString& kind, const QString& name) {
         m_live->openTrace({});
 }
 
+bool MainWindow::isDesignKey(const QString& key) {
+    static const QStringList single{"texts", "alarms", "recipes", "people"};
+    return key.startsWith("panel:") || single.contains(key);
+}
+
 bool MainWindow::closeDesigns() {
     for (int i = m_tabs->count() - 1; i >= 0; --i) {
         const QString key = m_tabs->widget(i)->property("pageKey").toString();
-        const bool isDesign = key.startsWith("panel:") || key.startsWith("text:") || key == "texts" || key == "alarms";
-        if (isDesign && !m_tabs->closePage(i)) return false;
+        if ((isDesignKey(key) || key.startsWith("text:")) && !m_tabs->closePage(i)) return false;
     }
     return true;
 }
@@ -207,6 +213,8 @@ void MainWindow::openAsText(const QString& key) {
 void MainWindow::openDocument(const QString& key) {
     if (key == "texts") return openTexts();
     if (key == "alarms") return openAlarms();
+    if (key == "recipes") return openRecipes();
+    if (key == "people") return openPeople();
     openDesigner(key.mid(6));
 }
 
@@ -230,6 +238,22 @@ void MainWindow::openAlarms() {
     if (QWidget* open = m_tabs->pageByKey("alarms")) return m_tabs->setCurrentWidget(open);
     addDesignPage(new hmi::AlarmEditor(*m_live->design(), m_tabs), tr("Alarms"), static_cast<int>(kit::Icon::Alarm),
                   "alarms");
+}
+
+void MainWindow::openRecipes() {
+    if (!m_live->design()) return;
+    if (isUnread("recipes")) return openAsText("recipes");
+    if (QWidget* open = m_tabs->pageByKey("recipes")) return m_tabs->setCurrentWidget(open);
+    addDesignPage(new hmi::RecipeEditor(*m_live->design(), m_tabs), tr("Recipes"), static_cast<int>(kit::Icon::Table),
+                  "recipes");
+}
+
+void MainWindow::openPeople() {
+    if (!m_live->design()) return;
+    if (isUnread("people")) return openAsText("people");
+    if (QWidget* open = m_tabs->pageByKey("people")) return m_tabs->setCurrentWidget(open);
+    addDesignPage(new hmi::PeopleEditor(*m_live->design(), m_tabs), tr("Users and Rights"),
+                  static_cast<int>(kit::Icon::User), "people");
 }
 
 void MainWindow::report(const Result<void>& result) {

@@ -120,6 +120,10 @@ void MainWindow::restoreProjectState() {
             openTexts();
         else if (page == "alarms")
             openAlarms();
+        else if (page == "recipes")
+            openRecipes();
+        else if (page == "people")
+            openPeople();
         else if (StPage* opened = m_tabs->openFile(page.section('|', 0, 0))) {
             opened->first().goTo(page.section('|', 1, 1).toUInt());
             if (const QString unit = page.section('|', 2); !unit.isEmpty()) opened->showChart(unit);

@@ -11,7 +11,7 @@ namespace plc::app {
 
 namespace {
 constexpr int kSettleMs = 80;
-constexpr QLatin1String kTexts("texts"), kAlarms("alarms"), kPanel("panel:");
+constexpr QLatin1String kTexts("texts"), kAlarms("alarms"), kRecipes("recipes"), kPeople("people"), kPanel("panel:");
 
 QString panelOf(const QString& key) { return key.startsWith(kPanel) ? key.mid(kPanel.size()) : QString(); }
 } // namespace
@@ -32,12 +32,20 @@ PanelFiles::PanelFiles(editor::Workspace& workspace, LiveViews& live, Ask ask, Q
 }
 
 QString PanelFiles::titleOf(const Key& key) {
-    return key == kTexts ? tr("Texts") : key == kAlarms ? tr("Alarms") : tr("Panel %1").arg(panelOf(key));
+    return key == kTexts     ? tr("Texts")
+           : key == kAlarms  ? tr("Alarms")
+           : key == kRecipes ? tr("Recipes")
+           : key == kPeople  ? tr("Users and Rights")
+                             : tr("Panel %1").arg(panelOf(key));
 }
 
 QString PanelFiles::pathOf(const Key& key) const {
     const hmi::PanelProject& panels = m_live.panels();
-    return key == kTexts ? panels.textsPath() : key == kAlarms ? panels.alarmsPath() : panels.panelPath(panelOf(key));
+    return key == kTexts     ? panels.textsPath()
+           : key == kAlarms  ? panels.alarmsPath()
+           : key == kRecipes ? panels.recipesPath()
+           : key == kPeople  ? panels.peoplePath()
+                             : panels.panelPath(panelOf(key));
 }
 
 std::vector<PanelFiles::Key> PanelFiles::known() const {
@@ -46,15 +54,19 @@ std::vector<PanelFiles::Key> PanelFiles::known() const {
     for (const hmi::NamedPanel& panel : m_live.panels().panels) out.push_back(kPanel + panel.name);
     out.push_back(kTexts);
     out.push_back(kAlarms);
+    out.push_back(kRecipes);
+    out.push_back(kPeople);
     return out;
 }
 
 bool PanelFiles::isChanged(const Key& key) const {
     const hmi::DesignContext* design = m_live.design();
     if (!design) return false;
-    return key == kTexts    ? design->areTextsChanged()
-           : key == kAlarms ? design->areAlarmsChanged()
-                            : design->isPanelChanged(panelOf(key));
+    return key == kTexts     ? design->areTextsChanged()
+           : key == kAlarms  ? design->areAlarmsChanged()
+           : key == kRecipes ? design->areRecipesChanged()
+           : key == kPeople  ? design->arePeopleChanged()
+                             : design->isPanelChanged(panelOf(key));
 }
 
 std::vector<PanelFiles::Key> PanelFiles::changed() const {
@@ -67,6 +79,8 @@ std::string PanelFiles::bytesHere(const Key& key) const {
     const hmi::PanelProject& panels = m_live.panels();
     if (key == kTexts) return panels.texts.table().write();
     if (key == kAlarms) return panels.alarms.write();
+    if (key == kRecipes) return panels.recipes.write();
+    if (key == kPeople) return panels.people.write();
     const hmi::NamedPanel* panel = panels.find(panelOf(key));
     return panel ? panel->panel.write() : std::string();
 }
@@ -160,6 +174,14 @@ bool PanelFiles::takeMerged(const Key& key, const std::string& text) {
             auto alarms = hmi::AlarmFile::parse(text, place);
             if (!alarms) return alarms.error();
             m_live.design()->setAlarms(std::move(*alarms));
+        } else if (key == kRecipes) {
+            auto recipes = hmi::RecipeFile::parse(text, place);
+            if (!recipes) return recipes.error();
+            m_live.design()->setRecipes(std::move(*recipes));
+        } else if (key == kPeople) {
+            auto people = hmi::PeopleFile::parse(text, place);
+            if (!people) return people.error();
+            m_live.design()->setPeople(std::move(*people));
         } else {
             auto panel = hmi::Panel::parse(text, place);
             if (!panel) return panel.error();
@@ -173,9 +195,11 @@ bool PanelFiles::takeMerged(const Key& key, const std::string& text) {
 
 void PanelFiles::take(const Key& key) {
     const QString path = pathOf(key);
-    const bool isGood = key == kTexts    ? m_live.takeTextsFile()
-                        : key == kAlarms ? m_live.takeAlarmsFile()
-                                         : m_live.takePanelFile(panelOf(key));
+    const bool isGood = key == kTexts     ? m_live.takeTextsFile()
+                        : key == kAlarms  ? m_live.takeAlarmsFile()
+                        : key == kRecipes ? m_live.takeRecipesFile()
+                        : key == kPeople  ? m_live.takePeopleFile()
+                                          : m_live.takePanelFile(panelOf(key));
     if (isGood)
         m_postponed.erase(path);
     else

@@ -17,7 +17,7 @@ namespace plc::app {
 class PanelFiles : public QObject {
     Q_OBJECT
 public:
-    /// A document: "panel:overview", "texts", "alarms".
+    /// A document: "panel:overview", "texts", "alarms", "recipes", "people".
     using Key = QString;
     using Ask = std::function<DiskAnswer(const QString& file, const std::string& here, const std::string& onDisk)>;
 

@@ -118,6 +118,7 @@ void ProblemsView::reload() {
                 add(other.isError ? Severity::Error : Severity::Warning, other.message, other.code, other.place)) {
             item->setData(1, Qt::UserRole, other.panel);
             item->setData(2, Qt::UserRole, other.element);
+            item->setToolTip(0, other.why);
         }
     m_showErrors->setText(QString::number(m_errors));
     m_showWarnings->setText(QString::number(m_warnings));

@@ -16,6 +16,7 @@ struct OtherProblem {
     QString code, message, place;
     bool isError = false;
     QString panel, element; // to select it
+    QString why;            // an explanation, or nothing
 };
 
 class ProblemsView : public QWidget {

@@ -340,6 +340,12 @@ void ProjectTree::reload() {
     auto* alarms = new QTreeWidgetItem(m_tree, {tr("Alarms")});
     alarms->setIcon(0, kit::icon(Icon::Alarm));
     alarms->setData(0, Kind, "alarms");
+    auto* recipes = new QTreeWidgetItem(m_tree, {tr("Recipes")});
+    recipes->setIcon(0, kit::icon(Icon::Table));
+    recipes->setData(0, Kind, "recipes");
+    auto* people = new QTreeWidgetItem(m_tree, {tr("Users and Rights")});
+    people->setIcon(0, kit::icon(Icon::User));
+    people->setData(0, Kind, "people");
     names(group(tr("Traces"), static_cast<int>(Icon::Trace), "traces"), project.traces, "trace", Icon::Trace,
           ".trace.json");
     QTreeWidgetItem* tests = group(tr("Tests"), static_cast<int>(Icon::Test), "tests");
@@ -429,6 +435,10 @@ void ProjectTree::activate(QTreeWidgetItem* item) {
         emit textsRequested();
     else if (kind == "alarms")
         emit alarmsRequested();
+    else if (kind == "recipes")
+        emit recipesRequested();
+    else if (kind == "people")
+        emit peopleRequested();
     else if (kind == "library")
         emit librariesRequested();
 }

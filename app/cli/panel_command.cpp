@@ -7,10 +7,13 @@
 #include "hmi/alarms/alarm_export.h"
 #include "hmi/player/panel_player.h"
 #include "hmi/player/range_check.h"
+#include "hmi/view/standard_check.h"
 
 #include <QApplication>
 #include <QFileInfo>
 
+#include <algorithm>
+#include <array>
 #include <iostream>
 
 namespace plc::cli {
@@ -31,9 +34,43 @@ Result<std::vector<hmi::Finding>> rangesInARun(const Arguments& arguments, const
     return hmi::checkRanges(panels, session);
 }
 
+/// Every rule with its code, name, level and why.
+int listRules() {
+    for (const hmi::StandardRuleRow& row : hmi::standardRules()) {
+        static constexpr std::array kLevels = {"off", "basic", "standard", "strict"};
+        std::cout << "H" << 1101 + static_cast<int>(row.rule) << "  " << row.name << " ("
+                  << kLevels[static_cast<size_t>(row.level)] << ")\n       " << row.why.english() << "\n";
+    }
+    return kGood;
+}
+
+/// Corrects what can be corrected without a decision, in the panels' files.
+int fix(const hmi::PanelProject& panels, const std::vector<hmi::Finding>& findings) {
+    size_t count = 0;
+    for (hmi::NamedPanel panel : panels.panels) {
+        const QString file = panels.placeOf(panels.panelPath(panel.name));
+        const hmi::Edit edit = hmi::fixesOf(findings, file);
+        if (edit.isEmpty()) continue;
+        (void)hmi::applyTo(panel.panel, edit);
+        if (const auto saved = hmi::savePanel(panels, panel); !saved) return wrongUse(saved.error());
+        const auto fixed = std::count_if(findings.begin(), findings.end(), [&](const hmi::Finding& one) {
+            return one.file == file && !one.fix.isEmpty();
+        });
+        count += static_cast<size_t>(fixed);
+        std::cout << file.toStdString() << ": " << fixed << " fixed\n";
+    }
+    std::cout << count << " of " << findings.size() << " findings fixed\n";
+    return kGood;
+}
+
 int check(const Arguments& arguments, const projects::Project& project) {
     needApplication();
-    const hmi::PanelProject panels = hmi::loadPanelProject(project);
+    hmi::PanelProject panels = hmi::loadPanelProject(project);
+    if (const auto level = arguments.value("--level")) {
+        const auto known = hmi::checkLevelOf(*level);
+        if (!known) return wrongUse({errors::CheckLevelIs(), *level});
+        panels.standard.level = *known;
+    }
     const driver::BuildInput input = project.buildInput();
     const driver::Checked checked = hmi::checkedForPanels(input, driver::check(input), panels.panels);
     QStringList languages;
@@ -46,6 +83,7 @@ int check(const Arguments& arguments, const projects::Project& project) {
         if (!ranges) return wrongUse(ranges.error());
         findings.insert(findings.end(), ranges->begin(), ranges->end());
     }
+    if (arguments.has("--fix")) return fix(panels, findings);
     if (arguments.wantsJson()) {
         std::string out;
         for (const hmi::Finding& one : findings) out += (out.empty() ? "[" : ",\n ") + renderJson(one);
@@ -141,6 +179,7 @@ int format(const projects::Project& project) {
 }
 
 int run(const Arguments& arguments) {
+    if (arguments.has("--rules")) return listRules();
     if (arguments.paths().size() != 1) return wrongUse({errors::PanelNeedsProject(), ""});
     const auto project = openNamedProject(arguments);
     if (!project) return wrongUse(project.error());
@@ -160,6 +199,10 @@ Command panelCommand() {
          "PROJECT [OPTIONS]",
          "Checks the operator panels, makes pictures of them in every language, or plays them.",
          {{"--check", "", "what is wrong with panels, texts and alarms (this is what happens without options)"},
+          {"--level", "off|basic|standard|strict",
+           "how strictly ISA-101 and ISA-18.2 are held, in place of project.json"},
+          {"--rules", "", "list the rules of that check: code, name, level, why"},
+          {"--fix", "", "correct what needs no decision"},
           {"--pseudo", "", "measure the texts of the pseudo-language too: longer and accented"},
           {"--format", "text|json", "how findings are printed"},
           {"--pictures", "DIR", "a PNG of every panel in every language"},

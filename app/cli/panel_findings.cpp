@@ -33,6 +33,8 @@ std::string renderJson(const hmi::Finding& finding) {
     object["code"] = finding.code().toStdString();
     object["severity"] = finding.isError ? "error" : "warning";
     object["message"] = finding.message.english();
+    if (!finding.why.isEmpty()) object["why"] = finding.why.english();
+    if (!finding.fix.isEmpty()) object["fixable"] = true;
     return object.dump();
 }
 

@@ -10,7 +10,7 @@ namespace plc::cli {
 [[nodiscard]] bool hasPanels(const projects::Project& project);
 /// A line each, errors first.
 void printFindings(const std::vector<hmi::Finding>& findings, std::ostream& out);
-/// One object with file, line, element, property, language, code, severity, message.
+/// One object with file, line, element, property, language, code, severity, message, why, fixable.
 [[nodiscard]] std::string renderJson(const hmi::Finding& finding);
 
 } // namespace plc::cli

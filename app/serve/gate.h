@@ -1,6 +1,8 @@
-// Who may operate: today one access code; users with roles come through the same door. Guesses are slowed down for each
-// address. Owned by the server; main thread.
+// Who may operate: who knows the access code, or the users of the panels with their passwords. Guesses are slowed down
+// for each address. Owned by the server; main thread.
 #pragma once
+#include "hmi/people/people_file.h"
+
 #include <QByteArray>
 #include <QHash>
 #include <QString>
@@ -15,6 +17,8 @@ namespace plc::serve {
 using LogIn = std::function<std::optional<QString>(const QString& name, const QString& secret)>;
 /// Everybody who knows the code is "operator"; compared in the same time whatever is wrong.
 [[nodiscard]] LogIn byAccessCode(QByteArray code);
+/// The users of the project's panels; they must outlive it.
+[[nodiscard]] LogIn byPeople(const hmi::PeopleFile& people);
 
 class Gate {
 public:

@@ -8,12 +8,29 @@ namespace plc::serve {
 using hmi::web::ClientMessage;
 using hmi::web::ClientWord;
 
+namespace {
+hmi::LogIn::Answer answerOf(const Gate::Outcome& outcome) {
+    switch (outcome.answer) {
+    case Gate::Answer::Open:
+        return hmi::LogIn::Answer::Good;
+    case Gate::Answer::Wrong:
+        return hmi::LogIn::Answer::Wrong;
+    case Gate::Answer::TooOften:
+        return hmi::LogIn::Answer::Blocked;
+    }
+    return hmi::LogIn::Answer::Wrong;
+}
+} // namespace
+
 PanelLink::PanelLink(QWebSocket* socket, const hmi::PanelProject& project, session::Session& session,
                      hmi::web::PaintStore& store, hmi::PanelPlayer& station, Gate& gate, LinkLimits limits,
                      QObject* parent)
     : QObject(parent), m_socket(socket), m_panel(project, session, store, station), m_gate(gate), m_limits(limits),
       m_address(socket->peerAddress().toString()), m_budget(limits.messagesPerSecond) {
     socket->setParent(this);
+    m_panel.setDoor([this](const QString& user, const QString& password) {
+        return answerOf(m_gate.ask(m_address, user, password, m_now));
+    });
     socket->setMaxAllowedIncomingFrameSize(hmi::web::kLargestClientMessage);
     socket->setMaxAllowedIncomingMessageSize(hmi::web::kLargestClientMessage);
     connect(socket, &QWebSocket::textMessageReceived, this, [this](const QString& text) { take(text.toUtf8()); });
@@ -63,7 +80,7 @@ void PanelLink::take(const QByteArray& text) {
         logIn(*message);
         break;
     case ClientWord::LogOut:
-        m_panel.setOperator({});
+        m_panel.logOut();
         break;
     default:
         break;
@@ -71,14 +88,22 @@ void PanelLink::take(const QByteArray& text) {
 }
 
 void PanelLink::logIn(const ClientMessage& message) {
-    const Gate::Outcome outcome = m_gate.ask(m_address, message.more, message.text, m_now);
-    const bool isOpen = outcome.answer == Gate::Answer::Open;
-    if (isOpen) m_panel.setOperator(outcome.name);
-    const nlohmann::json answer = {
-        {"t", "login"},
-        {"ok", isOpen},
-        {"text", isOpen ? std::string() : m_panel.words(hmi::SystemText::WrongAccessCode).toStdString()}};
-    m_answers += QByteArray::fromStdString(answer.dump());
+    using Answer = hmi::LogIn::Answer;
+    Answer answer = Answer::Wrong;
+    if (m_panel.hasPeople()) {
+        answer = m_panel.logIn(message.more, message.text);
+    } else {
+        const Gate::Outcome outcome = m_gate.ask(m_address, message.more, message.text, m_now);
+        if (outcome.answer == Gate::Answer::Open) m_panel.setOperator(outcome.name);
+        answer = answerOf(outcome);
+    }
+    const hmi::SystemText why = answer == Answer::Blocked ? hmi::SystemText::TooManyTries
+                                : m_panel.hasPeople()     ? hmi::SystemText::WrongPassword
+                                                          : hmi::SystemText::WrongAccessCode;
+    const bool isOpen = answer == Answer::Good;
+    const nlohmann::json reply = {
+        {"t", "login"}, {"ok", isOpen}, {"text", isOpen ? std::string() : m_panel.words(why).toStdString()}};
+    m_answers += QByteArray::fromStdString(reply.dump());
 }
 
 void PanelLink::frame(qint64 now) {

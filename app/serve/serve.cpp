@@ -108,9 +108,16 @@ std::string retainFileOf(const ServeSettings& settings) {
 
 Result<void> serve(const hmi::PanelProject& project, session::Session& session, const ServeSettings& settings,
                    const std::function<bool()>& isStopping) {
-    Result<QByteArray> code = accessCode(settings);
-    if (!code) return code.error();
-    Server server(project, session, byAccessCode(*code), settings.server);
+    const bool hasPeople = !project.people.isEmpty();
+    LogIn logIn;
+    if (hasPeople) {
+        logIn = byPeople(project.people);
+    } else {
+        Result<QByteArray> code = accessCode(settings);
+        if (!code) return code.error();
+        logIn = byAccessCode(*code);
+    }
+    Server server(project, session, std::move(logIn), settings.server);
     if (auto started = server.start(); !started) return started;
     std::unique_ptr<RecordingRing> ring;
     if (settings.recordingLimit > 0)
@@ -130,7 +137,9 @@ Result<void> serve(const hmi::PanelProject& project, session::Session& session, 
         session.start();
     }
     std::cout << "serving " << settings.server.name << " at " << server.url().toStdString() << "\n"
-              << "the access code to operate is in " << tokenPath(settings) << std::endl;
+              << (hasPeople ? std::string("the users of hmi/people.json log in to operate")
+                            : "the access code to operate is in " + tokenPath(settings))
+              << std::endl;
     const ServiceNotes notes;
     notes.ready("serving " + settings.server.name);
     Liveness liveness(*session.program());

@@ -103,6 +103,18 @@ void DesignContext::setAlarms(AlarmFile alarms) {
     emit alarmsChanged();
 }
 
+void DesignContext::setRecipes(RecipeFile recipes) {
+    m_project.recipes = std::move(recipes);
+    m_recipesChanged = true;
+    emit recipesChanged();
+}
+
+void DesignContext::setPeople(PeopleFile people) {
+    m_project.people = std::move(people);
+    m_peopleChanged = true;
+    emit peopleChanged();
+}
+
 Result<void> DesignContext::save() {
     if (m_textsChanged)
         if (auto saved = saveTexts(m_project); !saved) return saved;
@@ -110,6 +122,12 @@ Result<void> DesignContext::save() {
     if (m_alarmsChanged)
         if (auto saved = saveAlarms(m_project); !saved) return saved;
     m_alarmsChanged = false;
+    if (m_recipesChanged)
+        if (auto saved = saveRecipes(m_project, m_project.recipes); !saved) return saved;
+    m_recipesChanged = false;
+    if (m_peopleChanged)
+        if (auto saved = savePeople(m_project); !saved) return saved;
+    m_peopleChanged = false;
     while (!m_changedPanels.isEmpty()) { // one that is refused stays changed
         if (const NamedPanel* panel = m_project.find(m_changedPanels.front()))
             if (auto saved = hmi::savePanel(m_project, *panel); !saved) return saved;
@@ -159,6 +177,18 @@ void DesignContext::alarmsReplaced() {
     m_alarmsChanged = false;
     emit alarmsTaken();
     emit alarmsChanged();
+}
+
+void DesignContext::recipesReplaced() {
+    m_recipesChanged = false;
+    emit recipesTaken();
+    emit recipesChanged();
+}
+
+void DesignContext::peopleReplaced() {
+    m_peopleChanged = false;
+    emit peopleTaken();
+    emit peopleChanged();
 }
 
 bool DesignContext::isPanelChanged(const QString& name) const {

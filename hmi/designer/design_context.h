@@ -47,9 +47,13 @@ public:
     QString storeText(const QString& present, const QString& typed, const QString& panel, QUndoStack& undo);
     void setTable(TextTable table);
     void setAlarms(AlarmFile alarms);
+    void setRecipes(RecipeFile recipes);
+    void setPeople(PeopleFile people);
+    bool areRecipesChanged() const { return m_recipesChanged; }
+    bool arePeopleChanged() const { return m_peopleChanged; }
     bool areTextsChanged() const { return m_textsChanged; }
     bool areAlarmsChanged() const { return m_alarmsChanged; }
-    /// Writes texts, alarms and closed panels where they changed.
+    /// Writes texts, alarms, recipes, people and closed panels where they changed.
     Result<void> save();
     Result<void> savePanel(const QString& name);
     /// Another panel in the place of the one of that name, not saved yet.
@@ -58,6 +62,8 @@ public:
     void panelReplaced(const QString& name);
     void textsReplaced();
     void alarmsReplaced();
+    void recipesReplaced();
+    void peopleReplaced();
     /// It has changes that are not saved.
     bool isPanelChanged(const QString& name) const;
 
@@ -90,8 +96,12 @@ public:
 signals:
     void textsChanged();
     void alarmsChanged();
-    void textsTaken();  // from disk
-    void alarmsTaken(); // from disk
+    void recipesChanged();
+    void peopleChanged();
+    void recipesTaken(); // from disk
+    void peopleTaken();  // from disk
+    void textsTaken();   // from disk
+    void alarmsTaken();  // from disk
     void saved();
     void languageChanged();
     void programChanged();
@@ -109,7 +119,7 @@ private:
     Variables m_variables;
     std::function<std::optional<QString>(const QString&)> m_picker;
     QString m_language;
-    bool m_textsChanged = false, m_alarmsChanged = false;
+    bool m_textsChanged = false, m_alarmsChanged = false, m_recipesChanged = false, m_peopleChanged = false;
     QMap<QString, PanelDocument*> m_documents; // of open designers
     QStringList m_changedPanels;               // closed panels that a rename has touched
 };

@@ -12,6 +12,7 @@
 #include "hmi/model/walk.h"
 #include "hmi/player/panel_player.h"
 #include "hmi/view/faceplate_check.h"
+#include "hmi/view/standard_check.h"
 #include "runtime/base/read_json.h"
 
 #include <QAction>
@@ -101,6 +102,8 @@ PanelDesigner::PanelDesigner(DesignContext& context, const QString& panelName, Q
         if (m_document.panel().find(id)) m_selection.set({id});
         if (const QString tag = item->text(2); !tag.isEmpty()) m_context.setLanguage(tag);
     });
+    m_findingList->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(m_findingList, &QWidget::customContextMenuRequested, this, &PanelDesigner::showFindingMenu);
     connect(&m_document, &PanelDocument::changed, this, [this](const Touched& touched) {
         if (NamedPanel* panel = m_context.project().find(m_name)) panel->panel = m_document.panel();
         m_context.reportPanelEdited(m_name);
@@ -214,6 +217,7 @@ void PanelDesigner::makeActions() {
     add(QStringLiteral("duplicate-array"), tr("Duplicate as array…"), Icon::Table,
         QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_D), [this] { duplicateAsArray(); });
     add(QStringLiteral("arrange-array"), tr("Arrange over array…"), Icon::Table, {}, [this] { arrangeOverArray(); });
+    add(QStringLiteral("fix-all"), tr("Fix All Issues"), Icon::Build, {}, [this] { fixAll(); });
     add(QStringLiteral("select-all"), tr("Select all"), Icon::Select, QKeySequence::SelectAll, [this] { selectAll(); });
     addEdit(QStringLiteral("delete"), tr("Delete"), Icon::Delete, {}, [=] { return removeElements(panel(), ids()); });
     const std::tuple<const char*, QString, Icon, Alignment> alignments[] = {
@@ -347,10 +351,29 @@ void PanelDesigner::updateActions() {
 
 void PanelDesigner::showMenu(QPoint at) {
     QMenu menu;
-    for (const char* name :
-         {"cut",  "copy",  "paste",      "paste-in-place", "duplicate", "duplicate-array", "arrange-array", "delete",
-          "",     "group", "ungroup",    "lock",           "",          "front",           "forward",       "backward",
-          "back", "",      "same-width", "same-height",    "same-size"}) {
+    for (const char* name : {"cut",
+                             "copy",
+                             "paste",
+                             "paste-in-place",
+                             "duplicate",
+                             "duplicate-array",
+                             "arrange-array",
+                             "delete",
+                             "",
+                             "group",
+                             "ungroup",
+                             "lock",
+                             "",
+                             "front",
+                             "forward",
+                             "backward",
+                             "back",
+                             "",
+                             "same-width",
+                             "same-height",
+                             "same-size",
+                             "",
+                             "fix-all"}) {
         if (*name)
             menu.addAction(m_actions.value(QString::fromLatin1(name)));
         else
@@ -486,6 +509,9 @@ void PanelDesigner::checkNow() {
     m_checkTimer.stop();
     m_findings = checkPanel(m_context.checkInput(), NamedPanel{m_name, m_document.panel()});
     m_canvas->setFindings(m_findings);
+    action(QStringLiteral("fix-all"))
+        ->setEnabled(
+            std::any_of(m_findings.begin(), m_findings.end(), [](const Finding& one) { return !one.fix.isEmpty(); }));
     showFindings();
     emit findingsChanged();
 }
@@ -499,8 +525,37 @@ void PanelDesigner::showFindings() {
              finding.element + (finding.property.isEmpty() ? QString() : u'.' + finding.property), finding.language});
         item->setIcon(0, kit::icon(finding.isError ? kit::Icon::Error : kit::Icon::Warning));
         item->setData(0, Qt::UserRole, finding.element);
+        item->setToolTip(0, kit::messageText(finding.why));
     }
     m_findingList->resizeColumnToContents(1);
+}
+
+void PanelDesigner::fixFinding(size_t index) {
+    if (index < m_findings.size() && !m_findings[index].fix.isEmpty())
+        m_document.perform(tr("Fix Issue"), m_findings[index].fix);
+    checkNow();
+}
+
+void PanelDesigner::fixAll() {
+    const QString file = QStringLiteral("hmi/%1.panel.json").arg(m_name);
+    if (const Edit edit = fixesOf(m_findings, file); !edit.isEmpty()) m_document.perform(tr("Fix All Issues"), edit);
+    checkNow();
+}
+
+void PanelDesigner::showFindingMenu(QPoint at) {
+    const int row = m_findingList->indexOfTopLevelItem(m_findingList->itemAt(at));
+    const bool isFinding = row >= 0 && row < static_cast<int>(m_findings.size());
+    QMenu menu;
+    QAction* fix = menu.addAction(tr("Fix Issue"), this, [this, row] { fixFinding(static_cast<size_t>(row)); });
+    fix->setEnabled(isFinding && !m_findings[static_cast<size_t>(row)].fix.isEmpty());
+    menu.addAction(action(QStringLiteral("fix-all")));
+    if (isFinding && !m_findings[static_cast<size_t>(row)].why.isEmpty()) {
+        const Message why = m_findings[static_cast<size_t>(row)].why;
+        menu.addAction(tr("Explain Issue"), this, [this, why, at] {
+            QToolTip::showText(m_findingList->viewport()->mapToGlobal(at), kit::messageText(why), m_findingList);
+        });
+    }
+    menu.exec(m_findingList->viewport()->mapToGlobal(at));
 }
 
 Result<void> PanelDesigner::save() {

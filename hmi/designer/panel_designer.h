@@ -58,6 +58,9 @@ public slots:
     void group();
     void ungroup();
     void selectAll();
+    /// Corrects what the finding of that number is about, as one undo step.
+    void fixFinding(size_t index);
+    void fixAll();
 
 signals:
     /// To open the panel of a faceplate.
@@ -76,6 +79,7 @@ private:
     QToolBar* makeToolBar();
     void showMenu(QPoint at);
     void showFindings();
+    void showFindingMenu(QPoint at);
     void showInPreview();
     void updateActions();
     void sayRefusal(const QString& reason);

@@ -31,10 +31,16 @@ LogIn::Answer LogIn::check(const QString& name, const QString& password, Moment 
 
 LogIn::Answer LogIn::logIn(const QString& name, const QString& password, Moment now) {
     const Answer answer = check(name, password, now);
-    if (answer != Answer::Good) return answer;
-    m_user = m_people->find(name)->name;
-    m_touched = now;
+    if (answer == Answer::Good) (void)enter(name, now);
     return answer;
+}
+
+bool LogIn::enter(const QString& name, Moment now) {
+    const User* user = m_people->find(name);
+    if (!user) return false;
+    m_user = user->name;
+    m_touched = now;
+    return true;
 }
 
 LogIn::Answer LogIn::confirm(const QString& password, Moment now) {

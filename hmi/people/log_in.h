@@ -16,6 +16,8 @@ public:
     explicit LogIn(const PeopleFile& people) : m_people(&people) {}
 
     Answer logIn(const QString& user, const QString& password, Moment now);
+    /// Somebody whose password was checked elsewhere; false: the project has no such user.
+    bool enter(const QString& user, Moment now);
     void logOut() { m_user.clear(); }
     /// Whether the password is that of who is logged in: for confirmations. Wrong ones count as at the door.
     Answer confirm(const QString& password, Moment now);

@@ -32,6 +32,9 @@ public:
     bool isEmpty() const { return m_users.empty() && m_roles.empty(); }
     const std::vector<Role>& roles() const { return m_roles; }
     const std::vector<User>& users() const { return m_users; }
+    /// For editors, which keep names apart and roles known: a file that is otherwise is refused when it is read.
+    std::vector<Role>& roles() { return m_roles; }
+    std::vector<User>& users() { return m_users; }
     const User* find(const QString& name) const;
     const Role* role(const QString& name) const;
     /// Seconds without a touch after which the user is logged out; 0: never.

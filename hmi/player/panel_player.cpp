@@ -31,10 +31,7 @@ PanelPlayer::PanelPlayer(const PanelProject& project, session::Session* session,
     connectScene(scene());
     connect(&m_navigation, &Navigation::panelChanged, this, &PanelPlayer::showCurrent);
     connect(&m_navigation, &Navigation::popUpsChanged, this, &PanelPlayer::syncPopUps);
-    if (!project.people.isEmpty() && !project.folder.isEmpty())
-        if (const auto kept = keepAuditIn(project.folder + QStringLiteral("/.stepwise/audit.csv")); !kept)
-            m_refusal = kit::messageText(kept.error());
-    if (project.people.timeout() > 0) QCoreApplication::instance()->installEventFilter(this);
+    watchPeople();
     scene().setFolder(project.folder);
     scene().setPicturesOutside(project.picturesOutside);
     scene().setFaceplates(project.panelLookup());
@@ -155,7 +152,16 @@ std::string PanelPlayer::shownState() const {
     return out;
 }
 
+/// A project with people has a trail and logs out who is not there any more.
+void PanelPlayer::watchPeople() {
+    if (!m_project.people.isEmpty() && !m_project.folder.isEmpty() && !m_audit.isOpen())
+        if (const auto kept = keepAuditIn(m_project.folder + QStringLiteral("/.stepwise/audit.csv")); !kept)
+            m_refusal = kit::messageText(kept.error());
+    if (m_project.people.timeout() > 0) QCoreApplication::instance()->installEventFilter(this);
+}
+
 void PanelPlayer::projectChanged() {
+    watchPeople();
     scene().setTexts(&m_project.texts);
     // What is edited in a designer is seen here, too, as is a faceplate that this panel places.
     if (m_navigation.current().panel == m_panelName && m_project.find(m_panelName)) {
@@ -167,6 +173,11 @@ void PanelPlayer::projectChanged() {
         m_alarmFile = m_project.alarms.write();
         m_alarms.setFile(m_project.alarms);
         if (m_session && !m_alarms.definitions().empty()) m_watch = std::make_unique<AlarmWatch>(*m_session, m_alarms);
+    }
+    if (m_project.recipes.write() != m_recipes.write()) {
+        m_recipes = m_project.recipes;
+        scene().setRecipes(&m_recipes);
+        for (PopUp* popUp : popUps()) popUp->scene().setRecipes(&m_recipes);
     }
     if (m_recording) setRecording(m_recording);
     if (!m_project.texts.settings().languages.contains(language()))
@@ -412,7 +423,7 @@ void PanelPlayer::frame() {
     }
     if (m_logIn.expire(std::chrono::steady_clock::now())) {
         record(QStringLiteral("log out"), {}, {}, {}, {}, QStringLiteral("timeout"));
-        userChanged();
+        showUser();
     }
     // Once, by who keeps the alarms that all share.
     for (const QString& alarm : m_station ? std::vector<QString>() : m_alarms.expire(QDateTime::currentDateTimeUtc()))

@@ -41,6 +41,11 @@ public:
     const LogIn& people() const { return m_logIn; }
     LogIn::Answer logIn(const QString& user, const QString& password);
     void logOut(const QString& why = {});
+    /// Who checks passwords in the place of this player: a server, which counts wrong ones of all its browsers.
+    using Door = std::function<LogIn::Answer(const QString& user, const QString& password)>;
+    void setDoor(Door door) { m_door = std::move(door); }
+    /// Somebody operates it, by whatever way: the time until the user is logged out begins again.
+    void touch() { m_logIn.touched(std::chrono::steady_clock::now()); }
     /// Goes on with the audit trail in this file.
     Result<void> keepAuditIn(const QString& path) { return m_audit.open(path); }
 
@@ -103,6 +108,10 @@ signals:
     void languageChanged(const QString& tag);
     void panelChanged(const QString& name);
     void writeRefused(const QString& reason);
+    /// Logged in or out; empty: nobody is.
+    void userChanged(const QString& name);
+    /// Changed and saved by the operator: recipes().
+    void recipesSaved();
     /// Of an expression that an element shows or writes.
     void whyRequested(plc::kit::AskWhy question, const QString& expression);
 
@@ -136,7 +145,8 @@ private:
     /// Saves; a change that cannot be saved is taken back.
     bool keepRecipes(RecipeFile changed);
     void askForPassword(const QString& user);
-    void userChanged();
+    void watchPeople();
+    void showUser();
     QString passwordRefusal(LogIn::Answer answer) const;
     QString titlesOf(const QString& roles) const;
     const ElementView* viewOf(const ElementId& element, const PanelScene** scene = nullptr) const;
@@ -160,6 +170,7 @@ private:
     Navigation m_navigation;
     LogIn m_logIn;
     AuditTrail m_audit;
+    Door m_door;
     RecipeFile m_recipes;
     Arguments m_arguments;
     bool m_isPortrait = false, m_showsFrame = false;

@@ -138,21 +138,25 @@ void PanelPlayer::syncPopUps() {
 
 void PanelPlayer::record(const QString& action, const QString& what, const QString& from, const QString& to,
                          const QString& place, const QString& comment) {
-    if (!m_audit.isOpen()) return;
+    // One writer: each line of the trail holds a sum over the one before.
+    AuditTrail& trail = m_station ? m_station->m_audit : m_audit;
+    if (!trail.isOpen()) return;
     const auto added =
-        m_audit.add({QDateTime::currentDateTimeUtc(), m_logIn.user(), action, what, from, to, place, comment});
+        trail.add({QDateTime::currentDateTimeUtc(), m_logIn.user(), action, what, from, to, place, comment});
     if (!added) refuse(kit::messageText(added.error(), language()));
 }
 
 LogIn::Answer PanelPlayer::logIn(const QString& user, const QString& password) {
-    const LogIn::Answer answer = m_logIn.logIn(user, password, std::chrono::steady_clock::now());
+    const Moment now = std::chrono::steady_clock::now();
+    LogIn::Answer answer = m_door ? m_door(user, password) : m_logIn.logIn(user, password, now);
+    if (m_door && answer == LogIn::Answer::Good && !m_logIn.enter(user, now)) answer = LogIn::Answer::Wrong;
     if (answer != LogIn::Answer::Good) {
         record(QStringLiteral("log in refused"), user, {}, {}, m_panelName);
         refuse(passwordRefusal(answer));
         return answer;
     }
     record(QStringLiteral("log in"), m_logIn.user(), {}, {}, m_panelName);
-    userChanged();
+    showUser();
     if (const User* who = m_project.people.find(m_logIn.user())) {
         if (!who->language.isEmpty()) requestLanguage(who->language);
         if (const QString start = m_project.people.startPanelOf(*who); m_project.find(start))
@@ -165,14 +169,15 @@ void PanelPlayer::logOut(const QString& why) {
     if (!m_logIn.isLoggedIn()) return;
     record(QStringLiteral("log out"), m_logIn.user(), {}, {}, m_panelName, why);
     m_logIn.logOut();
-    userChanged();
+    showUser();
 }
 
 /// What is locked and hidden follows, on every panel that is seen.
-void PanelPlayer::userChanged() {
+void PanelPlayer::showUser() {
     if (scene().pressedView()) scene().release(QPointF(-1e6, -1e6));
     scene().setUser(m_logIn.user());
     for (PopUp* popUp : popUps()) popUp->scene().setUser(m_logIn.user());
+    emit userChanged(m_logIn.user());
 }
 
 QString PanelPlayer::passwordRefusal(LogIn::Answer answer) const {

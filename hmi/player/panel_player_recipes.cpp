@@ -34,6 +34,7 @@ bool PanelPlayer::keepRecipes(RecipeFile changed) {
     m_recipes = std::move(changed);
     scene().setRecipes(&m_recipes);
     for (PopUp* popUp : popUps()) popUp->scene().setRecipes(&m_recipes);
+    emit recipesSaved();
     return true;
 }
 

@@ -31,6 +31,8 @@ CheckInput PanelProject::checkInput() const {
     input.folder = folder;
     input.picturesOutside = picturesOutside;
     input.frame = frame;
+    input.startPanel = startPanel;
+    input.standard = standard;
     for (const Role& role : people.roles()) input.roles += role.name;
     for (const Recipe& recipe : recipes.recipes()) {
         if (isTextKey(recipe.title)) input.keysUsedElsewhere += keyOf(recipe.title);
@@ -145,8 +147,10 @@ PanelProject loadPanelProject(const projects::Project& project) {
     PanelProject out;
     out.folder = QString::fromStdString(project.folder);
     LanguageSettings settings;
+    out.standard = StandardSettings::fromJson(Json::object());
     if (const auto hmi = project.json.find("hmi"); hmi != project.json.end()) {
         settings = LanguageSettings::fromJson(*hmi);
+        out.standard = StandardSettings::fromJson(*hmi);
         out.picturesOutside = hmi->is_object() && hmi->contains("picturesOutside") && (*hmi)["picturesOutside"] == true;
         if (const auto frame = hmi->find("frame"); hmi->is_object() && frame != hmi->end() && frame->is_string())
             out.frame = QString::fromStdString(frame->get<std::string>());

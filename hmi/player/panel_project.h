@@ -17,6 +17,7 @@ struct PanelProject {
     QString folder;
     QString startPanel;
     bool picturesOutside = false;   // project.json: "hmi": {"picturesOutside": true}
+    StandardSettings standard;      // project.json: "hmi": {"checks": …}
     std::vector<NamedPanel> panels; // by name
     TextCatalog texts;
     AlarmFile alarms;

@@ -68,9 +68,10 @@ constexpr std::array kKeys{
     "alarm_floods",
     "standing_alarms",
     "chattering_alarms",
+    "user_name",
 };
 
-static_assert(kKeys.size() == static_cast<size_t>(SystemText::ChatteringAlarms) + 1);
+static_assert(kKeys.size() == static_cast<size_t>(SystemText::UserName) + 1);
 
 /// system_texts.csv, which is a table like that of a project.
 const TextTable& ownTable() {

@@ -60,6 +60,7 @@ enum class SystemText {
     AlarmFloods,
     StandingAlarms,
     ChatteringAlarms,
+    UserName,
 };
 
 QString systemText(const TextCatalog& texts, SystemText text, const QString& tag);

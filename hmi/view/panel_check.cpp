@@ -6,6 +6,7 @@
 #include "hmi/view/arrays.h"
 #include "hmi/view/faceplate_check.h"
 #include "hmi/view/property_check.h"
+#include "hmi/view/standard_check.h"
 
 #include <QFontDatabase>
 #include <QFontMetrics>
@@ -152,6 +153,7 @@ struct Checker {
             add(one.kind, one.isError, file, one.element, one.property, std::move(one.message));
         append(checkPlacements(input, named));
         append(checkAccess(input, named));
+        append(checkStandard(input, named));
         if (!parametersOf(named.panel).empty()) append(checkParameterBindings(input, named));
     }
 
@@ -309,6 +311,7 @@ std::vector<Finding> checkPanels(const CheckInput& input) {
     for (const NamedPanel& panel : input.panels) checker.checkPanel(panel);
     if (input.hasAlarms) checker.checkAlarms();
     checker.append(checkApplication(input));
+    checker.append(checkStandardOfAll(input));
     checker.checkTable();
     checker.checkFonts();
     for (const NamedPanel& panel : input.panels) checker.checkFit(panel);
@@ -319,6 +322,10 @@ std::vector<Finding> checkPanel(const CheckInput& input, const NamedPanel& panel
     Checker checker{input, {}, {}};
     checker.checkPanel(panel);
     checker.checkFit(panel);
+    // What all panels say of this one: its way, its keys' places.
+    std::vector<Finding> ofAll = checkStandardOfAll(input);
+    std::erase_if(ofAll, [&](const Finding& one) { return one.file != panelFile(panel.name); });
+    checker.append(std::move(ofAll));
     return checker.found;
 }
 

@@ -5,6 +5,7 @@
 #include "hmi/texts/catalog.h"
 #include "hmi/view/panel_scene.h"
 #include "hmi/view/ready_faceplates.h"
+#include "hmi/view/standard_settings.h"
 
 namespace plc::hmi {
 
@@ -42,6 +43,8 @@ enum class FindingKind {
     UnlistedColumn,
     UnnamedControl,
     LeavesRange,
+    WrongCheckSetting = 99, // H1100
+    FirstStandardRule,      // H1101: the rules of standard_rules.def in their order
 };
 
 struct Finding {
@@ -53,6 +56,8 @@ struct Finding {
     QString property; // "states[2].text"
     QString language;
     Message message;
+    Message why = {}; // an explanation, for rules of good practice
+    Edit fix = {};    // corrects it without a decision; of the panel in `file`
     /// "H1004", for lists and documentation.
     QString code() const;
     /// English: "hmi/main.panel.json: button1.text [de]: warning H1007: …".
@@ -79,7 +84,9 @@ struct CheckInput {
     QString frame;                // of the project
     QStringList roles;            // of its people
     QStringList startPanels;      // of its people
+    QString startPanel;           // of the project
     bool hasPeople = false;
+    StandardSettings standard; // off unless somebody asks for it
     BindingCheck checkBinding; // may be empty, and those below with it
     TypeNames typeNames;
     AnInstance anInstance;

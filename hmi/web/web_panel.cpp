@@ -46,6 +46,7 @@ WebPanel::WebPanel(const PanelProject& project, session::Session& session, Paint
         m_stream.restart();
         m_isNew = true;
     });
+    if (hasPeople()) connect(&m_player, &PanelPlayer::userChanged, this, &WebPanel::setOperator);
     connect(&m_player, &PanelPlayer::languageChanged, this, [this] { m_isNew = true; });
     if (m_player.panelName().isEmpty() && !project.panels.empty()) m_player.showPanel(project.panels.front().name);
 }
@@ -57,6 +58,13 @@ void WebPanel::setOperator(const QString& name) {
     m_operator = name;
     m_player.setLocked(name.isEmpty());
     m_isNew = true;
+}
+
+void WebPanel::logOut() {
+    if (hasPeople())
+        m_player.logOut();
+    else
+        setOperator({});
 }
 
 void WebPanel::tell(const QString& reason) {
@@ -75,6 +83,7 @@ bool WebPanel::isInside(QPointF at) const {
 
 bool WebPanel::take(const ClientMessage& message) {
     if (!m_isStarted && message.word != ClientWord::Hello) return false;
+    if (message.word != ClientWord::Drawn) m_player.touch(); // pictures come and are drawn without anybody there
     switch (message.word) {
     case ClientWord::Hello:
         if (m_isStarted) return false;
@@ -214,10 +223,12 @@ QByteArray WebPanel::describe() {
                    {"panels", panels},
                    {"languages", languages},
                    {"operator", m_operator.toStdString()},
+                   {"people", hasPeople()},
                    {"words",
                     {{"logIn", say(SystemText::LogIn)},
                      {"logOut", say(SystemText::LogOut)},
-                     {"code", say(SystemText::AccessCode)},
+                     {"code", say(hasPeople() ? SystemText::Password : SystemText::AccessCode)},
+                     {"user", say(SystemText::UserName)},
                      {"lost", say(SystemText::ConnectionLost)},
                      {"readOnly", say(SystemText::LogInFirst)},
                      {"cancel", say(SystemText::Cancel)}}}});

@@ -25,6 +25,12 @@ public:
     /// A note for whoever operates here: the controller refused a write.
     void tell(const QString& reason);
     bool isOperator() const { return !m_player.isLocked(); }
+    /// The project has users: they log in by name and password, on the page or on the panel, and have their rights.
+    bool hasPeople() const { return !m_project.people.isEmpty(); }
+    /// Who checks their passwords.
+    void setDoor(PanelPlayer::Door door) { m_player.setDoor(std::move(door)); }
+    LogIn::Answer logIn(const QString& user, const QString& password) { return m_player.logIn(user, password); }
+    void logOut();
     QString words(SystemText text) const { return systemText(m_project.texts, text, m_player.language()); }
 
     struct Output {

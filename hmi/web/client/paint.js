@@ -65,6 +65,7 @@ class Painter {
     this.canvas = canvas;
     this.context = canvas.getContext('2d', {alpha: false});
     this.glyphs = [];
+    this.outlines = new Map(); // by glyphs and their places
     this.pictures = [];
     this.elements = [];
     this.dirty = [];
@@ -89,7 +90,7 @@ class Painter {
       case 1: this.glyphs[from.count()] = from.path().shape; break;
       case 2: this.takePicture(from.count(), from.blob()); break;
       case 3: this.takeElement(from); break;
-      case 4: this.elements = []; this.allDirty = true; break;
+      case 4: this.elements = []; this.outlines.clear(); this.allDirty = true; break; // glyphs may have other numbers now
       default: throw new Error('section');
       }
     }
@@ -196,24 +197,36 @@ class Painter {
     }
   }
 
+  /// Words that were drawn before keep their outline: figures change often, and most of them come again.
   text(from) {
     const runs = [];
-    let x = 0, y = 0;
+    let x = 0, y = 0, firstX = 0, firstY = 0, key = '';
     for (let left = from.count(); left > 0; --left) {
       const glyph = from.count();
-      runs.push([glyph, x += from.length(), y += from.length()]);
+      x += from.length();
+      y += from.length();
+      if (runs.length === 0) { firstX = x; firstY = y; }
+      runs.push([glyph, x - firstX, y - firstY]);
+      key += `${glyph},${x - firstX},${y - firstY};`;
     }
-    let whole = null;
     return (s, c) => {
       if (!s.pen) return;
-      if (!whole) {
-        whole = new Path2D();
-        for (const [glyph, atX, atY] of runs) if (this.glyphs[glyph]) whole.addPath(this.glyphs[glyph], {e: atX, f: atY});
-      }
-      this.enter(s, c);
+      const [a, b, d, e, toX, toY] = s.transform, k = this.scale;
+      c.setTransform(a * k, b * k, d * k, e * k, (toX + a * firstX + d * firstY) * k, (toY + b * firstX + e * firstY) * k);
+      c.globalAlpha = s.opacity;
       c.fillStyle = s.pen.paint;
-      c.fill(whole, 'nonzero');
+      c.fill(this.outline(key, runs), 'nonzero');
     };
+  }
+
+  outline(key, runs) {
+    const known = this.outlines.get(key);
+    if (known) return known;
+    const whole = new Path2D();
+    for (const [glyph, x, y] of runs) if (this.glyphs[glyph]) whole.addPath(this.glyphs[glyph], {e: x, f: y});
+    if (this.outlines.size >= 4096) this.outlines.clear();
+    this.outlines.set(key, whole);
+    return whole;
   }
 
   enter(s, c) {

@@ -5,7 +5,7 @@
 const byId = id => document.getElementById(id);
 const stage = byId('stage'), canvas = byId('canvas'), elements = byId('elements');
 const painter = new Painter(canvas);
-let socket = null, panel = null, waits = 250, noteTimer = 0, isHeld = false, painted = 0, shown = 0, secret = '';
+let socket = null, panel = null, waits = 250, noteTimer = 0, isHeld = false, painted = 0, shown = 0, secret = '', user = '';
 const asked = new URLSearchParams(location.search);
 const wanted = {panel: decodeURIComponent(location.pathname.replace(/^\/panel\/?/, '')), language: asked.get('language') || ''};
 if (asked.has('bare')) document.body.classList.add('bare');
@@ -27,7 +27,7 @@ function connect() {
   socket.onopen = () => {
     waits = 250;
     send({t: 'hello', text: wanted.panel, more: wanted.language, n: scaleNow()});
-    if (secret) send({t: 'login', text: secret});
+    if (secret) send({t: 'login', text: secret, more: user});
   };
   socket.onmessage = event => {
     if (typeof event.data === 'string') return take(JSON.parse(event.data));
@@ -61,6 +61,7 @@ function take(message) {
 
 function show(message) {
   const isOther = !panel || panel.name !== message.name || panel.width !== message.width || panel.height !== message.height;
+  if (panel && panel.operator && !message.operator) secret = ''; // logged out after a time without a touch
   panel = message;
   wanted.panel = message.name;
   wanted.language = message.language;
@@ -75,6 +76,8 @@ function show(message) {
   fill(byId('languages'), message.languages, message.language);
   byId('log').textContent = message.operator ? message.words.logOut : message.words.logIn;
   byId('who').textContent = message.operator;
+  byId('nameLabel').textContent = message.words.user;
+  byId('name').hidden = byId('nameLabel').hidden = !message.people;
   byId('codeLabel').textContent = message.words.code;
   byId('loginOk').textContent = message.words.logIn;
   byId('loginCancel').textContent = message.words.cancel;
@@ -195,13 +198,15 @@ byId('log').addEventListener('click', () => {
   }
   byId('loginNote').textContent = '';
   byId('code').value = '';
+  byId('name').value = user;
   byId('login').showModal();
 });
 byId('loginCancel').addEventListener('click', () => byId('login').close());
 byId('login').querySelector('form').addEventListener('submit', event => {
   event.preventDefault();
   secret = byId('code').value;
-  send({t: 'login', text: secret});
+  user = panel.people ? byId('name').value : '';
+  send({t: 'login', text: secret, more: user});
 });
 function loggedIn(message) {
   if (message.ok) return byId('login').close();

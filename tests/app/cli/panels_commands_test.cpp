@@ -51,6 +51,34 @@ TEST_F(PanelsCommands, TheCheckReportsWhatAFaceplateIsGiven) {
     EXPECT_NE(err.find("H1019"), std::string::npos) << err;
 }
 
+TEST_F(PanelsCommands, TheStandardsAreCheckedListedAndFixed) {
+    write("hmi/main.panel.json",
+          R"({"elements": [{"id": "r", "kind": "rectangle", "rect": [0, 0, 80, 80], "fill": "red"},
+                  {"id": "e", "kind": "numberEntry", "rect": [0, 100, 140, 44], "target": "Main.level"}]})");
+    EXPECT_EQ(run("panel", {"--check"}), 0) << "warnings do not fail";
+    EXPECT_NE(out.find("r.fill: warning H1102"), std::string::npos) << out;
+    EXPECT_NE(out.find("e.minimum: warning H1112"), std::string::npos) << out;
+    (void)run("panel", {"--check", "--format", "json"});
+    EXPECT_NE(out.find("\"why\":"), std::string::npos) << out;
+    EXPECT_NE(out.find("\"fixable\":true"), std::string::npos) << out;
+    (void)run("panel", {"--check", "--level", "off"});
+    EXPECT_EQ(out.find("H11"), std::string::npos) << out;
+    EXPECT_EQ(run("panel", {"--check", "--level", "hard"}), 2);
+    EXPECT_EQ(run("panel", {"--fix"}), 0);
+    EXPECT_EQ(read("hmi/main.panel.json").find("\"red\""), std::string::npos) << read("hmi/main.panel.json");
+    (void)run("panel", {"--check"});
+    EXPECT_EQ(out.find("H1102"), std::string::npos) << out;
+    EXPECT_NE(out.find("H1112"), std::string::npos) << "a limit is a decision";
+    EXPECT_EQ(command({"panel", "--rules"}), 0);
+    EXPECT_NE(out.find("H1109  touch-target (basic)"), std::string::npos) << out;
+    write("project.json",
+          R"({"name": "demo", "hmi": {"languages": ["en", "de"], "checks": {"errors": ["write-limits"]}}})");
+    EXPECT_EQ(run("panel", {"--check"}), 1);
+    write("project.json", R"({"name": "demo", "hmi": {"languages": ["en", "de"], "checks": {"level": "of"}}})");
+    EXPECT_EQ(run("panel", {"--check"}), 1);
+    EXPECT_NE(out.find("project.json: checks.level: error H1100"), std::string::npos) << out;
+}
+
 TEST_F(PanelsCommands, TextsGoOutAsXliffAndComeBack) {
     EXPECT_EQ(run("texts", {"--export", path("t.xlf")}), 2); // into which language?
     ASSERT_EQ(run("texts", {"--export", path("t.xlf"), "--language", "de"}), 0) << err;

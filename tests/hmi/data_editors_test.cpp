@@ -1,0 +1,175 @@
+// The editors of recipes and of users: what is typed is kept, refused or undone byte for byte, and saved.
+#include "design_studio.h"
+
+#include "hmi/designer/people_editor.h"
+#include "hmi/designer/recipe_editor.h"
+#include "hmi/people/password.h"
+#include "projects/storage/project_file.h"
+
+#include <QListWidget>
+#include <QSpinBox>
+#include <QTableWidget>
+#include <QTemporaryDir>
+
+namespace plc::hmi {
+namespace {
+
+/// Types into a cell as a person does: double click, text, Enter.
+void type(QTableWidget& table, int row, int column, const QString& text) {
+    table.setCurrentCell(row, column);
+    table.editItem(table.item(row, column));
+    QWidget* editor = table.viewport()->findChild<QLineEdit*>();
+    ASSERT_NE(editor, nullptr);
+    QTest::keyClick(editor, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(editor, text);
+    QTest::keyClick(editor, Qt::Key_Return);
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+}
+
+struct Recipes : testing::Test {
+    Studio studio;
+    QTemporaryDir folder;
+    RecipeEditor editor{*studio.context};
+    void SetUp() override {
+        studio.project.folder = folder.path();
+        editor.resize(1000, 600);
+        editor.show();
+    }
+    const Recipe& only() const { return studio.project.recipes.recipes().front(); }
+    std::string bytes() const { return studio.project.recipes.write(); }
+};
+
+TEST_F(Recipes, ARecipeIsMadeInTheTableAndUndoneByteForByte) {
+    const std::string before = bytes();
+    editor.addRecipe();
+    editor.addVariable(QStringLiteral("Main.level"));
+    editor.addVariable(QStringLiteral("Main.count"));
+    type(editor.table(), 0, RecipeEditor::Unit, QStringLiteral("mm"));
+    type(editor.table(), 0, RecipeEditor::Minimum, QStringLiteral("1.5"));
+    type(editor.table(), 0, RecipeEditor::Maximum, QStringLiteral("90"));
+    type(editor.table(), 0, RecipeEditor::FirstSet, QStringLiteral("12.5"));
+    type(editor.table(), 1, RecipeEditor::FirstSet, QStringLiteral("7"));
+    editor.addSet();
+    editor.renameSet(RecipeEditor::FirstSet + 1, QStringLiteral("strong"));
+    type(editor.table(), 0, RecipeEditor::FirstSet + 1, QStringLiteral("80.0"));
+    ASSERT_EQ(only().variables.size(), 2u);
+    EXPECT_EQ(only().variables[0].minimum, 1.5);
+    EXPECT_EQ(only().sets[1].name.toStdString(), "strong");
+    EXPECT_EQ(only().sets[1].values.value("Main.level").toStdString(), "80.0");
+    EXPECT_EQ(only().sets[1].values.value("Main.count").toStdString(), "7") << "a new set begins as the last one";
+    EXPECT_EQ(editor.problems().toStdString(), "");
+    const std::string after = bytes();
+    while (editor.undoStack().canUndo()) editor.undoStack().undo();
+    EXPECT_EQ(bytes(), before);
+    while (editor.undoStack().canRedo()) editor.undoStack().redo();
+    EXPECT_EQ(bytes(), after);
+    EXPECT_TRUE(studio.context->areRecipesChanged());
+    ASSERT_TRUE(studio.context->save());
+    EXPECT_EQ(*projects::readFile(studio.project.recipesPath().toStdString()), after);
+    EXPECT_FALSE(studio.context->areRecipesChanged());
+}
+
+TEST_F(Recipes, WhatIsWrongStandsInItsCellAndWhatIsNoNumberIsNotTaken) {
+    editor.addRecipe();
+    editor.addVariable(QStringLiteral("Main.lvel"));
+    EXPECT_FALSE(editor.table().item(0, RecipeEditor::Variable)->toolTip().isEmpty());
+    EXPECT_FALSE(editor.problems().isEmpty());
+    type(editor.table(), 0, RecipeEditor::Variable, QStringLiteral("Main.level"));
+    type(editor.table(), 0, RecipeEditor::Maximum, QStringLiteral("10"));
+    type(editor.table(), 0, RecipeEditor::FirstSet, QStringLiteral("11.0"));
+    EXPECT_FALSE(editor.table().item(0, RecipeEditor::FirstSet)->toolTip().isEmpty()) << "above the limit";
+    type(editor.table(), 0, RecipeEditor::Maximum, QStringLiteral("many"));
+    EXPECT_EQ(only().variables[0].maximum, 10);
+    EXPECT_EQ(editor.table().item(0, RecipeEditor::Maximum)->text().toStdString(), "10");
+    editor.addRecipe();
+    editor.list().item(1)->setText(QStringLiteral("recipe"));
+    EXPECT_EQ(studio.project.recipes.recipes()[1].name.toStdString(), "recipe2") << "a name is there once";
+}
+
+TEST_F(Recipes, CsvGoesOutAndComesBackAsOneStep) {
+    editor.addRecipe();
+    editor.addVariable(QStringLiteral("Main.level"));
+    type(editor.table(), 0, RecipeEditor::FirstSet, QStringLiteral("3.5"));
+    const QString path = folder.filePath(QStringLiteral("r.csv"));
+    editor.exportCsv(path);
+    std::string csv = *projects::readFile(path.toStdString());
+    const size_t at = csv.find("3.5");
+    ASSERT_NE(at, std::string::npos) << csv;
+    csv.replace(at, 3, "4.5");
+    ASSERT_TRUE(projects::writeFileAtomically(path.toStdString(), csv));
+    const int steps = editor.undoStack().count();
+    editor.importCsv(path);
+    EXPECT_EQ(only().sets[0].values.value("Main.level").toStdString(), "4.5");
+    EXPECT_EQ(editor.undoStack().count(), steps + 1);
+    ASSERT_TRUE(projects::writeFileAtomically(path.toStdString(), "nothing of the kind\n"));
+    editor.importCsv(path);
+    EXPECT_FALSE(editor.problems().isEmpty());
+    EXPECT_EQ(only().sets[0].values.value("Main.level").toStdString(), "4.5");
+}
+
+struct People : testing::Test {
+    Studio studio;
+    QTemporaryDir folder;
+    PeopleEditor editor{*studio.context};
+    void SetUp() override {
+        studio.project.folder = folder.path();
+        editor.resize(1000, 600);
+        editor.show();
+    }
+    const PeopleFile& people() const { return studio.project.people; }
+};
+
+TEST_F(People, UsersAndRolesAreTypedAndUndoneByteForByte) {
+    const std::string before = people().write();
+    editor.addRole();
+    type(editor.roles(), 0, PeopleEditor::RoleName, QStringLiteral("operator"));
+    editor.addUser();
+    type(editor.users(), 0, PeopleEditor::Name, QStringLiteral("anna"));
+    editor.addRole();
+    type(editor.roles(), 1, PeopleEditor::RoleName, QStringLiteral("service"));
+    type(editor.users(), 0, PeopleEditor::Roles, QStringLiteral("operator, service"));
+    editor.timeout().setValue(600);
+    ASSERT_NE(people().find("anna"), nullptr);
+    EXPECT_EQ(people().find("anna")->roles.join(u'+').toStdString(), "operator+service");
+    EXPECT_EQ(people().timeout(), 600);
+    type(editor.roles(), 1, PeopleEditor::RoleName, QStringLiteral("engineer"));
+    EXPECT_EQ(people().find("anna")->roles.join(u'+').toStdString(), "operator+engineer") << "a renamed role is kept";
+    const std::string after = people().write();
+    EXPECT_TRUE(PeopleFile::parse(after, {})) << "what is edited here can be read";
+    while (editor.undoStack().canUndo()) editor.undoStack().undo();
+    EXPECT_EQ(people().write(), before);
+    while (editor.undoStack().canRedo()) editor.undoStack().redo();
+    EXPECT_EQ(people().write(), after);
+    ASSERT_TRUE(studio.context->save());
+    EXPECT_EQ(*projects::readFile(studio.project.peoplePath().toStdString()), after);
+}
+
+TEST_F(People, APasswordIsKeptHashedAndAWeakOneRefused) {
+    editor.addRole();
+    editor.addUser();
+    EXPECT_FALSE(editor.setPassword(0, QStringLiteral("1")));
+    EXPECT_FALSE(editor.problem().isEmpty());
+    ASSERT_TRUE(editor.setPassword(0, QStringLiteral("long enough")));
+    EXPECT_TRUE(isPassword(QStringLiteral("long enough"), people().users()[0].password));
+    EXPECT_EQ(people().write().find("long enough"), std::string::npos);
+    EXPECT_FALSE(editor.users().item(0, PeopleEditor::Password)->text().contains("long"));
+    EXPECT_FALSE(editor.setPassword(7, QStringLiteral("long enough")));
+}
+
+TEST_F(People, NamesThatAreTakenAndRolesThatAreNotThereAreRefused) {
+    editor.addRole();
+    editor.addUser();
+    editor.addUser();
+    type(editor.users(), 1, PeopleEditor::Name, QStringLiteral("USER"));
+    EXPECT_EQ(people().users()[1].name.toStdString(), "user2");
+    EXPECT_FALSE(editor.problem().isEmpty());
+    type(editor.users(), 0, PeopleEditor::Roles, QStringLiteral("captain"));
+    EXPECT_EQ(people().users()[0].roles.join(u'+').toStdString(), "role");
+    editor.roles().setCurrentCell(0, 0);
+    editor.removeSelectedRole();
+    EXPECT_TRUE(people().users()[0].roles.isEmpty()) << "nobody has a role that is not there";
+    EXPECT_TRUE(PeopleFile::parse(people().write(), {}));
+}
+
+} // namespace
+} // namespace plc::hmi
