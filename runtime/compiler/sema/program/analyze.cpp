@@ -5,6 +5,7 @@
 #include "runtime/compiler/sema/declare/configuration.h"
 #include "runtime/compiler/sema/declare/declare.h"
 #include "runtime/compiler/sema/declare/tests.h"
+#include "runtime/compiler/sema/kept_world.h"
 #include "runtime/compiler/sema/layout/initial_values.h"
 #include "runtime/compiler/sema/layout/layout.h"
 #include "runtime/compiler/sema/layout/tasks.h"
@@ -159,7 +160,7 @@ std::shared_ptr<const Analysis> analyze(const SourceSet& sources,
     analysis->hasErrors =
         std::any_of(analysis->diagnostics.begin(), analysis->diagnostics.end(),
                     [](const diagnostics::Diagnostic& d) { return d.severity == diagnostics::Severity::Error; });
-    analysis->scopes = world;
+    analysis->scopes = std::make_shared<const KeptWorld>(KeptWorld{std::move(world)});
     return analysis;
 }
 
