@@ -3,6 +3,7 @@
 
 #include "app/cli/errors.h"
 #include "projects/testing/test_run.h"
+#include "runtime/base/xml_text.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -121,23 +122,6 @@ void printJson(const std::vector<ProjectReport>& projects) {
         std::cout << "]}";
     }
     std::cout << "]\n";
-}
-
-std::string xmlText(std::string_view text) {
-    std::string out;
-    for (const char c : text) {
-        if (c == '<')
-            out += "&lt;";
-        else if (c == '>')
-            out += "&gt;";
-        else if (c == '&')
-            out += "&amp;";
-        else if (c == '"')
-            out += "&quot;";
-        else
-            out += c;
-    }
-    return out;
 }
 
 void printJunit(const std::vector<ProjectReport>& projects) {

@@ -1,6 +1,7 @@
 #include "app/cli/tune_output.h"
 
 #include "projects/tuning/chart.h"
+#include "runtime/base/xml_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -352,22 +353,21 @@ std::string healthText(const TuneReport& report) {
 }
 
 std::string pageOf(const TuneReport& report) {
-    const auto escaped = [](const std::string& text) { return tuning::xmlText(text); };
     std::string out = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" +
-                      escaped(report.name) +
+                      xmlText(report.name) +
                       "</title>\n<style>body{font-family:\"Noto Sans\",sans-serif;margin:24px;max-width:1160px}"
                       "td{padding:2px 18px 2px 0}pre{background:#f5f6f7;padding:12px;overflow:auto}svg{max-width:100%;"
                       "height:auto}</style></head><body>\n<h1>" +
-                      escaped(report.name) + "</h1>\n<p>" + escaped(report.channels.output) + " by " +
-                      escaped(report.channels.input) + "</p>\n<h2>How it is doing</h2>\n";
-    for (const Message& sentence : wordsOf(report.health)) out += "<p>" + escaped(sentence.english()) + "</p>\n";
+                      xmlText(report.name) + "</h1>\n<p>" + xmlText(report.channels.output) + " by " +
+                      xmlText(report.channels.input) + "</p>\n<h2>How it is doing</h2>\n";
+    for (const Message& sentence : wordsOf(report.health)) out += "<p>" + xmlText(sentence.english()) + "</p>\n";
     out += "<table>\n";
     for (const auto& [what, value] : healthRows(report.health))
-        out += "<tr><td>" + escaped(what) + "</td><td>" + escaped(value) + "</td></tr>\n";
+        out += "<tr><td>" + xmlText(what) + "</td><td>" + xmlText(value) + "</td></tr>\n";
     out += "</table>\n" + recordedChart(report);
     if (!report.study.models.empty())
         out +=
-            "<h2>Model and settings</h2>\n" + pictureOf(report, false) + "<pre>" + escaped(textOf(report)) + "</pre>\n";
+            "<h2>Model and settings</h2>\n" + pictureOf(report, false) + "<pre>" + xmlText(textOf(report)) + "</pre>\n";
     return out + "</body></html>\n";
 }
 

@@ -378,22 +378,31 @@ std::shared_ptr<const analysis::CodeModel> Workspace::presentModel() {
 
 void Workspace::startCheck() {
     if (!m_project) return;
-    if (!m_project->folder.empty())
-        m_project->companions = projects::readCompanions(m_project->folder); // a panel may have been saved since
-    driver::BuildInput input = buildInput();
+    Job job{buildInput(), m_project->folder, ++m_revision};
+    if (!job.folder.empty()) // the worker reads them again
+        job.input.companions.erase(job.input.companions.begin(),
+                                   job.input.companions.begin() +
+                                       static_cast<std::ptrdiff_t>(m_project->companions.size()));
     for (const auto& [file, content] : m_files) // the program never holds them, the editor knows them
-        if (isTestFile(file)) input.files.push_back({toStd(file), content.text});
+        if (isTestFile(file)) job.input.files.push_back({toStd(file), content.text});
     {
         const std::lock_guard lock(m_mutex);
-        m_job = {std::move(input), ++m_revision};
+        m_job = std::move(job);
     }
     m_wake.notify_one();
+}
+
+void Workspace::takeAnswer(Answer answer) {
+    if (!m_project || answer.model->revision() < m_revision) return; // overtaken
+    m_model = std::move(answer.model);
+    m_project->companions = answer.companions;
+    emit analysed(m_model);
 }
 
 void Workspace::workerLoop() {
     driver::KeptFiles kept; // a keystroke reads the file it is in
     for (;;) {
-        std::pair<driver::BuildInput, uint64_t> job;
+        Job job;
         {
             std::unique_lock lock(m_mutex);
             m_wake.wait(lock, [this] { return m_quit || m_job; });
@@ -401,12 +410,14 @@ void Workspace::workerLoop() {
             job = std::move(*m_job);
             m_job.reset();
         }
-        auto model = analysis::CodeModel::make(job.first, job.second, kept);
-        kit::post(this, [this, model] {
-            if (!m_project || model->revision() < m_revision) return; // overtaken
-            m_model = model;
-            emit analysed(model);
-        });
+        Answer answer;
+        if (!job.folder.empty()) { // a panel may have been saved since
+            answer.companions = projects::readCompanions(job.folder);
+            job.input.companions.insert(job.input.companions.begin(), answer.companions.begin(),
+                                        answer.companions.end());
+        }
+        answer.model = analysis::CodeModel::make(job.input, job.revision, kept);
+        kit::post(this, [this, answer = std::move(answer)]() mutable { takeAnswer(std::move(answer)); });
     }
 }
 

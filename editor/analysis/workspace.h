@@ -92,7 +92,18 @@ private:
         std::string text; // as edited
         std::string onDisk;
     };
+    /// What the worker checks; it reads what names variables elsewhere (panels, texts, traces) from the folder itself.
+    struct Job {
+        driver::BuildInput input;
+        std::string folder; // empty: no project on disk
+        uint64_t revision = 0;
+    };
+    struct Answer {
+        std::vector<std::string> companions; // as they are on disk
+        std::shared_ptr<const analysis::CodeModel> model;
+    };
     void startCheck();
+    void takeAnswer(Answer answer);
     void takeFile(const QString& file, const std::string& text);
     void tellEncodings();
     void workerLoop();
@@ -114,7 +125,7 @@ private:
 
     std::mutex m_mutex;
     std::condition_variable m_wake;
-    std::optional<std::pair<driver::BuildInput, uint64_t>> m_job;
+    std::optional<Job> m_job;
     bool m_quit = false;
     std::thread m_worker;
 };

@@ -5,6 +5,7 @@
 #include "editor/kit/texts.h"
 #include "editor/kit/theme.h"
 #include "projects/analysis/sections.h"
+#include "runtime/compiler/parse/section_keyword.h"
 
 #include <QApplication>
 #include <QComboBox>
@@ -35,7 +36,7 @@ public:
     using QStyledItemDelegate::QStyledItemDelegate;
     QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex& index) const override {
         auto* box = new QComboBox(parent);
-        for (const SectionKind kind : kSections) box->addItem(kit::fromView(analysis::wordOf(kind)));
+        for (const SectionKind kind : kSections) box->addItem(kit::fromView(syntax::keywordOf(kind)));
         const QString now = index.data().toString();
         if (box->findText(now) < 0) box->insertItem(0, now); // VAR CONSTANT, VAR RETAIN
         box->setCurrentText(now);
@@ -55,9 +56,7 @@ public:
 };
 
 QString sectionWord(const syntax::VarSection& section) {
-    static const char* const words[] = {"VAR",      "VAR_INPUT",  "VAR_OUTPUT",   "VAR_IN_OUT", "VAR_TEMP",  "VAR_STAT",
-                                        "VAR_INST", "VAR_GLOBAL", "VAR_EXTERNAL", "VAR_ACCESS", "VAR_CONFIG"};
-    QString out = words[static_cast<size_t>(section.kind)];
+    QString out = kit::fromView(syntax::keywordOf(section.kind));
     if (section.constant) out += " CONSTANT";
     if (section.retain) out += " RETAIN";
     if (section.persistent) out += " PERSISTENT";
@@ -101,11 +100,9 @@ void DeclarationTable::makeBar(QToolBar& bar) {
     add->setAccessibleName(add->toolTip());
     add->setPopupMode(QToolButton::MenuButtonPopup);
     auto* menu = new QMenu(add);
-    for (const auto& [kind, word] :
-         {std::pair(SectionKind::Var, "VAR"), std::pair(SectionKind::Input, "VAR_INPUT"),
-          std::pair(SectionKind::Output, "VAR_OUTPUT"), std::pair(SectionKind::InOut, "VAR_IN_OUT"),
-          std::pair(SectionKind::Temp, "VAR_TEMP")})
-        menu->addAction(word, this, [this, kind = kind] { addVariable(kind); });
+    for (const SectionKind kind :
+         {SectionKind::Var, SectionKind::Input, SectionKind::Output, SectionKind::InOut, SectionKind::Temp})
+        menu->addAction(kit::fromView(syntax::keywordOf(kind)), this, [this, kind] { addVariable(kind); });
     add->setMenu(menu);
     connect(add, &QToolButton::clicked, this, [this] {
         const int row = m_table->currentRow(); // another one of its kind
@@ -336,7 +333,7 @@ void DeclarationTable::changeCell(int row, int column, const QString& text) {
     std::vector<diagnostics::TextEdit> edits;
     if (column == Section) {
         for (const SectionKind kind : kSections)
-            if (text == kit::fromView(analysis::wordOf(kind))) return moveToSection(row, kind);
+            if (text == kit::fromView(syntax::keywordOf(kind))) return moveToSection(row, kind);
         return fillAgain();
     }
     if (column == Name) {

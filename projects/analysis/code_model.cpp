@@ -43,9 +43,15 @@ std::shared_ptr<const CodeModel> CodeModel::make(const driver::BuildInput& input
     model->m_checked = driver::check(input, kept);
     const sema::Analysis& analysis = *model->m_checked.analysis;
     model->m_referencesOf.resize(analysis.symbols.size());
+    model->m_byName.reserve(analysis.symbols.size());
+    std::vector<uint32_t>* ofOwner = nullptr;
     for (uint32_t i = 0; i < analysis.symbols.size(); ++i) {
-        model->m_byOwner[foldCase(analysis.symbols[i].owner)].push_back(i);
-        model->m_byName[foldCase(analysis.symbols[i].name)].push_back(i);
+        const Symbol& symbol = analysis.symbols[i];
+        // those of one owner are declared in a row: its name is folded and looked up once
+        if (!ofOwner || symbol.owner != analysis.symbols[i - 1].owner)
+            ofOwner = &model->m_byOwner[foldCase(symbol.owner)];
+        ofOwner->push_back(i);
+        model->m_byName[foldCase(symbol.name)].push_back(i);
     }
     std::set<std::pair<FileId, uint32_t>> hidden;
     for (size_t i = 0; i < analysis.files.size(); ++i)

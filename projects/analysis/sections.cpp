@@ -1,29 +1,12 @@
 #include "projects/analysis/sections.h"
 
+#include "runtime/compiler/parse/section_keyword.h"
+
 #include <algorithm>
 
 namespace plc::analysis {
 
 using syntax::SectionKind;
-
-std::string_view wordOf(SectionKind kind) {
-    switch (kind) {
-    case SectionKind::Input:
-        return "VAR_INPUT";
-    case SectionKind::Output:
-        return "VAR_OUTPUT";
-    case SectionKind::InOut:
-        return "VAR_IN_OUT";
-    case SectionKind::Temp:
-        return "VAR_TEMP";
-    case SectionKind::Stat:
-        return "VAR_STAT";
-    case SectionKind::Global:
-        return "VAR_GLOBAL";
-    default:
-        return "VAR";
-    }
-}
 
 std::optional<uint32_t> lineOfEnd(const syntax::VarSection& section, std::string_view text) {
     const size_t end = text.substr(section.range.begin, section.range.length()).rfind('\n'); // the line of END_VAR
@@ -94,7 +77,7 @@ diagnostics::TextEdit declareIn(const syntax::Pou& pou, SectionKind kind, FileId
         while (at < text.size() && text[at] != '\n') ++at;
         if (at < text.size()) ++at;
     }
-    return {{file, at, at}, std::string(wordOf(kind)) + "\n" + line + "END_VAR\n"};
+    return {{file, at, at}, std::string(syntax::keywordOf(kind)) + "\n" + line + "END_VAR\n"};
 }
 
 std::vector<diagnostics::TextEdit> moveToSection(const syntax::Pou& pou, const syntax::VarSection& from,

@@ -10,7 +10,6 @@
 
 namespace plc::analysis {
 
-[[nodiscard]] std::string_view wordOf(syntax::SectionKind kind);
 /// Where the line of END_VAR begins; none when the section stands on one line.
 [[nodiscard]] std::optional<uint32_t> lineOfEnd(const syntax::VarSection& section, std::string_view text);
 /// A line in the section of that kind, or in a new one: inputs stand first, all others behind what is there.

@@ -1,6 +1,7 @@
 #include "projects/tuning/chart.h"
 
 #include "projects/tuning/process_model.h"
+#include "runtime/base/xml_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -124,27 +125,6 @@ std::string drawn(const Chart& chart, double left, double top, const Theme& them
 }
 
 } // namespace
-
-std::string xmlText(const std::string& text) {
-    std::string out;
-    for (const char c : text) switch (c) {
-        case '<':
-            out += "&lt;";
-            break;
-        case '>':
-            out += "&gt;";
-            break;
-        case '&':
-            out += "&amp;";
-            break;
-        case '"':
-            out += "&quot;";
-            break;
-        default:
-            out += c;
-        }
-    return out;
-}
 
 std::vector<double> axisTicks(double low, double high, int about) {
     const double raw = (high - low) / about, power = std::pow(10, std::floor(std::log10(raw)));

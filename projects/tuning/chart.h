@@ -31,6 +31,5 @@ struct ChartPage {
 [[nodiscard]] std::string svgOf(const ChartPage& page);
 /// About so many values at which an axis from low to high gets a line: 1, 2 or 5 times a power of ten apart.
 [[nodiscard]] std::vector<double> axisTicks(double low, double high, int about);
-[[nodiscard]] std::string xmlText(const std::string& text);
 
 } // namespace plc::tuning

@@ -1,34 +1,13 @@
 #include "runtime/inside/coverage.h"
 
+#include "runtime/base/xml_text.h"
+
 #include <algorithm>
 #include <cstdio>
 
 namespace plc::inside {
 
 namespace {
-
-std::string escaped(std::string_view text) {
-    std::string out;
-    for (const char c : text) {
-        switch (c) {
-        case '<':
-            out += "&lt;";
-            break;
-        case '>':
-            out += "&gt;";
-            break;
-        case '&':
-            out += "&amp;";
-            break;
-        case '"':
-            out += "&quot;";
-            break;
-        default:
-            out += c;
-        }
-    }
-    return out;
-}
 
 std::string rate(size_t part, size_t whole) {
     char text[32];
@@ -72,7 +51,7 @@ std::string coberturaXml(const image::CompiledProgram& program, const std::vecto
     for (const FunctionCoverage& f : all) {
         Sums own;
         own.add(f);
-        out += "        <class name=\"" + escaped(f.name) + "\" filename=\"" + escaped(f.file) + "\" line-rate=\"" +
+        out += "        <class name=\"" + xmlText(f.name) + "\" filename=\"" + xmlText(f.file) + "\" line-rate=\"" +
                rate(own.run, own.statements) + "\" branch-rate=\"" + rate(own.taken, own.branches) +
                "\" complexity=\"0\">\n          <methods/>\n          <lines>\n";
         for (const auto& [number, line] : linesOf(program, f)) {
@@ -105,7 +84,7 @@ std::string coverageHtml(const image::CompiledProgram& program, const std::vecto
         return "<td>" + std::to_string(part) + " of " + std::to_string(whole) + "</td>";
     };
     for (const FunctionCoverage& f : all)
-        out += "<tr><td>" + escaped(f.name) + "</td>" + cell(f.statementsRun(), f.statements.size()) +
+        out += "<tr><td>" + xmlText(f.name) + "</td>" + cell(f.statementsRun(), f.statements.size()) +
                cell(f.branchesTaken(), f.branches.size()) + cell(f.conditionsMet(), f.conditionCount()) + "</tr>\n";
     const Sums sums = sumsOf(all);
     out += "<tr><th>All</th>" + cell(sums.run, sums.statements) + cell(sums.taken, sums.branches) +
@@ -116,7 +95,7 @@ std::string coverageHtml(const image::CompiledProgram& program, const std::vecto
     for (const SourceText& source : program.sources.files) {
         const auto file = files.find(source.path());
         if (file == files.end()) continue;
-        out += "<h2>" + escaped(source.path()) + "</h2>\n";
+        out += "<h2>" + xmlText(source.path()) + "</h2>\n";
         for (uint32_t number = 1; number <= source.lineCount(); ++number) {
             const auto line = file->second.find(number);
             std::string kind, missing;
@@ -127,8 +106,8 @@ std::string coverageHtml(const image::CompiledProgram& program, const std::vecto
                     missing += (missing.empty() ? "" : "; ") + each.english();
             }
             out += "<div class=\"l " + kind + "\"><b>" + std::to_string(number) + "</b><pre>" +
-                   escaped(source.line(number)) + "</pre>" +
-                   (missing.empty() ? "" : "<i>" + escaped(missing) + "</i>") + "</div>\n";
+                   xmlText(source.line(number)) + "</pre>" +
+                   (missing.empty() ? "" : "<i>" + xmlText(missing) + "</i>") + "</div>\n";
         }
     }
     return out + "</body></html>\n";

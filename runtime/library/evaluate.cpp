@@ -29,24 +29,25 @@ int order(int64_t a, int64_t b, bool areUnsigned) {
     return a < b ? -1 : a != b;
 }
 
-Evaluated compared(BinaryOp op, int order) {
+bool holds(BinaryOp op, int order) {
     switch (op) {
     case BinaryOp::Equal:
-        return boolean(order == 0);
+        return order == 0;
     case BinaryOp::NotEqual:
-        return boolean(order != 0);
+        return order != 0;
     case BinaryOp::Less:
-        return boolean(order == -1);
+        return order == -1;
     case BinaryOp::LessEqual:
-        return boolean(order == -1 || order == 0);
+        return order == -1 || order == 0;
     case BinaryOp::Greater:
-        return boolean(order == 1);
+        return order == 1;
     case BinaryOp::GreaterEqual:
-        return boolean(order == 1 || order == 0);
+        return order == 1 || order == 0;
     default:
-        return failed(EvaluationError::NotEvaluable);
+        return false; // no comparison
     }
 }
+Evaluated compared(BinaryOp op, int order) { return boolean(holds(op, order)); }
 
 bool isComparison(BinaryOp op) { return op >= BinaryOp::Equal; }
 
@@ -64,37 +65,34 @@ Evaluated divideIntegers(const Value& as, TypeKind kind, bool isModulo, int64_t 
     return {{as.type, types::wrapInteger(kind, result)}};
 }
 
-Evaluated onIntegers(TypeId type, TypeKind kind, BinaryOp op, int64_t a, int64_t b) {
-    if (isComparison(op)) return compared(op, order(a, b, isUnsigned(kind)));
-    const auto left = static_cast<uint64_t>(a), right = static_cast<uint64_t>(b);
-    uint64_t result = 0;
+/// + - * AND OR XOR, which overflow in their own way in each width: unsigned types wrap, WideInteger does not get
+/// there.
+template <class Integer> std::optional<Integer> withoutDivision(BinaryOp op, Integer a, Integer b) {
     switch (op) {
     case BinaryOp::Add:
-        result = left + right;
-        break;
+        return a + b;
     case BinaryOp::Subtract:
-        result = left - right;
-        break;
+        return a - b;
     case BinaryOp::Multiply:
-        result = left * right;
-        break;
+        return a * b;
     case BinaryOp::And:
-        result = left & right;
-        break;
+        return a & b;
     case BinaryOp::Or:
-        result = left | right;
-        break;
+        return a | b;
     case BinaryOp::Xor:
-        result = left ^ right;
-        break;
-    case BinaryOp::Divide:
-        return divideIntegers({type, {}}, kind, false, a, b);
-    case BinaryOp::Modulo:
-        return divideIntegers({type, {}}, kind, true, a, b);
+        return a ^ b;
     default:
-        return failed(EvaluationError::NotEvaluable);
+        return std::nullopt;
     }
-    return {{type, types::wrapInteger(kind, static_cast<int64_t>(result))}};
+}
+
+Evaluated onIntegers(TypeId type, TypeKind kind, BinaryOp op, int64_t a, int64_t b) {
+    if (isComparison(op)) return compared(op, order(a, b, isUnsigned(kind)));
+    if (op == BinaryOp::Divide || op == BinaryOp::Modulo)
+        return divideIntegers({type, {}}, kind, op == BinaryOp::Modulo, a, b);
+    const auto result = withoutDivision(op, static_cast<uint64_t>(a), static_cast<uint64_t>(b));
+    if (!result) return failed(EvaluationError::NotEvaluable);
+    return {{type, types::wrapInteger(kind, static_cast<int64_t>(*result))}};
 }
 
 template <class Number> Evaluated onReals(TypeId type, BinaryOp op, Number a, Number b) {
@@ -135,6 +133,20 @@ Evaluated evaluateBinary(const TypeTable& types, BinaryOp op, TypeId type, const
     if (const auto* a = std::get_if<std::u16string>(&left.data))
         return onTexts(op, *a, std::get<std::u16string>(right.data));
     return failed(EvaluationError::NotEvaluable);
+}
+
+std::optional<WideInteger> evaluateWide(BinaryOp op, WideInteger left, WideInteger right) {
+    if (isComparison(op)) return holds(op, left < right ? -1 : left != right);
+    if (op == BinaryOp::Divide || op == BinaryOp::Modulo) {
+        if (right == 0) return std::nullopt;
+        return op == BinaryOp::Divide ? left / right : left % right;
+    }
+    WideInteger product = 0;
+    if (op == BinaryOp::Multiply && __builtin_mul_overflow(left, right, &product)) {
+        const auto largest = static_cast<WideInteger>(~static_cast<unsigned __int128>(0) >> 1);
+        return (left < 0) == (right < 0) ? largest : -largest;
+    }
+    return withoutDivision(op, left, right);
 }
 
 Evaluated evaluateUnary(const TypeTable& types, UnaryOp op, TypeId type, const Value& operand) {

@@ -4,6 +4,8 @@
 #include "runtime/image/layout.h"
 #include "runtime/library/signatures.h"
 
+#include <optional>
+
 namespace plc::library {
 
 enum class UnaryOp : uint8_t { Negate, Not };
@@ -44,6 +46,10 @@ struct Evaluated {
                                        const types::Value& left, const types::Value& right);
 [[nodiscard]] Evaluated evaluateUnary(const types::TypeTable& types, UnaryOp op, types::TypeId type,
                                       const types::Value& operand);
+/// Of literals without a type, which are computed with all bits there are: a product beyond them stays the largest. A
+/// comparison gives 0 or 1; nothing after a division by zero.
+using WideInteger = __int128;
+[[nodiscard]] std::optional<WideInteger> evaluateWide(BinaryOp op, WideInteger left, WideInteger right);
 /// `header` gives clock and scan; null while folding (Time, FirstScan… then are NotEvaluable).
 [[nodiscard]] Evaluated evaluateIntrinsic(const types::TypeTable& types, Intrinsic intrinsic, types::TypeId result,
                                           std::span<const types::Value> operands, const image::ImageHeader* header,

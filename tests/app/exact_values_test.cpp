@@ -3,6 +3,7 @@
 #include "app/live_views.h"
 #include "tests/app/idle_chart.h"
 #include "tests/app/studio_fixture.h"
+#include "tests/support/two_axes.h"
 
 #include <QAction>
 #include <QDockWidget>
@@ -11,46 +12,13 @@
 namespace plc::app {
 namespace {
 
-const char* const kProgram = R"(FUNCTION_BLOCK Axis
-VAR_INPUT
-    step : INT;
-END_VAR
-VAR
-    pos : INT;
-END_VAR
-IF step > 1 THEN
-    pos := pos + step;
-ELSE
-    pos := pos - 1;
-END_IF
-END_FUNCTION_BLOCK
-
-PROGRAM Main
-VAR
-    a, b : Axis;
-    n, i, sum : INT;
-END_VAR
-n := n + 1;
-n := n + 10;
-a(step := 1);
-b(step := 2);
-sum := 0;
-FOR i := 1 TO 3 DO
-    sum := sum + i;
-END_FOR
-IF n < 0 THEN
-    n := 0;
-END_IF
-END_PROGRAM
-)";
-
 class ExactValuesTest : public StudioTest {
 protected:
     void SetUp() override {
         StudioTest::SetUp();
         QApplication::setActiveWindow(window.get());
         const auto end = static_cast<uint32_t>(editor().utf8().size());
-        editor().applyEdits({{{FileId(), 0, end}, kProgram}});
+        editor().applyEdits({{{FileId(), 0, end}, testing::kTwoAxes}});
         analysed();
         window->action("file.save")->trigger();
         for (QDockWidget* dock : window->findChildren<QDockWidget*>()) dock->hide(); // all lines are in sight

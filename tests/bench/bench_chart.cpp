@@ -2,17 +2,15 @@
 // while it runs. Figures to hold against: under 1 s, under 50 ms, under 16.6 ms a frame.
 #include "editor/graph/chart_view.h"
 #include "editor/kit/theme.h"
+#include "tests/bench/frame_times.h"
 
 #include <QApplication>
-#include <QElapsedTimer>
 #include <QGraphicsItem>
 #include <QScrollBar>
 #include <QTest>
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <functional>
 #include <vector>
 
 using namespace plc;
@@ -46,18 +44,6 @@ std::string bigChart(int steps) {
     return text + ways + "END_PROGRAM\n";
 }
 
-double ms(const std::function<void()>& work) {
-    QElapsedTimer timer;
-    timer.start();
-    work();
-    return static_cast<double>(timer.nsecsElapsed()) / 1e6;
-}
-
-void row(const char* what, std::vector<double> times, double goal) {
-    std::sort(times.begin(), times.end());
-    std::printf("| %s | %.1f ms | %.1f ms | %.0f ms |\n", what, times[times.size() / 2], times.back(), goal);
-}
-
 } // namespace
 
 int main(int argc, char** argv) {
@@ -70,7 +56,7 @@ int main(int argc, char** argv) {
 
     std::vector<double> opens;
     for (int i = 0; i < 5; ++i) {
-        opens.push_back(ms([&] {
+        opens.push_back(bench::milliseconds([&] {
             editor::ChartView view;
             view.setUnit("Main");
             view.resize(1200, 900);
@@ -80,7 +66,7 @@ int main(int argc, char** argv) {
             view.grab();
         }));
     }
-    row("open, until the first picture", opens, 1000);
+    bench::printRow("open, until the first picture", opens, 1000);
 
     editor::ChartView view;
     view.setUnit("Main");
@@ -98,26 +84,26 @@ int main(int argc, char** argv) {
     for (int i = 0; i < 20; ++i) {
         view.scene().clearSelection();
         view.scene().itemOf(editor::ChartScene::Step, (i * 37) % steps)->setSelected(true);
-        inserts.push_back(ms([&] {
+        inserts.push_back(bench::milliseconds([&] {
             QTest::keyClick(&view.canvas(), Qt::Key_Insert);
             view.grab();
         }));
-        deletes.push_back(ms([&] {
+        deletes.push_back(bench::milliseconds([&] {
             QTest::keyClick(&view.canvas(), Qt::Key_Delete);
             view.grab();
         }));
     }
-    row("insert a step, until it is drawn", inserts, 50);
-    row("delete it", deletes, 50);
+    bench::printRow("insert a step, until it is drawn", inserts, 50);
+    bench::printRow("delete it", deletes, 50);
     std::vector<double> selects;
     for (int i = 0; i < 20; ++i) {
         const auto offset = static_cast<uint32_t>(present.find("STEP S" + std::to_string((i * 53) % steps) + ":"));
-        selects.push_back(ms([&] {
+        selects.push_back(bench::milliseconds([&] {
             view.showCursor(offset + 6);
             view.grab();
         }));
     }
-    row("the text's cursor moves, the graph follows", selects, 50);
+    bench::printRow("the text's cursor moves, the graph follows", selects, 50);
 
     for (const double zoom : {1.0, 0.3}) {
         view.canvas().setZoom(zoom);
@@ -126,13 +112,14 @@ int main(int argc, char** argv) {
         QApplication::processEvents();
         std::vector<double> frames;
         for (int i = 0; i < 120; ++i) {
-            frames.push_back(ms([&] {
+            frames.push_back(bench::milliseconds([&] {
                 bar->setValue(bar->value() + (bar->maximum() - bar->minimum()) / 120);
                 view.canvas().viewport()->repaint();
                 QApplication::processEvents();
             }));
         }
-        row(zoom == 1 ? "a frame of scrolling, zoom 100 %" : "a frame of scrolling, zoom 30 %", frames, 16.6);
+        bench::printRow(zoom == 1 ? "a frame of scrolling, zoom 100 %" : "a frame of scrolling, zoom 30 %", frames,
+                        16.6);
     }
     view.canvas().setZoom(1);
     int frame = 0;
@@ -146,12 +133,12 @@ int main(int argc, char** argv) {
     });
     std::vector<double> frames;
     for (frame = 0; frame < 60; ++frame) {
-        frames.push_back(ms([&] {
+        frames.push_back(bench::milliseconds([&] {
             view.refreshOnline();
             view.canvas().viewport()->repaint();
             QApplication::processEvents();
         }));
     }
-    row("a frame of a running chart (30 a second)", frames, 33.3);
+    bench::printRow("a frame of a running chart (30 a second)", frames, 33.3);
     return 0;
 }

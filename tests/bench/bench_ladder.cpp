@@ -2,16 +2,14 @@
 // frame with power flow while it runs. Figures to hold against: under 100 ms, under 16 ms, under 16 ms a frame.
 #include "editor/graph/ladder_view.h"
 #include "editor/kit/theme.h"
+#include "tests/bench/frame_times.h"
 
 #include <QApplication>
-#include <QElapsedTimer>
 #include <QScrollBar>
 #include <QTest>
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <functional>
 #include <vector>
 
 using namespace plc;
@@ -44,18 +42,6 @@ std::string bigLadder(int rungs) {
     return text + "END_PROGRAM\n";
 }
 
-double ms(const std::function<void()>& work) {
-    QElapsedTimer timer;
-    timer.start();
-    work();
-    return static_cast<double>(timer.nsecsElapsed()) / 1e6;
-}
-
-void row(const char* what, std::vector<double> times, double goal) {
-    std::sort(times.begin(), times.end());
-    std::printf("| %s | %.1f ms | %.1f ms | %.0f ms |\n", what, times[times.size() / 2], times.back(), goal);
-}
-
 } // namespace
 
 int main(int argc, char** argv) {
@@ -68,7 +54,7 @@ int main(int argc, char** argv) {
 
     std::vector<double> opens;
     for (int i = 0; i < 5; ++i)
-        opens.push_back(ms([&] {
+        opens.push_back(bench::milliseconds([&] {
             editor::LadderView view;
             view.setUnit("Main");
             view.resize(1200, 900);
@@ -77,7 +63,7 @@ int main(int argc, char** argv) {
             QApplication::processEvents();
             view.grab();
         }));
-    row("open, until the first picture", opens, 100);
+    bench::printRow("open, until the first picture", opens, 100);
 
     editor::LadderView view;
     view.setUnit("Main");
@@ -97,25 +83,25 @@ int main(int argc, char** argv) {
         const auto parts = view.scene().picksOf(rung);
         if (parts.empty() || !view.diagram()[parts.front().node].expr) continue;
         view.scene().select(parts.front());
-        negates.push_back(ms([&] {
+        negates.push_back(bench::milliseconds([&] {
             QTest::keyClick(&view.canvas(), Qt::Key_N, Qt::ControlModifier);
             view.canvas().viewport()->repaint();
         }));
     }
-    row("negate a contact, until it is drawn", negates, 16);
+    bench::printRow("negate a contact, until it is drawn", negates, 16);
 
     const auto scroll = [&](const char* what) {
         QScrollBar* bar = view.canvas().verticalScrollBar();
         bar->setValue(bar->minimum());
         std::vector<double> frames;
         for (int i = 0; i < 120; ++i)
-            frames.push_back(ms([&] {
+            frames.push_back(bench::milliseconds([&] {
                 bar->setValue(bar->value() + (bar->maximum() - bar->minimum()) / 120);
                 view.refreshOnline();
                 view.canvas().viewport()->repaint();
                 QApplication::processEvents();
             }));
-        row(what, frames, 16);
+        bench::printRow(what, frames, 16);
     };
     view.canvas().setZoom(1);
     scroll("a frame of scrolling, zoom 100 %");

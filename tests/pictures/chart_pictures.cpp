@@ -6,6 +6,7 @@
 #include "projects/session/session.h"
 #include "projects/storage/project_file.h"
 #include "runtime/compiler/jit/jit.h"
+#include "tests/pictures/online_value.h"
 #include "tests/support/paths.h"
 
 #include <QApplication>
@@ -109,18 +110,8 @@ bool take(const Shot& shot, const QString& folder) {
     save(view, folder, shot, "idle");
 
     session::Session session(std::move(built));
-    view.setValues([&](const QString& expression) {
-        editor::ChartValue out;
-        const auto compiled = session.expression(expression.toStdString(), shot.instance);
-        if (!compiled) return out;
-        const auto outcome = compiled->evaluate(session.controller().image());
-        if (!outcome.hasValue()) return out;
-        out.text = QString::fromStdString(types::toText(compiled->types(), outcome.value));
-        const types::TypeKind kind = compiled->types().storageKind(compiled->type());
-        out.isTrue = kind == types::TypeKind::Bool && outcome.value.isTrue();
-        if (kind == types::TypeKind::Time) out.nanoseconds = outcome.value.integer();
-        return out;
-    });
+    view.setValues(
+        [&](const QString& expression) { return pictures::onlineValue(session, expression, shot.instance); });
     const auto until = session.expression(shot.until);
     if (!until) return std::fprintf(stderr, "%s: %s\n", shot.until, until.error().english().c_str()), false;
     view.setPast(true); // the last path by the time of the plant, not of the clock on the wall

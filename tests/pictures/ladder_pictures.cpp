@@ -7,6 +7,7 @@
 #include "runtime/compiler/jit/jit.h"
 #include "runtime/controller/controller.h"
 #include "runtime/inside/place_values.h"
+#include "tests/pictures/online_value.h"
 #include "tests/support/paths.h"
 
 #include <QApplication>
@@ -110,18 +111,8 @@ bool take(const Shot& shot, const QString& folder) {
     save(view, folder, shot, "idle");
 
     session::Session session(std::move(built));
-    view.setValues([&](const QString& expression) {
-        editor::GraphValue out;
-        const auto compiled = session.expression(expression.toStdString(), shot.instance);
-        if (!compiled) return out;
-        const auto outcome = compiled->evaluate(session.controller().image());
-        if (!outcome.hasValue()) return out;
-        out.text = QString::fromStdString(types::toText(compiled->types(), outcome.value));
-        const types::TypeKind kind = compiled->types().storageKind(compiled->type());
-        out.isTrue = kind == types::TypeKind::Bool && outcome.value.isTrue();
-        if (kind == types::TypeKind::Time) out.nanoseconds = outcome.value.integer();
-        return out;
-    });
+    view.setValues(
+        [&](const QString& expression) { return pictures::onlineValue(session, expression, shot.instance); });
     for (const char* path : shot.pressed)
         (void)session.controller().write(path, types::Value{types::TypeTable::of(types::TypeKind::Bool), int64_t(1)});
     session.runHere([&](const controller::Controller& c) { return c.lastTime().count() / 1'000'000 >= shot.ms; });

@@ -10,6 +10,7 @@ using tree::LocalKind;
 using types::TypeKind;
 
 namespace {
+/// The slots of VAR_IN_OUT that a body follows, and those that it binds itself.
 class SlotFinder : public Walker {
 public:
     std::vector<const tree::Place*> slots, bound;
@@ -79,6 +80,7 @@ void FunctionEmitter::jump(Block* target) {
     if (!b.GetInsertBlock()->getTerminator()) b.CreateBr(target);
 }
 
+/// At the entry: one slot however often the place is passed, and one that the optimiser takes into a register.
 llvm::AllocaInst* FunctionEmitter::newSlot(llvm::Type* type, const char* name) {
     llvm::IRBuilder<> entry(m_entryEnd);
     llvm::AllocaInst* slot = entry.CreateAlloca(type, nullptr, name);
@@ -114,11 +116,14 @@ void FunctionEmitter::emitPrologue() {
     enter(entry);
     m_entryEnd = b.CreateBr(start);
     b.SetInsertPoint(m_entryEnd);
+    // THIS travels as a pointer, which the optimiser follows through inlining; its offset is for what asks for an
+    // address
     if (m_tree.instanceType.isValid())
         m_this64 = b.CreateSub(b.CreatePtrToInt(m_thisPointer, m.i64), b.CreatePtrToInt(m_image, m.i64));
     else
         m_this64 = int64(0);
     m_framePointer = b.CreateInBoundsGEP(m.i8, m_image, m_frame64);
+    // how large the frame is turns out when the body is written: the constant is exchanged at the end
     auto* next = llvm::BinaryOperator::CreateAdd(m_frame64, int64(0), "next", m_entryEnd->getIterator());
     m_nextFrame = next;
     m.patchFrameSize(next, 1, m_index);
@@ -146,6 +151,7 @@ void FunctionEmitter::emitPrologue() {
             m_site = m_firstSite = site; // faults before the first statement are shown there
             break;
         }
+    // elsewhere the checker has added up the frames on every path of calls
     if (m.isQuick() || m_facts.isUnbounded) {
         auto* tooFar = new llvm::ICmpInst(b.GetInsertBlock(), llvm::CmpInst::ICMP_UGT, m_frame64, int64(0));
         m.patchNeed(tooFar, 1, m_index);
@@ -181,6 +187,7 @@ void FunctionEmitter::emitPrologue() {
             Address slot;
             slot.base = m_framePointer;
             slot.constant = m.isQuick() ? m_facts.frame.offsets[i] : 0;
+            // quick code leaves it in the frame too, where a halted program is looked at
             if (m.isQuick()) b.CreateAlignedStore(given, pointer(slot), llvm::Align(1));
             for (auto& [low, high] : m_localBounds[i])
                 for (llvm::AllocaInst* bound : {low, high}) {
@@ -191,6 +198,8 @@ void FunctionEmitter::emitPrologue() {
                 }
         }
     }
+    // Optimised code follows a slot once, here, instead of at every use. One that must not be followed becomes 0: the
+    // fault belongs to the statement that uses it, if it is ever reached.
     if (!m.isQuick() && m_facts.hasSlots) {
         SlotFinder finder;
         finder.walkFunction(m_tree);
@@ -219,6 +228,7 @@ void FunctionEmitter::emitPrologue() {
                     boundAt.constant += 8;
                     Value* high = b.CreateAlignedLoad(m.i64, pointer(boundAt), llvm::Align(1));
                     Value* count = b.CreateAdd(b.CreateSub(high, low), int64(1));
+                    // bounds are read from memory that a wild pointer may have written: no product may wrap
                     ok = b.CreateAnd(ok, b.CreateICmpULE(count, int64(1 << 30)));
                     size = b.CreateMul(size, b.CreateAnd(count, int64((int64_t(1) << 31) - 1)));
                     ok = b.CreateAnd(ok, b.CreateICmpULE(size, int64(1 << 30)));

@@ -1,3 +1,5 @@
+// What may go wrong while a program runs, and the way out of its scan. A check is a compare and a branch to a cold
+// block that does not come back, so that the code that runs stays in one piece.
 #include "runtime/base/assert.h"
 #include "runtime/compiler/codegen/emitter.h"
 #include "runtime/compiler/facts/ranges.h"
@@ -7,6 +9,7 @@ namespace plc::codegen {
 using image::FaultCode;
 using image::RuntimeContext;
 
+/// Weights are for the optimiser; quick code is laid out as it is written.
 llvm::BranchInst* FunctionEmitter::branchUnlikely(Value* condition, Block* rare, Block* usual) {
     llvm::BranchInst* branch = b.CreateCondBr(condition, rare, usual);
     if (!m.isQuick())
@@ -27,6 +30,7 @@ void FunctionEmitter::guard(Value* isBad, FaultCode code, Value* d0, Value* d1, 
     enter(usual);
 }
 
+/// What follows is dead, but still needs a block to be written into.
 void FunctionEmitter::raiseAlways(FaultCode code) {
     b.CreateCall(m.raise(),
                  {m_context, int32(static_cast<uint32_t>(code)), int32(m_site), int64(0), int64(0), int64(0)});
@@ -59,6 +63,8 @@ llvm::Value* FunctionEmitter::isLive(Value* at, Value* size) {
     return b.CreateOr(inData, inFrame);
 }
 
+/// A pointer is an offset into the image, so that it can be checked: it lies within declared data, or within a frame
+/// that is alive. Data is asked first, because nearly every pointer leads there.
 void FunctionEmitter::guardReference(Value* at, Value* size) {
     const image::Layout& layout = m.program.layout;
     const int64_t dataBegin = sizeof(image::ImageHeader);
@@ -67,6 +73,7 @@ void FunctionEmitter::guardReference(Value* at, Value* size) {
     Block* ok = newBlock("ok");
     Value* dataRoom = b.CreateSub(int64(static_cast<int64_t>(layout.dataEnd) - dataBegin), size);
     Value* inData = b.CreateICmpULE(b.CreateSub(at, int64(dataBegin)), dataRoom);
+    // larger than all data together: the room is negative, and unsigned it would look endless
     if (const auto* known = llvm::dyn_cast<llvm::ConstantInt>(dataRoom); !known || known->isNegative())
         inData = b.CreateAnd(inData, b.CreateICmpSGE(dataRoom, int64(0)));
     llvm::BranchInst* branch = b.CreateCondBr(inData, ok, frames);
@@ -88,6 +95,7 @@ void FunctionEmitter::guardReference(Value* at, Value* size) {
 /// the image.
 void FunctionEmitter::guardBlock(Value* at, types::TypeId block) {
     const types::Type& type = m.types()[block];
+    // a block that nothing extends has no header that could be asked
     if (type.kind == types::TypeKind::Block && type.blockNumber == 0) return;
     bool any = false;
     llvm::GlobalVariable* flags = m.blockFlags(block, any);
@@ -107,6 +115,8 @@ void FunctionEmitter::guardBlock(Value* at, types::TypeId block) {
     enter(ok);
 }
 
+/// Loops and calls pay from a budget. The clock is read only when it is used up, so that a pass costs a subtraction.
+/// Optimised code holds the budget in a register while it loops; calls and the end of a function write it back.
 void FunctionEmitter::charge(Value* amount) {
     PLC_ASSERT(m_facts.charges, return ); // callers would go on with what they think is left
     const size_t at = offsetof(RuntimeContext, loopBudget);

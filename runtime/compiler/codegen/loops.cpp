@@ -200,6 +200,7 @@ void FunctionEmitter::forLoop(const Stmt& stmt) {
         const int64_t high = loop.isSigned ? (int64_t(1) << (bits - 1)) - 1 : (int64_t(1) << bits) - 1;
         if (m.types()[m.types().storage(counted)].size * 8 > bits) {
             loop.first = widen(loop, b.CreateTrunc(loop.first, narrow));
+            // a limit that the variable cannot reach would never be passed: it is brought into its range
             loop.last = b.CreateSelect(b.CreateICmpSLT(loop.last, int64(low)), int64(low), loop.last);
             loop.last = b.CreateSelect(b.CreateICmpSGT(loop.last, int64(high)), int64(high), loop.last);
         }
@@ -253,8 +254,11 @@ Range FunctionEmitter::counterRange(const ForLoop& loop) const {
     return range;
 }
 
+/// Two loops in one another: the inner one makes the passes of a portion, the outer one pays for a portion at once. A
+/// charge in every pass would keep the optimiser from unrolling and vectorising.
 void FunctionEmitter::countedLoop(const ForLoop& loop) {
     using P = llvm::CmpInst;
+    // BY 0 would never end: no pass is made
     Value* isUp = b.CreateICmpSGT(loop.step, int64(0));
     Value* isZero = b.CreateICmpEQ(loop.step, int64(0));
     Value* upwards = b.CreateICmp(loop.comparesSigned ? P::ICMP_SLE : P::ICMP_ULE, loop.first, loop.last);
@@ -263,6 +267,7 @@ void FunctionEmitter::countedLoop(const ForLoop& loop) {
     Value* distance = b.CreateSelect(isUp, b.CreateSub(loop.last, loop.first), b.CreateSub(loop.first, loop.last));
     Value* pace = b.CreateSelect(isUp, loop.step, b.CreateNeg(loop.step));
     const auto* knownPace = llvm::dyn_cast<llvm::ConstantInt>(pace);
+    // unsigned: the distance between two signed numbers may need all 64 bits
     // Passes behind the first one.
     Value* more =
         knownPace && knownPace->isOne() ? distance : b.CreateUDiv(distance, b.CreateSelect(isZero, int64(1), pace));
@@ -301,6 +306,7 @@ void FunctionEmitter::countedLoop(const ForLoop& loop) {
 
     enter(pass);
     watch(image::WatchKind::Pass, &loop.stmt);
+    // nothing in the body writes the variable: reading it is reading the counter, whose range spares index checks
     if (!m.isQuick()) m_counters.push_back({loop.stmt.place, counter, counterRange(loop)});
     loopBody(loop.stmt.body, done, next);
     if (!m.isQuick()) m_counters.pop_back();

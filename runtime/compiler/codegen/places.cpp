@@ -248,6 +248,7 @@ Address FunctionEmitter::followSlot(const Place& place) {
         isFixed = isFixed && (p->kind == PlaceKind::Instance || p->kind == PlaceKind::Field);
         fixed += p->offset;
     }
+    // followed and checked at the entry; what it was there is read again only to say what is wrong with it
     if (const auto it = m_slots.find(fixed); isFixed && it != m_slots.end()) {
         Value* at = b.CreateLoad(m.i64, it->second.offset);
         Block* bad = newBlock("no_inout");
@@ -322,6 +323,7 @@ Address FunctionEmitter::indexAddress(const Place& place) {
         }
         if (!isSafe) {
             Value* span = b.CreateSub(high, low);
+            // unsigned: an index below the lower bound wraps to a large one, so that one compare asks for both ends
             Value* bad = b.CreateICmpUGT(from, span);
             // An empty open array (high = low - 1) has no element at all.
             if (!llvm::isa<llvm::ConstantInt>(span)) bad = b.CreateOr(bad, b.CreateICmpSLT(span, int64(0)));
@@ -341,6 +343,7 @@ Address FunctionEmitter::indexAddress(const Place& place) {
         a.constant += known->getSExtValue();
     } else {
         a.dynamic = a.dynamic ? b.CreateAdd(a.dynamic, bytes) : bytes;
+        // the largest power of two in the size is what every element is aligned to
         const uint64_t low = static_cast<uint64_t>(size) & (~static_cast<uint64_t>(size) + 1);
         a.align = static_cast<uint32_t>(std::min<uint64_t>(a.align, low ? low : 1));
     }

@@ -1,6 +1,7 @@
 #include "runtime/compiler/ladder/picture.h"
 
 #include "runtime/base/text.h"
+#include "runtime/base/xml_text.h"
 
 #include <array>
 #include <cstdio>
@@ -106,26 +107,6 @@ private:
 
 // ---------------------------------------------------------------- SVG
 
-std::string escaped(std::string_view text) {
-    std::string out;
-    for (const char c : text) {
-        switch (c) {
-        case '&':
-            out += "&amp;";
-            break;
-        case '<':
-            out += "&lt;";
-            break;
-        case '>':
-            out += "&gt;";
-            break;
-        default:
-            if (static_cast<unsigned char>(c) >= 0x20) out += c;
-        }
-    }
-    return out;
-}
-
 std::string number(double value) {
     char buffer[32];
     std::snprintf(buffer, sizeof buffer, "%.2f", value);
@@ -178,7 +159,7 @@ private:
         if (what.empty()) return;
         body += "<text class=\"" + std::string(kind) + "\" x=\"" + number(x) + "\" y=\"" + number(y) + "\"";
         if (anchor != "start") body += " text-anchor=\"" + std::string(anchor) + "\"";
-        body += " xml:space=\"preserve\">" + escaped(what) + "</text>\n";
+        body += " xml:space=\"preserve\">" + xmlText(what) + "</text>\n";
     }
 
     /// A lever over a gap: away from the contact, or against it.
@@ -284,7 +265,7 @@ std::string asSvg(const Layout& layout, std::string_view title, Symbols symbols)
     const std::string width = number((layout.width + 2) * kCellWidth + 16),
                       height = number((layout.height + 1) * kCellHeight + 16);
     return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height +
-           "\" viewBox=\"-8 -8 " + width + " " + height + "\">\n<title>" + escaped(title) + "</title>\n" +
+           "\" viewBox=\"-8 -8 " + width + " " + height + "\">\n<title>" + xmlText(title) + "</title>\n" +
            std::string(kStyle) + svg.body + "</svg>\n";
 }
 

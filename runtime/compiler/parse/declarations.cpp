@@ -97,7 +97,69 @@ void Parser::parseDeclarationsUntil(std::vector<Decl*>& out, bool inNamespace) {
     }
 }
 
+/// VAR_GLOBAL, VAR_CONFIG or VAR_ACCESS; {gvl} above it names the list, and those behind it.
+void Parser::parseGlobals(Decl& decl) {
+    const size_t first = mark();
+    decl.kind = DeclKind::Globals;
+    decl.globals = make<GlobalList>();
+    const std::vector<Pragma> pragmas = pragmasHere();
+    for (const Pragma& pragma : pragmas)
+        if (equalsIgnoringCase(pragma.key, "gvl")) m_gvlName = pragma.value;
+    decl.globals->name = m_gvlName;
+    decl.globals->comment = docCommentAbove(sourceIndex(first) - static_cast<uint32_t>(pragmas.size()));
+    decl.globals->section = parseVarSection();
+    decl.range = rangeFrom(first);
+}
+
+/// CLASS of edition 3: a block without a body.
+void Parser::parseClass(Decl& decl) {
+    const size_t first = mark();
+    decl.pou = parsePou(PouKind::FunctionBlock, TokenKind::EndClass);
+    if (const Body& body = decl.pou->body; body.language != BodyLanguage::None)
+        m_sink.emit(body.range, findings::NotAllowedHere(phrases::ABody(), phrases::InAClass()));
+    decl.range = rangeFrom(first);
+}
+
+/// Code without a unit around it: one message, on to the next declaration.
+void Parser::skipToDeclaration() {
+    report(rangeOf(peek()), findings::UnexpectedToken(shown(peek())));
+    if (atVarSection()) {
+        (void)parseVarSection();
+    } else {
+        advance();
+        while (!atEnd() && !atDeclaration() && !(atPouMember() && m_lastPou) && !at(TokenKind::EndNamespace) &&
+               !(atVarSection() && peek().afterNewline))
+            advance();
+    }
+    m_lastErrorAt = SIZE_MAX;
+}
+
+/// A declaration that begins with a word that may be a name elsewhere. False: it is a name here.
+bool Parser::parseSoftDeclaration(Decl& decl) {
+    if (!at(TokenKind::Identifier) || !atDeclaration()) return false;
+    switch (peek().soft) {
+    case SoftWord::Configuration:
+        decl.kind = DeclKind::Configuration;
+        decl.configuration = parseConfiguration();
+        break;
+    case SoftWord::Interface:
+        decl.pou = parseInterface();
+        break;
+    case SoftWord::Test:
+        decl.kind = DeclKind::Test;
+        decl.test = parseTest();
+        break;
+    default:
+        break;
+    }
+    return true;
+}
+
 Decl* Parser::parseDeclaration() {
+    if (at(TokenKind::Identifier) && atDeclaration()) {
+        if (at(SoftWord::Namespace)) return parseNamespace();
+        if (at(SoftWord::Using)) return parseUsing();
+    }
     const size_t first = mark();
     Decl* decl = make<Decl>();
     switch (kind()) {
@@ -112,60 +174,16 @@ Decl* Parser::parseDeclaration() {
         break;
     case TokenKind::VarGlobal:
     case TokenKind::VarConfig:
-    case TokenKind::VarAccess: {
-        decl->kind = DeclKind::Globals;
-        decl->globals = make<GlobalList>();
-        const std::vector<Pragma> pragmas = pragmasHere();
-        for (const Pragma& pragma : pragmas)
-            if (equalsIgnoringCase(pragma.key, "gvl")) m_gvlName = pragma.value;
-        decl->globals->name = m_gvlName;
-        decl->globals->comment = docCommentAbove(sourceIndex(first) - static_cast<uint32_t>(pragmas.size()));
-        decl->globals->section = parseVarSection();
-        decl->range = rangeFrom(first);
+    case TokenKind::VarAccess:
+        parseGlobals(*decl);
         return decl;
-    }
-    case TokenKind::Identifier:
-        if (atDeclaration()) {
-            switch (peek().soft) {
-            case SoftWord::Configuration:
-                decl->kind = DeclKind::Configuration;
-                decl->configuration = parseConfiguration();
-                break;
-            case SoftWord::Class: // edition 3: a block without a body
-                decl->pou = parsePou(PouKind::FunctionBlock, TokenKind::EndClass);
-                if (const Body& body = decl->pou->body; body.language != BodyLanguage::None)
-                    m_sink.emit(body.range, findings::NotAllowedHere(phrases::ABody(), phrases::InAClass()));
-                decl->range = rangeFrom(first);
-                return decl;
-            case SoftWord::Interface:
-                decl->pou = parseInterface();
-                break;
-            case SoftWord::Namespace:
-                return parseNamespace();
-            case SoftWord::Using:
-                return parseUsing();
-            case SoftWord::Test:
-                decl->kind = DeclKind::Test;
-                decl->test = parseTest();
-                break;
-            default:
-                break;
-            }
-            break;
-        }
-        [[fallthrough]];
     default:
-        // code without a unit around it: one message, on to the next declaration
-        report(rangeOf(peek()), findings::UnexpectedToken(shown(peek())));
-        if (atVarSection()) {
-            (void)parseVarSection();
-        } else {
-            advance();
-            while (!atEnd() && !atDeclaration() && !(atPouMember() && m_lastPou) && !at(TokenKind::EndNamespace) &&
-                   !(atVarSection() && peek().afterNewline))
-                advance();
+        if (at(SoftWord::Class) && at(TokenKind::Identifier) && atDeclaration()) {
+            parseClass(*decl);
+            return decl;
         }
-        m_lastErrorAt = SIZE_MAX;
+        if (parseSoftDeclaration(*decl)) break;
+        skipToDeclaration();
         return nullptr;
     }
     decl->range = rangeFrom(first);
@@ -248,70 +266,81 @@ Pou* Parser::parsePou(PouKind pouKind, TokenKind end) {
     return pou;
 }
 
-/// Sections, members and the body, in any order; then the end, which may be missing (two panes in one file).
-void Parser::parsePouParts(Pou& pou, TokenKind end) {
+/// A further piece of a unit's body: statements go on behind an action or a method, a chart too.
+void Parser::addBody(Pou& pou, Body body, bool isFirst) {
+    if (isFirst) {
+        pou.body = std::move(body);
+    } else if (body.chart && pou.body.chart) {
+        SfcBody& chart = *pou.body.chart;
+        chart.steps.insert(chart.steps.end(), body.chart->steps.begin(), body.chart->steps.end());
+        chart.transitions.insert(chart.transitions.end(), body.chart->transitions.begin(),
+                                 body.chart->transitions.end());
+        chart.actions.insert(chart.actions.end(), body.chart->actions.begin(), body.chart->actions.end());
+        chart.range = joined(chart.range, body.chart->range);
+        pou.body.range = joined(pou.body.range, body.range);
+    } else if (pou.body.language != BodyLanguage::None && body.language != BodyLanguage::None &&
+               pou.body.language != body.language) {
+        m_lastErrorAt = SIZE_MAX; // one body, one language
+        report({m_file.file, body.range.begin, body.range.begin + 1},
+               findings::UnexpectedToken(m_text.substr(
+                   body.range.begin, m_text.find_first_of(" \t\r\n:;(", body.range.begin) - body.range.begin)));
+    } else {
+        if (pou.body.language == BodyLanguage::None) pou.body.language = body.language;
+        pou.body.statements.insert(pou.body.statements.end(), body.statements.begin(), body.statements.end());
+        pou.body.range = joined(pou.body.range, body.range);
+    }
+}
+
+/// A method, property or action; false: none that this unit can have.
+bool Parser::parsePouMember(Pou& pou) {
     const bool isBlock =
         pou.kind == PouKind::FunctionBlock || pou.kind == PouKind::Program || pou.kind == PouKind::Function;
+    if (!isBlock) return false; // a method without its END_METHOD
+    if (at(SoftWord::Method))
+        pou.methods.push_back(parseMethod(false));
+    else if (at(SoftWord::Property))
+        pou.properties.push_back(parseProperty(false));
+    else
+        pou.actions.push_back(parseAction());
+    return true;
+}
+
+/// An END_… that is not the one of this unit, `end`. True: the unit is closed, by the wrong word.
+bool Parser::takeForeignEnd(TokenKind end) {
+    const bool isUnitsEnd =
+        atAny({TokenKind::EndProgram, TokenKind::EndFunction, TokenKind::EndFunctionBlock, TokenKind::EndClass,
+               TokenKind::EndMethod, TokenKind::EndAction, TokenKind::EndInterface, TokenKind::EndProperty,
+               TokenKind::EndGet, TokenKind::EndSet});
+    const SourceRange range = rangeOf(peek());
+    if (isUnitsEnd) {
+        const std::string word(lex::spelling(end));
+        if (auto* d = report(range, findings::Expected(word, shown(peek()))))
+            d->fixes.push_back({fixes::Write(word), {{range, word}}});
+    } else {
+        report(range, findings::UnexpectedToken(shown(peek())));
+    }
+    advance();
+    take(TokenKind::Semicolon);
+    return isUnitsEnd;
+}
+
+/// Sections, members and the body, in any order; then the end, which may be missing (two panes in one file).
+void Parser::parsePouParts(Pou& pou, TokenKind end) {
     bool hasBody = false;
-    const auto setBody = [&](Body body) {
-        if (!hasBody) {
-            pou.body = std::move(body);
-        } else if (body.chart && pou.body.chart) { // a chart goes on behind an action
-            SfcBody& chart = *pou.body.chart;
-            chart.steps.insert(chart.steps.end(), body.chart->steps.begin(), body.chart->steps.end());
-            chart.transitions.insert(chart.transitions.end(), body.chart->transitions.begin(),
-                                     body.chart->transitions.end());
-            chart.actions.insert(chart.actions.end(), body.chart->actions.begin(), body.chart->actions.end());
-            chart.range = joined(chart.range, body.chart->range);
-            pou.body.range = joined(pou.body.range, body.range);
-        } else if (pou.body.language != BodyLanguage::None && body.language != BodyLanguage::None &&
-                   pou.body.language != body.language) {
-            m_lastErrorAt = SIZE_MAX; // one body, one language
-            report({m_file.file, body.range.begin, body.range.begin + 1},
-                   findings::UnexpectedToken(m_text.substr(
-                       body.range.begin, m_text.find_first_of(" \t\r\n:;(", body.range.begin) - body.range.begin)));
-        } else {
-            if (pou.body.language == BodyLanguage::None) pou.body.language = body.language;
-            pou.body.statements.insert(pou.body.statements.end(), body.statements.begin(), body.statements.end());
-            pou.body.range = joined(pou.body.range, body.range);
-        }
-        hasBody = true;
-    };
-    while (!atEnd()) {
-        if (at(end)) break;
+    while (!atEnd() && !at(end)) {
         const size_t before = mark();
         if (atVarSection() && !(at(TokenKind::VarGlobal) && (hasBody || !pragmasHere().empty()))) {
             pou.sections.push_back(parseVarSection());
         } else if (atDeclaration() || (atVarSection() && at(TokenKind::VarGlobal))) {
             break;
-        } else if (isBlock && atPouMember() && at(SoftWord::Method)) {
-            pou.methods.push_back(parseMethod(false));
-        } else if (isBlock && atPouMember() && at(SoftWord::Property)) {
-            pou.properties.push_back(parseProperty(false));
-        } else if (isBlock && atPouMember()) {
-            pou.actions.push_back(parseAction());
-        } else if (!isBlock && atPouMember()) {
-            break; // a method without its END_METHOD
+        } else if (atPouMember()) {
+            if (!parsePouMember(pou)) break;
         } else if (atStatementEnd()) {
-            const bool unitEnd =
-                atAny({TokenKind::EndProgram, TokenKind::EndFunction, TokenKind::EndFunctionBlock, TokenKind::EndClass,
-                       TokenKind::EndMethod, TokenKind::EndAction, TokenKind::EndInterface, TokenKind::EndProperty,
-                       TokenKind::EndGet, TokenKind::EndSet});
             if (endIsOpen(kind()) || at(TokenKind::EndNamespace)) break; // of the unit around this one
-            if (unitEnd) {                                               // closed by the wrong word
-                const std::string word(lex::spelling(end));
-                const SourceRange range = rangeOf(peek());
-                if (auto* d = report(range, findings::Expected(word, shown(peek()))))
-                    d->fixes.push_back({fixes::Write(word), {{range, word}}});
-                advance();
-                take(TokenKind::Semicolon);
-                return;
-            }
-            report(rangeOf(peek()), findings::UnexpectedToken(shown(peek())));
-            advance();
-            take(TokenKind::Semicolon);
+            if (takeForeignEnd(end)) return;
         } else {
-            setBody(parseBody(BodyContext::Unit, pou.pragmas));
+            addBody(pou, parseBody(BodyContext::Unit, pou.pragmas), !hasBody);
+            hasBody = true;
         }
         if (mark() == before) advance();
     }
@@ -322,7 +351,7 @@ void Parser::parsePouParts(Pou& pou, TokenKind end) {
     }
     pou.hasEnd = false;
     const std::string word(lex::spelling(end));
-    SourceRange range = rangeOf(previous());
+    const SourceRange range = rangeOf(previous());
     if (m_badOffsets.empty() || !atEnd())
         insertFix(report(range, findings::MissingEndAccepted(word)), "\n" + word + "\n");
     m_lastErrorAt = SIZE_MAX;

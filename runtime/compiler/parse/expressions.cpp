@@ -298,90 +298,104 @@ Expr* Parser::parseArrayInit() {
     return e;
 }
 
+/// Lib.Color#Red: a member of a member; the first takes its end from the sign.
+Expr* Parser::parseQualifiedEnumerator(Expr* member) {
+    member->kind = ExprKind::Member;
+    member->name = nameOf(peek());
+    member->name.text.remove_suffix(1);
+    --member->name.range.end;
+    member->range = joined(member->base->range, member->name.range);
+    advance();
+    Expr* value = make<Expr>();
+    value->kind = ExprKind::Member;
+    value->name = nameOf(peek());
+    value->base = member;
+    advance();
+    member->height = member->base->height + 1;
+    return value;
+}
+
+/// .Name, .3, .%X3. `isNamed` becomes false when no name follows the point.
+Expr* Parser::parseMember(Expr* base, bool& isNamed) {
+    const Token dot = peek();
+    advance();
+    Expr* e = make<Expr>();
+    e->base = base;
+    const Token member = peek();
+    const bool adjacent = member.begin == dot.end && !member.afterNewline;
+    if (!member.afterNewline && (member.kind == TokenKind::IntegerLiteral || member.kind == TokenKind::DirectAddress)) {
+        e->kind = ExprKind::Bit;
+        e->text = textOf(member);
+        advance();
+    } else if ((member.kind == TokenKind::Identifier && !member.afterNewline) ||
+               (adjacent && (lex::isKeyword(member.kind) || member.kind == TokenKind::WstringLiteral))) {
+        e->kind = ExprKind::Member;
+        e->name = nameOf(member);
+        advance();
+    } else if (member.kind == TokenKind::TypedPrefix && kind(1) == TokenKind::Identifier) {
+        return parseQualifiedEnumerator(e);
+    } else {
+        expected(phrases::AMembersName());
+        e->kind = ExprKind::Member; // of no name: completion asks what stands before the point
+        e->range = {m_file.file, base->range.begin, dot.end};
+        e->height = base->height + 1;
+        isNamed = false;
+    }
+    return e;
+}
+
+/// A call, or the repetition 3(0) of an initial value. Null: the bracket does not belong to `base`.
+Expr* Parser::parseCall(Expr* base) {
+    const bool isLiteral = base->kind == ExprKind::Literal;
+    if (isLiteral && (!m_inInitialiser || base->op != TokenKind::IntegerLiteral)) return nullptr;
+    if (base->kind == ExprKind::Error || base->kind == ExprKind::ArrayInit || base->kind == ExprKind::StructInit ||
+        base->kind == ExprKind::TypedName)
+        return nullptr;
+    advance();
+    Expr* e = make<Expr>();
+    e->kind = isLiteral ? ExprKind::Repeat : ExprKind::Call;
+    e->base = base;
+    const bool condition = isLiteral ? m_inCondition : std::exchange(m_inCondition, false);
+    parseArguments(e->arguments, TokenKind::RightParen);
+    m_inCondition = condition;
+    return e;
+}
+
+Expr* Parser::parseIndex(Expr* base) {
+    advance();
+    Expr* e = make<Expr>();
+    e->kind = ExprKind::Index;
+    e->base = base;
+    if (at(TokenKind::RightBracket)) expected(phrases::AnIndex());
+    parseArguments(e->arguments, TokenKind::RightBracket);
+    return e;
+}
+
 Expr* Parser::parsePostfix(Expr* base) {
     for (;;) {
         Expr* e = nullptr;
+        bool isNamed = true;
         switch (kind()) {
-        case TokenKind::Dot: {
-            const Token dot = peek();
-            advance();
-            e = make<Expr>();
-            e->base = base;
-            const Token member = peek();
-            const bool adjacent = member.begin == dot.end && !member.afterNewline;
-            if (!member.afterNewline &&
-                (member.kind == TokenKind::IntegerLiteral || member.kind == TokenKind::DirectAddress)) {
-                e->kind = ExprKind::Bit;
-                e->text = textOf(member);
-                advance();
-            } else if ((member.kind == TokenKind::Identifier && !member.afterNewline) ||
-                       (adjacent && (lex::isKeyword(member.kind) || member.kind == TokenKind::WstringLiteral))) {
-                e->kind = ExprKind::Member;
-                e->name = nameOf(member);
-                advance();
-            } else if (member.kind == TokenKind::TypedPrefix && kind(1) == TokenKind::Identifier) { // Lib.Color#Red
-                e->kind = ExprKind::Member;
-                e->name = nameOf(member);
-                e->name.text.remove_suffix(1);
-                --e->name.range.end;
-                e->range = joined(base->range, e->name.range);
-                advance();
-                Expr* value = make<Expr>();
-                value->kind = ExprKind::Member;
-                value->name = nameOf(peek());
-                value->base = e;
-                advance();
-                e->height = base->height + 1;
-                e = value;
-            } else {
-                expected(phrases::AMembersName());
-                e->kind = ExprKind::Member; // of no name: completion asks what stands before the point
-                e->range = {m_file.file, base->range.begin, dot.end};
-                e->height = base->height + 1;
-                return e;
-            }
+        case TokenKind::Dot:
+            e = parseMember(base, isNamed);
+            if (!isNamed) return e;
             break;
-        }
-        case TokenKind::LeftBracket: {
-            advance();
-            e = make<Expr>();
-            e->kind = ExprKind::Index;
-            e->base = base;
-            if (at(TokenKind::RightBracket)) expected(phrases::AnIndex());
-            parseArguments(e->arguments, TokenKind::RightBracket);
+        case TokenKind::LeftBracket:
+            e = parseIndex(base);
             break;
-        }
         case TokenKind::Caret:
             advance();
             e = make<Expr>();
             e->kind = ExprKind::Deref;
             e->base = base;
             break;
-        case TokenKind::LeftParen: {
-            if (base->kind == ExprKind::Literal) {
-                if (!m_inInitialiser || base->op != TokenKind::IntegerLiteral) return base;
-                advance();
-                e = make<Expr>();
-                e->kind = ExprKind::Repeat;
-                e->base = base;
-                parseArguments(e->arguments, TokenKind::RightParen);
-                break;
-            }
-            if (base->kind == ExprKind::Error || base->kind == ExprKind::ArrayInit ||
-                base->kind == ExprKind::StructInit || base->kind == ExprKind::TypedName)
-                return base;
-            advance();
-            e = make<Expr>();
-            e->kind = ExprKind::Call;
-            e->base = base;
-            const bool condition = std::exchange(m_inCondition, false);
-            parseArguments(e->arguments, TokenKind::RightParen);
-            m_inCondition = condition;
+        case TokenKind::LeftParen:
+            e = parseCall(base);
+            break;
+        default:
             break;
         }
-        default:
-            return base;
-        }
+        if (!e) return base;
         e->range = {m_file.file, base->range.begin, previous().end};
         setHeight(*e);
         if (e->kind == ExprKind::Error) return e;

@@ -110,6 +110,78 @@ Block Parser::parseInstructions(BodyContext context) {
     return out;
 }
 
+/// To the next line, where the next instruction begins.
+void Parser::skipInstruction() {
+    do advance();
+    while (!onNewLine() && !atStatementEnd());
+    m_lastErrorAt = SIZE_MAX;
+}
+
+/// CAL block(in := value); the block's arguments may hold instructions.
+void Parser::parseIlCall(IlInstruction& il) {
+    if (!atName()) return expected(phrases::ABlocksName());
+    const bool outer = std::exchange(m_inInstruction, true);
+    Expr* target = parsePlace();
+    m_inInstruction = outer;
+    if (target->kind == ExprKind::Call) {
+        il.arguments = std::move(target->arguments);
+        target = target->base;
+    }
+    il.operand = target;
+}
+
+/// AND( … ): the instructions up to the bracket are one operand.
+void Parser::parseIlParenthesis(IlInstruction& il, const Token& opToken) {
+    const Token open = peek();
+    il.opensParenthesis = true;
+    advance();
+    if (!onNewLine() && startsExpression()) il.operand = parsePrimaryIl();
+    il.body = parseInstructions(BodyContext::Unit);
+    if (!take(TokenKind::RightParen)) report({m_file.file, opToken.begin, open.end}, findings::IlParenthesis());
+}
+
+/// One instruction behind its label; false: the rest of the line is none and was passed over.
+bool Parser::parseIlOperator(IlInstruction& il) {
+    const Token opToken = peek();
+    if (!atAny({TokenKind::Identifier, TokenKind::And, TokenKind::Or, TokenKind::Xor, TokenKind::Not, TokenKind::Mod,
+                TokenKind::Ampersand})) {
+        report(rangeOf(opToken), findings::IlUnknownOperator(shown(opToken)));
+        skipInstruction();
+        return false;
+    }
+    il.op = nameOf(opToken);
+    advance();
+    Reading reading = readOperator(il.op.text);
+    if (opToken.kind == TokenKind::Ampersand && at(TokenKind::Identifier) && peek().begin == opToken.end &&
+        isWord(textOf(peek()), "N")) {
+        advance();
+        reading.negate = true;
+    }
+    if (reading.op) {
+        il.op.text = il.op.text.substr(0, reading.op->name.size());
+        il.negate = reading.negate;
+        il.conditional = reading.conditional;
+    }
+    if (at(TokenKind::Assign) || at(TokenKind::Dot)) { // an ST statement among instructions
+        report(rangeOf(peek()), findings::UnexpectedToken(shown(peek())));
+        skipInstruction();
+        return false;
+    }
+    if (reading.op && reading.op->parenthesis && at(TokenKind::LeftParen)) {
+        parseIlParenthesis(il, opToken);
+    } else if (reading.op && reading.op->name == "CAL") {
+        parseIlCall(il);
+    } else if (!reading.op && at(TokenKind::LeftParen)) {
+        advance();
+        const bool outer = std::exchange(m_inInstruction, true);
+        parseArguments(il.arguments, TokenKind::RightParen);
+        m_inInstruction = outer;
+    } else {
+        parseIlOperands(il);
+    }
+    return true;
+}
+
 Stmt* Parser::parseInstruction() {
     const size_t first = mark();
     Stmt* stmt = make<Stmt>();
@@ -123,71 +195,12 @@ Stmt* Parser::parseInstruction() {
             return stmt;
         }
     }
-    const auto skipLine = [&] {
-        do advance();
-        while (!onNewLine() && !atStatementEnd());
-        m_lastErrorAt = SIZE_MAX;
-    };
-    const Token opToken = peek();
-    const bool word = atAny({TokenKind::Identifier, TokenKind::And, TokenKind::Or, TokenKind::Xor, TokenKind::Not,
-                             TokenKind::Mod, TokenKind::Ampersand});
-    if (!word) {
-        report(rangeOf(opToken), findings::IlUnknownOperator(shown(opToken)));
-        skipLine();
-        stmt->range = rangeFrom(first);
-        return stmt;
-    }
-    il->op = nameOf(opToken);
-    advance();
-    Reading reading = readOperator(il->op.text);
-    if (opToken.kind == TokenKind::Ampersand && at(TokenKind::Identifier) && peek().begin == opToken.end &&
-        isWord(textOf(peek()), "N")) {
-        advance();
-        reading.negate = true;
-    }
-    if (reading.op) {
-        il->op.text = il->op.text.substr(0, reading.op->name.size());
-        il->negate = reading.negate;
-        il->conditional = reading.conditional;
-    }
-    if (at(TokenKind::Assign) || at(TokenKind::Dot)) { // an ST statement among instructions
-        report(rangeOf(peek()), findings::UnexpectedToken(shown(peek())));
-        skipLine();
-        stmt->range = rangeFrom(first);
-        return stmt;
-    }
-    if (reading.op && reading.op->parenthesis && at(TokenKind::LeftParen)) {
-        const Token open = peek();
-        il->opensParenthesis = true;
-        advance();
-        if (!onNewLine() && startsExpression()) il->operand = parsePrimaryIl();
-        il->body = parseInstructions(BodyContext::Unit);
-        if (!take(TokenKind::RightParen)) report({m_file.file, opToken.begin, open.end}, findings::IlParenthesis());
-    } else if (reading.op && reading.op->name == "CAL") {
-        if (atName()) {
-            const bool outer = std::exchange(m_inInstruction, true);
-            Expr* target = parsePlace();
-            m_inInstruction = outer;
-            if (target->kind == ExprKind::Call) {
-                il->arguments = std::move(target->arguments);
-                target = target->base;
-            }
-            il->operand = target;
-        } else {
-            expected(phrases::ABlocksName());
+    if (parseIlOperator(*il)) {
+        take(TokenKind::Semicolon);
+        if (!onNewLine() && !atStatementEnd() && !at(TokenKind::RightParen)) {
+            report(rangeOf(peek()), findings::UnexpectedToken(shown(peek())));
+            skipInstruction();
         }
-    } else if (!reading.op && at(TokenKind::LeftParen)) {
-        advance();
-        const bool outer = std::exchange(m_inInstruction, true);
-        parseArguments(il->arguments, TokenKind::RightParen);
-        m_inInstruction = outer;
-    } else {
-        parseIlOperands(*il);
-    }
-    take(TokenKind::Semicolon);
-    if (!onNewLine() && !atStatementEnd() && !at(TokenKind::RightParen)) {
-        report(rangeOf(peek()), findings::UnexpectedToken(shown(peek())));
-        skipLine();
     }
     stmt->range = rangeFrom(first);
     return stmt;

@@ -91,8 +91,10 @@ public:
     TypeSpec* parseStringSpec();
     TypeSpec* parseNamedSpec(bool inTypeBlock);
     void parseEnumerators(TypeSpec& spec);
+
+    // variables.cpp
     VarSection* parseVarSection();
-    VarDecl* parseVarDecl(SectionKind section);
+    VarDecl* parseVarDecl();
     VarDecl* parseConfigDecl(SectionKind section);
     Expr* parseInitialiser(const TypeSpec* type);
     bool atVarSection() const;
@@ -236,6 +238,42 @@ public:
     Pou* m_lastPou = nullptr; // members written behind END_xxx belong to it
 
 private:
+    void parseGlobals(Decl& decl);
+    void parseClass(Decl& decl);
+    bool parseSoftDeclaration(Decl& decl);
+    void skipToDeclaration();
+    void addBody(Pou& pou, Body body, bool isFirst);
+    bool parsePouMember(Pou& pou);
+    bool takeForeignEnd(TokenKind end);
+    TypeSpec* parseBaseType();
+    bool parseTypeColon();
+    TypeDecl* parseTypeDecl(std::string_view blocksComment);
+    void endTypeDecl(const TypeSpec& spec);
+    void parseQualifiers(VarSection& section);
+    bool isSectionClosed() const;
+    bool atOpenSectionsEnd() const;
+    void parseAddress(VarDecl& decl);
+    bool parseColon();
+    void parseEdge(VarDecl& decl);
+    void takeMistaken(Verbatim meant, Verbatim written);
+    void skipVarDecl(size_t first);
+    void endVarDecl(size_t first);
+    void parseConfigTarget(VarDecl& decl);
+    bool atTestStatement() const;
+    void parseRun(Stmt& stmt);
+    void parseCompare(Stmt& stmt);
+    Expr* parseQualifiedEnumerator(Expr* member);
+    Expr* parseMember(Expr* base, bool& isNamed);
+    Expr* parseCall(Expr* base);
+    Expr* parseIndex(Expr* base);
+    Stmt* parseLabelOrJump();
+    bool correctMisspelledWord();
+    bool isNoStatement() const;
+    Stmt* parseMistakenAssignment(Expr* place);
+    void skipInstruction();
+    void parseIlCall(IlInstruction& il);
+    void parseIlParenthesis(IlInstruction& il, const Token& opToken);
+    bool parseIlOperator(IlInstruction& il);
     Expr* parseBinary(int level);
     Expr* parseUnary();
     Expr* parsePrimary();

@@ -214,8 +214,8 @@ Stmt* Parser::parseCompoundAssignment(Expr* place) {
     return stmt;
 }
 
-/// Labels, jumps, assignments, calls, and the statements of tests.
-Stmt* Parser::parseSimple() {
+/// `name:` and `JMP name;`; null: neither.
+Stmt* Parser::parseLabelOrJump() {
     if (atName() && kind(1) == TokenKind::Colon && kind(2) != TokenKind::Equal && !m_inCaseArm) {
         Stmt* stmt = makeStmt(StmtKind::Label);
         stmt->name = takeName();
@@ -230,30 +230,67 @@ Stmt* Parser::parseSimple() {
         endStatement();
         return stmt;
     }
-    if (Stmt* test = parseTestStatement()) return test;
-    if (at(TokenKind::Identifier) &&
-        (kind(1) == TokenKind::Identifier || kind(1) == TokenKind::Not || kind(1) == TokenKind::LeftParen)) {
-        const TokenKind meant = kind(1) == TokenKind::LeftParen ? TokenKind::Error : misspelled(textOf(peek()));
-        if (meant != TokenKind::Error) {
-            const std::string word(lex::spelling(meant));
-            if (auto* d = report(rangeOf(peek()), findings::Expected(word, shown(peek()))))
-                d->fixes.push_back({fixes::Write(word), {{rangeOf(peek()), word}}});
-            m_tokens[m_at].kind = meant;
-            return parseStatement();
-        }
-    }
-    if (!startsExpression() ||
+    return nullptr;
+}
+
+/// WHLIE x DO: reported, and taken for the word that was meant.
+bool Parser::correctMisspelledWord() {
+    if (!at(TokenKind::Identifier) || (kind(1) != TokenKind::Identifier && kind(1) != TokenKind::Not)) return false;
+    const TokenKind meant = misspelled(textOf(peek()));
+    if (meant == TokenKind::Error) return false;
+    const std::string word(lex::spelling(meant));
+    if (auto* d = report(rangeOf(peek()), findings::Expected(word, shown(peek()))))
+        d->fixes.push_back({fixes::Write(word), {{rangeOf(peek()), word}}});
+    m_tokens[m_at].kind = meant;
+    return true;
+}
+
+/// What no statement begins with: a sign, a literal.
+bool Parser::isNoStatement() const {
+    const bool isValue =
+        !startsExpression() ||
         atAny({TokenKind::Plus, TokenKind::Minus, TokenKind::Not, TokenKind::LeftBracket, TokenKind::IntegerLiteral,
                TokenKind::RealLiteral, TokenKind::DurationLiteral, TokenKind::DateLiteral, TokenKind::TimeOfDayLiteral,
-               TokenKind::DateTimeLiteral, TokenKind::StringLiteral, TokenKind::True, TokenKind::False})) {
-        const bool operatorFunction =
-            kind(1) == TokenKind::LeftParen && atAny({TokenKind::And, TokenKind::Or, TokenKind::Xor, TokenKind::Mod});
-        if (!operatorFunction) {
-            report(rangeOf(peek()), findings::UnexpectedToken(shown(peek())));
-            if (!atStatementEnd()) advance();
-            skipStatement();
-            return makeStmt(StmtKind::Empty);
-        }
+               TokenKind::DateTimeLiteral, TokenKind::StringLiteral, TokenKind::True, TokenKind::False});
+    const bool operatorFunction =
+        kind(1) == TokenKind::LeftParen && atAny({TokenKind::And, TokenKind::Or, TokenKind::Xor, TokenKind::Mod});
+    return isValue && !operatorFunction;
+}
+
+/// `a = b;` and `a : = b;`: reported, and taken for an assignment. Null: something else follows the place.
+Stmt* Parser::parseMistakenAssignment(Expr* place) {
+    if (at(TokenKind::Equal)) {
+        const SourceRange range = rangeOf(peek());
+        if (auto* d = report(range, findings::EqualsAsAssignment()))
+            d->fixes.push_back({fixes::Write(Verbatim(":=")), {{range, ":="}}});
+        advance();
+    } else if (at(TokenKind::Colon) && kind(1) == TokenKind::Equal && place->kind != ExprKind::Call &&
+               place->kind != ExprKind::Error) {
+        const SourceRange range{m_file.file, peek().begin, peek(1).end};
+        if (auto* d = report(range, findings::Expected(Verbatim(":="), Verbatim(": ="))))
+            d->fixes.push_back({fixes::Write(Verbatim(":=")), {{range, ":="}}});
+        advance();
+        advance();
+    } else {
+        return nullptr;
+    }
+    Stmt* stmt = makeStmt(StmtKind::Assign);
+    stmt->target = place;
+    stmt->value = parseAssigned();
+    endStatement();
+    return stmt;
+}
+
+/// Labels, jumps, assignments, calls, and the statements of tests.
+Stmt* Parser::parseSimple() {
+    if (Stmt* jump = parseLabelOrJump()) return jump;
+    if (Stmt* test = parseTestStatement()) return test;
+    if (correctMisspelledWord()) return parseStatement();
+    if (isNoStatement()) {
+        report(rangeOf(peek()), findings::UnexpectedToken(shown(peek())));
+        if (!atStatementEnd()) advance();
+        skipStatement();
+        return makeStmt(StmtKind::Empty);
     }
     Expr* place = parsePlace();
     const Token op = peek();
@@ -267,34 +304,10 @@ Stmt* Parser::parseSimple() {
         endStatement();
         return stmt;
     }
-    if (op.kind == TokenKind::Equal) { // a = b;
-        const SourceRange range = rangeOf(op);
-        if (auto* d = report(range, findings::EqualsAsAssignment()))
-            d->fixes.push_back({fixes::Write(Verbatim(":=")), {{range, ":="}}});
-        advance();
-        Stmt* stmt = makeStmt(StmtKind::Assign);
-        stmt->target = place;
-        stmt->value = parseAssigned();
-        endStatement();
-        return stmt;
-    }
+    if (Stmt* assignment = parseMistakenAssignment(place)) return assignment;
     if (atCompoundAssignment()) return parseCompoundAssignment(place);
     Stmt* stmt = makeStmt(StmtKind::Call);
     stmt->value = place;
-    if (place->kind != ExprKind::Call && place->kind != ExprKind::Error && !at(TokenKind::Semicolon) &&
-        at(TokenKind::Colon)) {
-        // `name : = value`
-        if (kind(1) == TokenKind::Equal) {
-            const SourceRange range{m_file.file, peek().begin, peek(1).end};
-            if (auto* d = report(range, findings::Expected(Verbatim(":="), Verbatim(": ="))))
-                d->fixes.push_back({fixes::Write(Verbatim(":=")), {{range, ":="}}});
-            advance();
-            advance();
-            stmt->kind = StmtKind::Assign;
-            stmt->target = place;
-            stmt->value = parseAssigned();
-        }
-    }
     endStatement();
     return stmt;
 }

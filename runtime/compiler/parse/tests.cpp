@@ -30,11 +30,9 @@ TestDecl* Parser::parseTest() {
     return test;
 }
 
-/// RUN, ASSERT, FORCE, RELEASE, COMPARE, POWER_OFF; elsewhere these are names.
-Stmt* Parser::parseTestStatement() {
-    if (!at(TokenKind::Identifier)) return nullptr;
-    const SoftWord word = peek().soft;
-    switch (word) {
+/// Is the word here that of a test's statement, and not a variable or block of that name?
+bool Parser::atTestStatement() const {
+    switch (peek().soft) {
     case SoftWord::Run:
     case SoftWord::Assert:
     case SoftWord::Force:
@@ -43,9 +41,8 @@ Stmt* Parser::parseTestStatement() {
     case SoftWord::PowerOff:
         break;
     default:
-        return nullptr;
+        return false;
     }
-    // a variable or block of that name
     switch (kind(1)) {
     case TokenKind::Assign:
     case TokenKind::Dot:
@@ -56,39 +53,57 @@ Stmt* Parser::parseTestStatement() {
     case TokenKind::ResetAssign:
     case TokenKind::Equal:
     case TokenKind::Colon:
-        return nullptr;
+        return false;
     case TokenKind::LeftParen:
-        if (!m_inTest) return nullptr;
-        break;
+        return m_inTest;
     default:
         break;
     }
-    const Token opening = peek();
-    if (!m_inTest) {
-        if (!(kind(1) == TokenKind::Identifier || kind(1) == TokenKind::IntegerLiteral ||
-              kind(1) == TokenKind::DurationLiteral || kind(1) == TokenKind::StringLiteral ||
-              kind(1) == TokenKind::Until || kind(1) == TokenKind::Not))
-            return nullptr;
-        report(rangeOf(opening), findings::TestUnknownStatement(shown(opening)));
+    return m_inTest || kind(1) == TokenKind::Identifier || kind(1) == TokenKind::IntegerLiteral ||
+           kind(1) == TokenKind::DurationLiteral || kind(1) == TokenKind::StringLiteral ||
+           kind(1) == TokenKind::Until || kind(1) == TokenKind::Not;
+}
+
+/// RUN UNTIL condition FOR time; RUN 5 SCANS; RUN T#5s
+void Parser::parseRun(Stmt& stmt) {
+    if (take(TokenKind::Until)) {
+        stmt.value = parseCondition();
+        if (take(TokenKind::For))
+            stmt.to = parseExpression();
+        else
+            expected(phrases::ForAndATime());
+        return;
     }
+    stmt.to = parseExpression();
+    stmt.countsScans = take(SoftWord::Scans);
+    if (!stmt.countsScans && at(TokenKind::Identifier) && equalsIgnoringCase(textOf(peek()), "SCAN")) {
+        stmt.countsScans = true;
+        advance();
+    }
+}
+
+/// COMPARE value, TOLERANCE := limit
+void Parser::parseCompare(Stmt& stmt) {
+    stmt.value = parseExpression();
+    if (!take(TokenKind::Comma)) return;
+    if (atName() && kind(1) == TokenKind::Assign) {
+        if (!equalsIgnoringCase(textOf(peek()), "TOLERANCE")) expected(Verbatim("TOLERANCE"));
+        advance();
+        advance();
+    }
+    stmt.to = parseExpression();
+}
+
+/// RUN, ASSERT, FORCE, RELEASE, COMPARE, POWER_OFF; elsewhere these are names.
+Stmt* Parser::parseTestStatement() {
+    if (!at(TokenKind::Identifier) || !atTestStatement()) return nullptr;
+    const SoftWord word = peek().soft;
+    if (!m_inTest) report(rangeOf(peek()), findings::TestUnknownStatement(shown(peek())));
     advance();
     Stmt* stmt = makeStmt(StmtKind::Run);
     switch (word) {
     case SoftWord::Run:
-        if (take(TokenKind::Until)) {
-            stmt->value = parseCondition();
-            if (take(TokenKind::For))
-                stmt->to = parseExpression();
-            else
-                expected(phrases::ForAndATime());
-        } else {
-            stmt->to = parseExpression();
-            stmt->countsScans = take(SoftWord::Scans);
-            if (!stmt->countsScans && at(TokenKind::Identifier) && equalsIgnoringCase(textOf(peek()), "SCAN")) {
-                stmt->countsScans = true;
-                advance();
-            }
-        }
+        parseRun(*stmt);
         break;
     case SoftWord::Assert:
         stmt->kind = StmtKind::Assert;
@@ -110,15 +125,7 @@ Stmt* Parser::parseTestStatement() {
         break;
     default:
         stmt->kind = StmtKind::Compare;
-        stmt->value = parseExpression();
-        if (take(TokenKind::Comma)) {
-            if (atName() && kind(1) == TokenKind::Assign) {
-                if (!equalsIgnoringCase(textOf(peek()), "TOLERANCE")) expected(Verbatim("TOLERANCE"));
-                advance();
-                advance();
-            }
-            stmt->to = parseExpression();
-        }
+        parseCompare(*stmt);
         break;
     }
     endStatement();

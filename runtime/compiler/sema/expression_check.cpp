@@ -2,6 +2,7 @@
 #include "runtime/base/text.h"
 #include "runtime/compiler/parse/parser.h"
 #include "runtime/compiler/sema/context.h"
+#include "runtime/compiler/sema/kept_world.h"
 #include "runtime/compiler/sema/values/expressions.h"
 
 namespace plc::sema {
@@ -10,8 +11,7 @@ CheckedExpression checkExpression(const Analysis& analysis, const SourceSet&, st
                                   std::string_view scopePath, Arena& arena) {
     CheckedExpression out;
     if (!analysis.scopes) return out;
-    // the World is frozen: nothing below writes to it
-    World& world = *const_cast<World*>(static_cast<const World*>(analysis.scopes.get()));
+    World& world = *static_cast<const KeptWorld*>(analysis.scopes.get())->world;
     diagnostics::Sink sink;
     syntax::SyntaxFile file; // lives as long as the checking; the result refers to none of it
     const syntax::Expr* parsed = parse::parseExpression(file, text, sink);

@@ -154,7 +154,7 @@ struct Unit {
     [[nodiscard]] bool isCode() const { return kind != UnitKind::Interface; }
     /// The block or program THIS means inside.
     [[nodiscard]] Unit* self() { return isInstanced() || kind == UnitKind::Interface ? this : owner; }
-    [[nodiscard]] const Unit* self() const { return const_cast<Unit*>(this)->self(); }
+    [[nodiscard]] const Unit* self() const { return isInstanced() || kind == UnitKind::Interface ? this : owner; }
     [[nodiscard]] bool isLibrary() const { return file && !file->library.empty(); }
 };
 

@@ -39,7 +39,7 @@ QByteArray get(const Served& served, const QByteArray& path) {
     return ask(served, "GET " + path + " HTTP/1.1\r\nHost: x\r\n\r\n");
 }
 
-/// A browser without a screen: it draws when it is told to.
+/// A browser without a screen: it draws on request.
 struct Client {
     QWebSocket socket;
     QList<QJsonObject> texts;

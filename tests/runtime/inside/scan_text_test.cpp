@@ -2,37 +2,15 @@
 #include "runtime/inside/scan_text.h"
 
 #include "tests/runtime/inside/recorded.h"
+#include "tests/support/two_axes.h"
 
 using namespace plc;
 using namespace plc::inside;
 using plc::testing::buildText;
+using plc::testing::kTwoAxes;
 using plc::testing::rangeOf;
 
 namespace {
-
-const char* const kProgram = R"(FUNCTION_BLOCK Axis
-VAR_INPUT step : INT; END_VAR
-VAR pos : INT; END_VAR
-IF step > 1 THEN
-    pos := pos + step;
-ELSE
-    pos := pos - 1;
-END_IF
-END_FUNCTION_BLOCK
-PROGRAM Main
-VAR a, b : Axis; x, i, sum : INT; END_VAR
-x := x + 1;
-x := x * 10;
-a(step := 1);
-b(step := 2);
-sum := 0;
-FOR i := 1 TO 3 DO
-    sum := sum + i;
-END_FOR
-IF x < 0 THEN
-    x := 0;
-END_IF
-END_PROGRAM)";
 
 class ScanTextTest : public ::testing::Test {
 protected:
@@ -47,7 +25,7 @@ protected:
         part.end = ~uint32_t(0);
     }
     std::string slice(SourceRange range) { return std::string(session.program()->sources[range.file].slice(range)); }
-    /// "x=0 x:=1": what is shown for the text of a statement.
+    /// "n=0 n:=1": what is shown for the text of a statement.
     std::string shown(const ScanText& text, const char* statement) {
         const SourceRange range = rangeOf(*session.program(), statement);
         std::string all;
@@ -62,7 +40,7 @@ protected:
         return std::find(text.notRun.begin(), text.notRun.end(), range) != text.notRun.end();
     }
 
-    session::Session session{buildText(kProgram)};
+    session::Session session{buildText(kTwoAxes)};
     std::unique_ptr<Insight> insight;
     std::shared_ptr<const Look> look;
     TextPart part;
@@ -72,8 +50,8 @@ protected:
 
 TEST_F(ScanTextTest, EachValueIsThatOfItsPlaceNotOfTheScansEnd) {
     const ScanText text = textOf(*look, part);
-    EXPECT_EQ(shown(text, "x := x + 1;"), "x=0 x:=1");
-    EXPECT_EQ(shown(text, "x := x * 10;"), "x=1 x:=10");
+    EXPECT_EQ(shown(text, "n := n + 1;"), "n=0 n:=1");
+    EXPECT_EQ(shown(text, "n := n + 10;"), "n=1 n:=11");
 }
 
 TEST_F(ScanTextTest, TheBranchTakenIsSaidAndWhatDidNotRunToo) {
@@ -81,7 +59,7 @@ TEST_F(ScanTextTest, TheBranchTakenIsSaidAndWhatDidNotRunToo) {
     ScanText text = textOf(*look, part);
     EXPECT_TRUE(isDimmed(text, "pos := pos + step;"));
     EXPECT_FALSE(isDimmed(text, "pos := pos - 1;"));
-    EXPECT_TRUE(isDimmed(text, "x := 0;"));
+    EXPECT_TRUE(isDimmed(text, "n := 0;"));
     EXPECT_FALSE(isDimmed(text, "a(step := 1);"));
     ASSERT_EQ(text.conditions.size(), 2u);
     EXPECT_EQ(slice(text.conditions[0].range), "step > 1");
@@ -108,12 +86,12 @@ TEST_F(ScanTextTest, ThePassOfALoopCanBeChosen) {
 }
 
 TEST_F(ScanTextTest, OnlyThePartThatIsAskedForIsRead) {
-    const SourceRange wanted = rangeOf(*session.program(), "x := x * 10;");
+    const SourceRange wanted = rangeOf(*session.program(), "n := n + 10;");
     part.begin = wanted.begin;
     part.end = wanted.end;
     const ScanText text = textOf(*look, part);
-    EXPECT_EQ(shown(text, "x := x + 1;"), "");
-    EXPECT_EQ(shown(text, "x := x * 10;"), "x=1 x:=10");
+    EXPECT_EQ(shown(text, "n := n + 1;"), "");
+    EXPECT_EQ(shown(text, "n := n + 10;"), "n=1 n:=11");
     const auto functions = functionsIn(look->tree(), part.file, part.begin, part.end);
     ASSERT_EQ(functions.size(), 1u);
     EXPECT_EQ(session.program()->functions[functions[0]].name, "Main");

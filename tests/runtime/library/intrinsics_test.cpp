@@ -70,6 +70,24 @@ struct Intrinsics : testing::Test {
 
 } // namespace
 
+TEST_F(Intrinsics, LiteralsAreComputedWithAllBits) {
+    const auto literal = [](BinaryOp op, WideInteger a, WideInteger b) { return evaluateWide(op, a, b); };
+    const WideInteger most = UINT64_MAX, least = INT64_MIN;
+    EXPECT_TRUE(literal(BinaryOp::Add, most, 1) == most + 1);
+    EXPECT_TRUE(literal(BinaryOp::Subtract, least, 1) == least - 1);
+    EXPECT_TRUE(literal(BinaryOp::Divide, least, -1) == -least) << "no wrapping to the least LINT";
+    EXPECT_TRUE(literal(BinaryOp::Modulo, -7, 3) == WideInteger(-1));
+    EXPECT_TRUE(literal(BinaryOp::Less, -1, most) == WideInteger(1)) << "-1 is less than any unsigned number";
+    EXPECT_FALSE(literal(BinaryOp::Divide, 1, 0));
+    EXPECT_FALSE(literal(BinaryOp::Modulo, 1, 0));
+}
+
+TEST_F(Intrinsics, AProductBeyondAllBitsStaysFarOutOfRange) {
+    const WideInteger most = UINT64_MAX;
+    EXPECT_TRUE(evaluateWide(BinaryOp::Multiply, most, most) > most);
+    EXPECT_TRUE(evaluateWide(BinaryOp::Multiply, WideInteger(1) << 126, -4) < -most);
+}
+
 TEST_F(Intrinsics, IntegersWrapInTheirType) {
     EXPECT_EQ(binary(BinaryOp::Add, "INT 32767", "INT 1"), "INT -32768");
     EXPECT_EQ(binary(BinaryOp::Subtract, "UINT 0", "UINT 1"), "UINT 65535");

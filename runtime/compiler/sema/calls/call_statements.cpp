@@ -99,14 +99,7 @@ void callStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree:
         if (!value.isUnknown() && value.expr->kind != tree::ExprKind::Sequence && !value.expr->ok)
             context.emit(e.base->range, findings::FunctionResultIgnored(callee.name));
     } else if (callee.kind == Denoted::Kind::Nothing) {
-        for (const syntax::Argument& argument : e.arguments)
-            if (argument.value) {
-                if (argument.kind == ArgumentKind::Output)
-                    denote(context, *argument.value, Access::Write);
-                else
-                    expression(context, *argument.value);
-            }
-        return;
+        return checkArguments(context, e);
     } else {
         const bool isType = callee.kind == Denoted::Kind::Unit || callee.kind == Denoted::Kind::Type;
         const std::string name = context.textOf(e.base->range);

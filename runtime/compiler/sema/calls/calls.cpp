@@ -478,21 +478,22 @@ Operand propertyValue(Context& context, const Denoted& denoted, SourceRange rang
     return callUnit(context, callee, bare);
 }
 
+void checkArguments(Context& context, const syntax::Expr& call) {
+    for (const syntax::Argument& argument : call.arguments) {
+        if (!argument.value) continue;
+        if (argument.kind == ArgumentKind::Output)
+            denote(context, *argument.value, Access::Write);
+        else
+            expression(context, *argument.value);
+    }
+}
+
 ///   ok:    x := F(1);      wrong: b := t(IN := TRUE);  with t : TON (P2023)   x := y(1);  with y : INT (P2008)
 Operand call(Context& context, const syntax::Expr& e, TypeId hint) {
     const Denoted callee = denote(context, *e.base, Access::Call, hint);
-    const auto checkArguments = [&] { // for the names inside, although the call itself is wrong
-        for (const syntax::Argument& argument : e.arguments)
-            if (argument.value) {
-                if (argument.kind == ArgumentKind::Output)
-                    denote(context, *argument.value, Access::Write);
-                else
-                    expression(context, *argument.value);
-            }
-    };
     switch (callee.kind) {
     case Denoted::Kind::Nothing:
-        checkArguments();
+        checkArguments(context, e);
         return unknown(context, e.range);
     case Denoted::Kind::Unit: {
         Unit& unit = *callee.unit;
@@ -502,7 +503,7 @@ Operand call(Context& context, const syntax::Expr& e, TypeId hint) {
                                                        : findings::NoValue(unit.name));
         else
             context.emit(e.base->range, findings::NotCallable(phrases::TypeNotInstance(unit.name)));
-        checkArguments();
+        checkArguments(context, e);
         return unknown(context, e.range);
     }
     case Denoted::Kind::Standard:
@@ -516,7 +517,7 @@ Operand call(Context& context, const syntax::Expr& e, TypeId hint) {
                          library::findSignature(context.world.textOf(e.base->range))
                              ? findings::NotCallable(phrases::VariableHidesFunction(context.textOf(e.base->range)))
                              : findings::NotCallable(context.textOf(e.base->range)));
-        checkArguments();
+        checkArguments(context, e);
         return unknown(context, e.range);
     case Denoted::Kind::Type:
         if (library::findSignature(context.world.textOf(e.base->range)))
@@ -524,7 +525,7 @@ Operand call(Context& context, const syntax::Expr& e, TypeId hint) {
         [[fallthrough]];
     default:
         context.emit(e.base->range, findings::NotCallable(context.textOf(e.base->range)));
-        checkArguments();
+        checkArguments(context, e);
         return unknown(context, e.range);
     }
 }

@@ -14,6 +14,8 @@ void prepareCall(Context& context, tree::Call& call, const Denoted& callee, Sour
 Operand callUnit(Context& context, const Denoted& callee, const syntax::Expr& e);
 Operand withEnable(Context& context, Operand value, const StandardArguments& arguments, SourceRange range);
 Operand propertyValue(Context& context, const Denoted& denoted, SourceRange range);
+/// Of a call that is wrong itself: what is wrong inside its arguments, and what they use.
+void checkArguments(Context& context, const syntax::Expr& call);
 Operand call(Context& context, const syntax::Expr& e, TypeId hint);
 
 } // namespace plc::sema

@@ -84,6 +84,8 @@ void checkAddressSize(World& world, const Variable& variable, std::string_view t
     if (range != variable.range) diagnostic.fixes.push_back({fixes::Write(own), {{range, own}}});
 }
 
+/// The image: header, the three areas of addresses, then every global and program instance as a root of its own. An
+/// offset is fixed here once for all; what runs, records and shows knows nothing but these.
 void layoutGlobals(World& world) {
     measureAddresses(world);
     image::Layout& layout = world.program->layout;

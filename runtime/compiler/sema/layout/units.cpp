@@ -9,6 +9,7 @@
 #include "runtime/compiler/sema/types/type_specs.h"
 
 #include "runtime/base/text.h"
+#include "runtime/compiler/parse/section_keyword.h"
 
 #include <cstring>
 
@@ -40,34 +41,6 @@ FieldSection fieldSectionOf(SectionKind kind) {
 
 bool isParameter(SectionKind kind) {
     return kind == SectionKind::Input || kind == SectionKind::Output || kind == SectionKind::InOut;
-}
-
-std::string_view sectionName(SectionKind kind) {
-    switch (kind) {
-    case SectionKind::Var:
-        return "VAR";
-    case SectionKind::Input:
-        return "VAR_INPUT";
-    case SectionKind::Output:
-        return "VAR_OUTPUT";
-    case SectionKind::InOut:
-        return "VAR_IN_OUT";
-    case SectionKind::Temp:
-        return "VAR_TEMP";
-    case SectionKind::Stat:
-        return "VAR_STAT";
-    case SectionKind::Inst:
-        return "VAR_INST";
-    case SectionKind::Global:
-        return "VAR_GLOBAL";
-    case SectionKind::External:
-        return "VAR_EXTERNAL";
-    case SectionKind::Access:
-        return "VAR_ACCESS";
-    case SectionKind::Config:
-        return "VAR_CONFIG";
-    }
-    return {};
 }
 
 } // namespace
@@ -163,7 +136,7 @@ void placeVariables(World& world, Unit& unit, std::vector<std::pair<Variable*, u
         case SectionKind::Global:
         case SectionKind::Access:
         case SectionKind::Config:
-            world.emit(variable.range, findings::NotAllowedHere(sectionName(variable.kind),
+            world.emit(variable.range, findings::NotAllowedHere(syntax::keywordOf(variable.kind),
                                                                 unit.kind == UnitKind::Program ? phrases::InAProgram()
                                                                                                : phrases::InABlock()));
             continue;
@@ -206,6 +179,8 @@ void noteBlockNesting(World& world, const Unit& unit) {
     noteNesting(world, unit.type, nesting);
 }
 
+/// Gives a unit its parameters and its variables their places; of a block or program also the type with its initial
+/// bytes. A base lies at the beginning of what extends it, so that a pointer to the one is a pointer to the other.
 void completeUnit(World& world, Unit& unit, SourceRange usedAt) {
     if (unit.layoutProgress != Progress::Open) return;
     unit.layoutProgress = Progress::Working;
@@ -251,6 +226,7 @@ void completeUnit(World& world, Unit& unit, SourceRange usedAt) {
         initial.dynamics = world.typeInitials[unit.base->type].dynamics;
     }
     if (unit.hasHeader) {
+        // an instance says what it is: calls through interfaces and pointers ask for it
         const uint32_t number = world.types[unit.type].blockNumber;
         std::memcpy(initial.bytes.data(), &number, sizeof number);
     }
@@ -333,7 +309,8 @@ void completeFunction(World& world, Unit& unit) {
         case SectionKind::Temp:
             break;
         default:
-            world.emit(variable.range, findings::NotAllowedHere(sectionName(variable.kind), phrases::InAFunction()));
+            world.emit(variable.range,
+                       findings::NotAllowedHere(syntax::keywordOf(variable.kind), phrases::InAFunction()));
             continue;
         }
         if (variable.isConstant) {

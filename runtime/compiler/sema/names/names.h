@@ -4,6 +4,14 @@
 
 namespace plc::sema {
 
+/// A unit by its name; `instance`: of a method or action.
+[[nodiscard]] inline Denoted unitOf(Unit& unit, tree::Place* instance) {
+    Denoted out;
+    out.kind = Denoted::Kind::Unit;
+    out.unit = &unit;
+    out.instance = instance;
+    return out;
+}
 bool checkAccess(Context& context, syntax::Access access, const Unit* owner, const std::string& name,
                  SourceRange range);
 Denoted denote(Context& context, const syntax::Expr& e, Access access, TypeId hint = {});

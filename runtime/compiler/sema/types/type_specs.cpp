@@ -26,8 +26,6 @@ static TypeId resolveArray(World& world, const syntax::TypeSpec& spec, const Sco
 static TypeId nested(World& world, TypeId type, SourceRange range);
 static uint64_t neededBytes(const World& world, TypeId type);
 static TypeId resolveSubrange(World& world, const syntax::TypeSpec& spec, const Scope& scope);
-static bool completeArray(World& world, TypeId type, SourceRange usedAt);
-static void completeAlias(World& world, DeclaredType& type, SourceRange usedAt);
 
 namespace {
 
@@ -146,6 +144,9 @@ TypeId resolveNamed(World& world, const syntax::Path& path, const Scope& scope, 
     return unknown;
 }
 
+/// TYPE Name : … ; a name for a type is that type. With an initial value of its own it is a copy of it, completed
+/// later, because the value may need types that are not complete yet.
+///   ok:    TYPE Percent : INT := 50; END_TYPE      wrong: TYPE A : B; B : A; END_TYPE  (P3003)
 TypeId resolveDeclared(World& world, DeclaredType& declared) {
     if (declared.progress == Progress::Done) return declared.type;
     if (declared.progress == Progress::Working) {
@@ -193,6 +194,8 @@ TypeId resolveDeclared(World& world, DeclaredType& declared) {
     return behind;
 }
 
+/// What is written behind a colon. Only names are followed, no sizes: a pointer may name a type that holds it.
+///   ok:    STRING(20)      wrong: STRING(70000)  (P2018)
 TypeId resolveSpec(World& world, const syntax::TypeSpec* spec, const Scope& scope, std::string_view anonymousName) {
     const TypeId unknown = TypeTable::of(TypeKind::Unknown);
     if (!spec) return unknown;
@@ -455,268 +458,6 @@ bool sameType(const World& world, TypeId a, TypeId b) {
         b = y.element;
     }
     return false;
-}
-
-///   ok:    A : STRUCT b : REF_TO A; END_STRUCT      wrong: A : STRUCT b : A; END_STRUCT  (P3003)
-void reportCycle(World& world, TypeId type, SourceRange usedAt) {
-    const types::Type& t = world.types[type];
-    world.emit(usedAt.file.isValid() ? usedAt : t.declaration, findings::TypeCycle(t.name));
-}
-
-bool completeType(World& world, TypeId type, SourceRange usedAt) {
-    const TypeKind kind = world.types.kind(type);
-    if (types::isElementary(kind)) return true;
-    if (world.tooLarge.contains(type)) return false;
-    if (const auto alias = world.aliasesByType.find(type); alias != world.aliasesByType.end()) {
-        completeAlias(world, *alias->second, usedAt);
-        return world.types[type].size != 0;
-    }
-    if (kind == TypeKind::Array && world.aliasOf.count(type)) return true; // has its own initial value
-    switch (kind) {
-    case TypeKind::Enum:
-        if (const auto it = world.enumsByType.find(type); it != world.enumsByType.end())
-            completeEnum(world, *it->second);
-        return true;
-    case TypeKind::Array:
-        return completeArray(world, type, usedAt);
-    case TypeKind::Struct:
-    case TypeKind::Union: {
-        const auto it = world.structsByType.find(type);
-        if (it == world.structsByType.end()) return true;
-        if (it->second->progress == Progress::Working) {
-            reportCycle(world, type, usedAt);
-            return false;
-        }
-        const Waiting wait(world.completing, 1, kMaximumNesting + kMaximumBases);
-        if (wait.isTooDeep) {
-            world.emit(usedAt, findings::NestedTooDeep());
-            return false;
-        }
-        completeStruct(world, *it->second);
-        return !world.tooLarge.contains(type);
-    }
-    case TypeKind::Block: {
-        Unit* unit = world.unitOf(type);
-        if (!unit) return true;
-        if (unit->layoutProgress == Progress::Working) {
-            reportCycle(world, type, usedAt);
-            return false;
-        }
-        const Waiting wait(world.completing, 1, kMaximumNesting + kMaximumBases);
-        if (wait.isTooDeep) {
-            world.emit(usedAt, findings::NestedTooDeep());
-            return false;
-        }
-        completeUnit(world, *unit, usedAt);
-        return !world.tooLarge.contains(type);
-    }
-    default:
-        return true;
-    }
-}
-
-bool completeArray(World& world, TypeId type, SourceRange usedAt) {
-    const bool good = completeType(world, world.types[type].element, usedAt);
-    const types::Type& element = world.types[world.types[type].element];
-    noteNesting(world, type, 1 + nestingOf(world, world.types[type].element));
-    if (nestingOf(world, type) > kMaximumNesting) {
-        world.emit(usedAt, findings::NestedTooDeep());
-        return false;
-    }
-    if (world.types[type].size != 0 && world.types[type].initial.empty() == element.initial.empty()) return good;
-    world.types.layoutArray(type);
-    return checkSize(world, type, usedAt) && good;
-}
-
-void completeAlias(World& world, DeclaredType& declared, SourceRange usedAt) {
-    const TypeId behind = world.aliasOf[declared.type];
-    world.aliasesByType.erase(declared.type);
-    completeType(world, behind, usedAt);
-    noteNesting(world, declared.type, nestingOf(world, behind));
-    types::Type& type = world.types.edit(declared.type);
-    const types::Type& original = world.types[behind];
-    if (type.kind != TypeKind::Subrange) {
-        std::string name = std::move(type.name);
-        std::string space = std::move(type.space);
-        const SourceRange range = type.declaration;
-        std::string comment = std::move(type.comment);
-        type = original;
-        type.name = std::move(name);
-        type.space = std::move(space);
-        type.declaration = range;
-        type.comment = std::move(comment);
-        if (const auto it = world.structsByType.find(behind); it != world.structsByType.end())
-            world.structsByType[declared.type] = it->second;
-    }
-    InitialValue initial;
-    initial.bytes = original.initial;
-    initial.bytes.resize(original.size);
-    initialise(world, initial, behind, 0, -1, declared.declaration->initial, declared.scope, nullptr);
-    world.types.edit(declared.type).initial = initial.bytes;
-    checkSize(world, declared.type, declared.declaration->name.range);
-    if (!initial.dynamics.empty()) world.typeInitials[declared.type].dynamics = std::move(initial.dynamics);
-}
-
-void completeEnum(World& world, EnumType& enumeration) {
-    if (enumeration.progress != Progress::Open) return;
-    const Waiting wait(world.waiting, 8);
-    if (wait.isTooDeep) return (void)world.emit(enumeration.spec->range, findings::NestedTooDeep());
-    enumeration.progress = Progress::Working;
-    const syntax::TypeSpec& spec = *enumeration.spec;
-    TypeId base = TypeTable::of(TypeKind::Int);
-    if (spec.element || !spec.path.empty()) {
-        const TypeId named = spec.element ? resolveSpec(world, spec.element, enumeration.scope)
-                                          : resolveNamed(world, spec.path, enumeration.scope, spec.range);
-        if (types::isInteger(world.types.family(named)))
-            base = world.types.storage(named);
-        else if (world.types.kind(named) != TypeKind::Unknown)
-            world.emit(spec.element ? spec.element->range : spec.range,
-                       findings::OperatorNotForType(phrases::AnEnumeration(), world.nameOf(named)));
-    }
-    world.types.edit(enumeration.type).element = base;
-    world.types.edit(enumeration.type).size = world.types[base].size;
-    world.types.edit(enumeration.type).align = world.types[base].align;
-    const auto [least, greatest] = TypeTable::integerRange(world.types.kind(base));
-    int64_t next = 0;
-    for (size_t i = 0; i < spec.enumerators.size(); ++i) {
-        const syntax::EnumeratorDecl& declared = spec.enumerators[i];
-        if (declared.value) {
-            if (const auto value = constantInteger(world, declared.value, enumeration.scope)) next = *value;
-        }
-        if (next < least || (next > 0 && static_cast<uint64_t>(next) > greatest))
-            world.emit(declared.value ? declared.value->range : declared.name.range,
-                       findings::ConstantOutOfRange(std::to_string(next), world.nameOf(base)));
-        world.types.edit(enumeration.type).enumerators[i].value = next;
-        next = static_cast<int64_t>(static_cast<uint64_t>(next) + 1);
-    }
-    enumeration.progress = Progress::Done;
-    int64_t first =
-        world.types[enumeration.type].enumerators.empty() ? 0 : world.types[enumeration.type].enumerators.front().value;
-    if (enumeration.initial) {
-        Context checker(world, enumeration.scope, world.sink, world.arena);
-        const Operand value =
-            converted(checker, expression(checker, *enumeration.initial, enumeration.type), enumeration.type);
-        if (value.isConstant() && std::holds_alternative<int64_t>(value.expr->value.data))
-            first = value.expr->value.integer();
-        else if (!value.isUnknown())
-            world.emit(enumeration.initial->range, findings::NotConstant());
-    }
-    types::Type& type = world.types.edit(enumeration.type);
-    if (first != 0) {
-        type.initial.resize(type.size);
-        std::memcpy(type.initial.data(), &first, type.size);
-    }
-}
-
-/// A field by its name; of a structure without a search, because a machine's whole data may be one.
-const types::Field* fieldOf(const World& world, TypeId type, std::string_view name) {
-    const auto made = world.structsByType.find(type);
-    if (made == world.structsByType.end() || made->second->indices.empty()) return world.types[type].findField(name);
-    const auto found = made->second->indices.find(world.names.find(name));
-    return found == made->second->indices.end() ? nullptr : &world.types[type].fields[found->second];
-}
-
-void completeStruct(World& world, StructType& made) {
-    if (made.progress != Progress::Open) return;
-    made.progress = Progress::Working;
-    uint32_t nesting = 0;
-    std::unordered_set<NameId> known;
-    std::vector<types::Field> fields;
-    std::vector<const syntax::VarDecl*> declarations;
-    TypeId base;
-    if (made.spec->extends) {
-        base = resolveSpec(world, made.spec->extends, made.scope);
-        if (world.types.kind(base) != TypeKind::Struct) {
-            if (world.types.kind(base) != TypeKind::Unknown)
-                world.emit(made.spec->extends->range, findings::NotExtendable(world.nameOf(base), made.name));
-            base = {};
-        } else if (completeType(world, base, made.spec->extends->range)) {
-            fields = world.types[base].fields;
-            nesting = nestingOf(world, base); // its base is laid out and initialised as a part of it
-            for (const types::Field& field : fields) known.insert(world.key(field.name));
-            if (const auto it = world.structsByType.find(base); it != world.structsByType.end())
-                made.symbols = it->second->symbols;
-        }
-    }
-    const size_t inherited = fields.size();
-    for (const syntax::VarDecl* declaration : made.spec->fields) {
-        TypeId type = resolveSpec(world, declaration->type, made.scope);
-        const SourceRange at = declaration->type ? declaration->type->range : declaration->range;
-        if (!completeType(world, type, at)) type = TypeTable::of(TypeKind::Unknown);
-        if (nestingOf(world, type) >= kMaximumNesting) {
-            world.emit(at, findings::NestedTooDeep());
-            type = TypeTable::of(TypeKind::Unknown);
-        }
-        nesting = std::max(nesting, 1 + nestingOf(world, type));
-        const bool isBit = declaration->type && declaration->type->kind == TypeSpecKind::Named &&
-                           declaration->type->path.size() == 1 &&
-                           equalsIgnoringCase(declaration->type->path.front().text, "BIT") &&
-                           world.types.kind(type) == TypeKind::Bool;
-        for (const syntax::Name& name : declaration->names) {
-            if (!known.insert(world.key(name.text)).second) {
-                world.emit(name.range, findings::DuplicateName(name.text));
-                continue;
-            }
-            types::Field field;
-            field.name = std::string(name.text);
-            field.type = type;
-            field.declaration = name.range;
-            field.comment = std::string(declaration->comment);
-            field.bit = isBit ? 0 : -1;
-            for (const syntax::Pragma& pragma : declaration->pragmas)
-                if (pragma.isAttribute && equalsIgnoringCase(pragma.key, "alias"))
-                    field.aliases.emplace_back(pragma.value);
-            fields.push_back(std::move(field));
-            declarations.push_back(declaration);
-            made.symbols.push_back(
-                addSymbol(world, SymbolKind::Variable, name.text, made.name, name.range, declaration->comment));
-            world.symbols.back().type = type;
-        }
-    }
-    locateMembers(world, made, fields, inherited, declarations);
-    types::Type& type = world.types.edit(made.type);
-    type.base = base;
-    type.fields = std::move(fields);
-    noteNesting(world, made.type, nesting);
-    world.types.layoutFields(made.type);
-    if (!checkSize(world, made.type,
-                   world.types[made.type].declaration.file.isValid() ? world.types[made.type].declaration
-                                                                     : made.spec->range)) {
-        made.progress = Progress::Done;
-        return;
-    }
-    for (uint32_t i = 0; i < type.fields.size(); ++i) {
-        made.indices.try_emplace(world.key(type.fields[i].name), i);
-        for (const std::string& alias : type.fields[i].aliases) made.indices.try_emplace(world.key(alias), i);
-    }
-    if (std::any_of(type.fields.begin(), type.fields.end(), [](const types::Field& f) { return f.isLocated; }))
-        for (types::Field& field : type.fields) field.isLocated = true; // where it lies for those that extend it
-    InitialValue initial;
-    initial.bytes = world.types[made.type].initial;
-    initial.bytes.resize(world.types[made.type].size);
-    if (inherited && !world.types[base].initial.empty())
-        std::memcpy(initial.bytes.data(), world.types[base].initial.data(),
-                    std::min(initial.bytes.size(), world.types[base].initial.size()));
-    if (const auto it = world.typeInitials.find(base); inherited && it != world.typeInitials.end())
-        initial.dynamics = it->second.dynamics;
-    for (size_t i = inherited; i < world.types[made.type].fields.size(); ++i) {
-        const types::Field field = world.types[made.type].fields[i];
-        const syntax::VarDecl& declaration = *declarations[i - inherited];
-        initialiseDeclared(world, initial, field.type, field.offset, field.bit, declaration.initial, made.scope,
-                           declaration.type);
-    }
-    const bool isZero =
-        std::all_of(initial.bytes.begin(), initial.bytes.end(), [](std::byte b) { return b == std::byte{}; });
-    world.types.edit(made.type).initial = isZero ? std::vector<std::byte>{} : initial.bytes;
-    world.typeInitials[made.type].dynamics = std::move(initial.dynamics);
-    made.progress = Progress::Done;
-    if (made.initial) { // TYPE T : STRUCT … END_STRUCT := (a := 1)
-        InitialValue whole;
-        whole.bytes = world.types[made.type].initial;
-        whole.bytes.resize(world.types[made.type].size);
-        initialise(world, whole, made.type, 0, -1, made.initial, made.scope, nullptr);
-        world.types.edit(made.type).initial = whole.bytes;
-    }
 }
 
 } // namespace plc::sema

@@ -1,0 +1,149 @@
+// Calls of conversions: INT_TO_REAL, TO_STRING, TRUNC_INT, BCD_TO_INT …
+#include "runtime/compiler/sema/calls/conversion_calls.h"
+
+#include "runtime/compiler/sema/calls/calls.h"
+#include "runtime/compiler/sema/calls/operators_of_codesys.h"
+#include "runtime/compiler/sema/calls/standard_calls.h"
+#include "runtime/compiler/sema/context.h"
+#include "runtime/compiler/sema/names/lookup.h"
+#include "runtime/compiler/sema/names/places.h"
+#include "runtime/compiler/sema/operators/operators.h"
+#include "runtime/compiler/sema/types/conversions.h"
+#include "runtime/compiler/sema/types/type_specs.h"
+#include "runtime/compiler/sema/values/expressions.h"
+
+#include "runtime/base/text.h"
+#include "runtime/types/conversion.h"
+
+namespace plc::sema {
+
+using library::Signature;
+using types::Family;
+using How = library::Conversion::How;
+
+namespace {
+
+/// A literal as the argument of a conversion named by types.
+///   ok:    INT_TO_STRING(5); BOOL_TO_INT(TRUE);      wrong: STRING_TO_INT(5); INT_TO_STRING('x'); TIME_TO_INT(5);
+bool suitsConversion(const Context& context, const Operand& literal, TypeId from) {
+    const Family family = context.types.family(from);
+    const bool isNumber = std::holds_alternative<int64_t>(literal.expr->value.data) ||
+                          std::holds_alternative<double>(literal.expr->value.data);
+    const bool isText =
+        context.types.isText(literal.type()) || context.types.family(literal.type()) == Family::Character;
+    if (isText || !isNumber) return context.types.isText(from) || family == Family::Character;
+    return types::isInteger(family) || family == Family::Real;
+}
+
+/// The type a conversion names; a text that is wanted longer than 80 characters is made that long.
+TypeId typeNamed(Context& context, TypeKind kind, TypeId hint) {
+    if (kind != TypeKind::String && kind != TypeKind::Wstring) return context.elementary(kind);
+    if (!context.isExpression && hint.isValid() && context.types.kind(hint) == kind &&
+        context.types[hint].capacity > 80)
+        return hint;
+    return textType(context, 80, kind == TypeKind::Wstring);
+}
+
+bool isTextLiteral(const syntax::Expr& e) {
+    return e.kind == syntax::ExprKind::Literal && !e.prefix.isValid() &&
+           (e.op == lex::TokenKind::StringLiteral || e.op == lex::TokenKind::WstringLiteral);
+}
+
+/// The argument as it is written; 'x' is no number here. `from`: the type the name asks for, invalid: any.
+Operand argumentOf(Context& context, const syntax::Expr& value, TypeId from) {
+    const bool takesText =
+        !from.isValid() || context.types.isText(from) || context.types.family(from) == Family::Character;
+    const bool isMistakenText = isTextLiteral(value) && !takesText;
+    const Operand operand = expression(context, value, isMistakenText ? TypeId() : from);
+    if (operand.isUnknown()) return operand;
+    if (isMistakenText)
+        context.emit(value.range, findings::TypeMismatch(context.textOf(value.range), context.nameOf(from)));
+    else if (context.isKind(operand.type(), TypeKind::Void))
+        context.emit(operand.expr->range, findings::NoValue(context.textOf(operand.expr->range)));
+    else
+        return operand;
+    return unknown(context, value.range);
+}
+
+/// The argument in the type the name asks for.
+Operand inTypeAskedFor(Context& context, Operand operand, TypeId from, How how) {
+    if (!from.isValid()) return settled(context, operand);
+    const bool isTooLarge = operand.isFlexible && how == How::Convert && types::isInteger(context.types.family(from)) &&
+                            !fits(context, operand.expr->value, from) &&
+                            std::holds_alternative<int64_t>(operand.expr->value.data);
+    if (isTooLarge) return converted(context, operand, from);
+    if (operand.isFlexible && suitsConversion(context, operand, from))
+        return convertNode(context, operand, context.types.isText(from) ? smallestType(context, operand) : from);
+    if (context.types.isText(from) && context.types.isText(operand.type()))
+        return convertedText(context, operand, from);
+    return converted(context, operand, from);
+}
+
+/// Nothing to do for the same type; but ENO needs a value of its own.
+Operand plainConversion(Context& context, Operand operand, TypeId to, bool hasEno, SourceRange range) {
+    const Operand out = convertNode(context, operand, to);
+    out.expr->range = range;
+    const bool isSame = out.expr == operand.expr && out.expr->kind != tree::ExprKind::Constant;
+    return isSame && hasEno ? intrinsic(context, library::Intrinsic::Move, to, {operand}, range) : out;
+}
+
+///   wrong: INT_TO_BCD(r)  with r : REAL (P2006)
+Operand bcdConversion(Context& context, Operand operand, const library::Conversion& conversion, std::string_view name,
+                      SourceRange range, TypeId hint) {
+    if (!types::isInteger(context.types.family(operand.type()))) {
+        context.emit(operand.expr->range, findings::OperatorNotForType(name, context.nameOf(operand.type())));
+        return unknown(context, range);
+    }
+    TypeId to = typeNamed(context, conversion.to, hint);
+    const bool toBcd = conversion.how == How::ToBcd;
+    // INT_TO_BCD takes the bit string that is wanted
+    if (toBcd && foldCase(name).ends_with("_bcd") && hint.isValid() && context.types.family(hint) == Family::Bits)
+        to = context.types.storage(hint);
+    return intrinsic(context, toBcd ? library::Intrinsic::ToBcd : library::Intrinsic::BcdTo, to, {operand}, range);
+}
+
+} // namespace
+
+///   ok:    INT_TO_REAL(i)      wrong: INT_TO_REAL(s)  with s : STRING (P2003)
+Operand conversionCall(Context& context, const library::Conversion& conversion, std::string_view name,
+                       const syntax::Expr& e, TypeId hint) {
+    Signature signature;
+    signature.name = name;
+    signature.parameters.push_back({"IN", {"IN1", "STR", "X"}, library::Generic::Any});
+    const StandardArguments arguments = standardArguments(context, signature, e);
+    if (!arguments.isGood || arguments.inputs.empty() || !arguments.inputs[0]) return unknown(context, e.range);
+    const TypeId from = conversion.from == TypeKind::Unknown ? TypeId() : typeNamed(context, conversion.from, hint);
+    Operand operand = argumentOf(context, *arguments.inputs[0]->value, from);
+    if (operand.isUnknown()) return unknown(context, e.range);
+    const TypeKind kind = context.types.kind(operand.type());
+    if (kind == TypeKind::Pointer || kind == TypeKind::Reference || kind == TypeKind::Interface)
+        operand = settled(context, sameBits(context, operand, context.elementary(TypeKind::Lword)));
+    else
+        operand = inTypeAskedFor(context, operand, from, conversion.how);
+    if (operand.isUnknown()) return unknown(context, e.range);
+    if (context.types.family(operand.type()) == Family::Other && !context.types.isText(operand.type())) {
+        context.emit(operand.expr->range, findings::OperatorNotForType(name, context.nameOf(operand.type())));
+        return unknown(context, e.range);
+    }
+    const TypeId to = typeNamed(context, conversion.to, hint);
+    Operand out;
+    switch (conversion.how) {
+    case How::Convert:
+        if (const auto named = nameOfValue(context, operand, to, e.range))
+            out = *named;
+        else
+            out = plainConversion(context, operand, to, arguments.eno != nullptr, e.range);
+        break;
+    case How::Truncate:
+        out = intrinsic(context, library::Intrinsic::Trunc, to, {operand}, e.range);
+        break;
+    case How::FromBcd:
+    case How::ToBcd:
+        out = bcdConversion(context, operand, conversion, name, e.range, hint);
+        if (out.isUnknown()) return out;
+        break;
+    }
+    return withEnable(context, out, arguments, e.range);
+}
+
+} // namespace plc::sema
