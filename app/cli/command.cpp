@@ -46,7 +46,7 @@ const std::vector<Command>& commands() {
                                              traceCommand(),   replayCommand(), panelCommand(),  docCommand(),
                                              convertCommand(), importCommand(), exportCommand(), ladderCommand(),
                                              whyCommand(),     tuneCommand(),   serveCommand(),  textsCommand(),
-                                             recipeCommand(),  peopleCommand(), alarmsCommand()};
+                                             recipeCommand(),  peopleCommand(), alarmsCommand(), explainCommand()};
     return all;
 }
 

@@ -17,7 +17,7 @@ namespace plc::kit {
 /// To a menu bar, a menu or a dialog as it is now.
 void giveMnemonics(QWidget& of);
 
-/// To every menu and dialog of the application when it opens. Once is enough.
+/// To every menu and dialog of the application when it opens; Tab leaves every field of a dialog, too. Once is enough.
 void keepMnemonics(QApplication& application);
 
 } // namespace plc::kit
