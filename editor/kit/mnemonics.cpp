@@ -1,5 +1,7 @@
 #include "editor/kit/mnemonics.h"
 
+#include "editor/kit/kept_translator.h"
+
 #include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
@@ -64,7 +66,8 @@ std::vector<int> lettersIn(const QString& text) {
 
 std::vector<int> candidates(const QString& text, const QString& hint) {
     if (!isChinese(text)) return lettersIn(text);
-    std::vector<int> out = lettersIn(hint);
+    const QString english = KeptTranslator::sourceOf(text);
+    std::vector<int> out = lettersIn(english.isEmpty() ? hint : withoutMnemonic(english));
     for (int letter = 0; letter < 26; ++letter) append(out, characterOf(letter));
     return out;
 }

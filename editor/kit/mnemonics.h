@@ -8,7 +8,8 @@ class QWidget;
 
 namespace plc::kit {
 
-/// The texts with one & each. `hints` are names whose letters serve texts in Chinese, which get theirs as “(&X)”.
+/// The texts with one & each. Texts in Chinese get theirs as “(&X)”: of the English they were translated from, else of
+/// the name in `hints`.
 [[nodiscard]] QStringList withMnemonics(const QStringList& texts, const QStringList& hints);
 
 /// "&Save" without its mark, "保存(&S)" without the letter.

@@ -60,6 +60,16 @@ TEST_P(LetterTest, EveryEntryOfAMenuHasItsOwn) {
 
 INSTANTIATE_TEST_SUITE_P(Languages, LetterTest, ::testing::Values("en", "de", "da", "fr", "es", "zh_CN"));
 
+TEST_F(AllWindowsTest, AChineseMenuHasTheLetterOfItsEnglish) {
+    installTranslation(*qApp, "zh_CN");
+    open();
+    QString letters;
+    for (const QAction* action : window->menuBar()->actions()) letters += letterOf(action->text());
+    EXPECT_EQ(letters, QString("FERTVH")) << "File, Edit, Run, Time, View, Help";
+    window.reset();
+    installTranslation(*qApp, "en");
+}
+
 /// What the Tab key must reach: not the parts of a field, of a list or of a group of choices.
 std::vector<QWidget*> tabStopsOf(QWidget& dialog) {
     std::vector<QWidget*> out;
