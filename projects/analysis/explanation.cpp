@@ -55,7 +55,14 @@ std::string_view severityWord(Kind kind) {
     return {};
 }
 
-std::string fenced(std::string_view program) { return "```iecst\n" + std::string(program) + "```\n"; }
+/// As UTF-8, whatever it is: one example is not.
+std::string readable(std::string_view program) {
+    std::string out;
+    for (size_t at = 0; at < program.size();) appendUtf8(out, decodeUtf8(program, at));
+    return out;
+}
+
+std::string fenced(std::string_view program) { return "```iecst\n" + readable(program) + "```\n"; }
 
 std::string pageOf(const Explanation& shown) {
     std::string out = "## " + std::string(diagnostics::codeOf(shown.kind)) + "\n\n";
@@ -93,7 +100,7 @@ std::string numbered(std::string_view program) {
         const size_t end = std::min(program.find('\n'), program.size());
         const std::string number = std::to_string(line);
         out += std::string(number.size() < 4 ? 4 - number.size() : 0, ' ') + number + " | " +
-               std::string(program.substr(0, end)) + "\n";
+               readable(program.substr(0, end)) + "\n";
         program.remove_prefix(std::min(end + 1, program.size()));
     }
     return out;
