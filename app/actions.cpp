@@ -2,6 +2,7 @@
 // editable.
 #include "app/editor_tabs.h"
 #include "app/exchange_dialogs.h"
+#include "app/explanation_dialog.h"
 #include "app/focus_command.h"
 #include "app/inside_views.h"
 #include "app/main_window.h"
@@ -176,6 +177,7 @@ const std::vector<ActionSpec> kActions = {
     {"view.maximise", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Maximise the Editor"), "Ctrl+Alt+M", none, [](MainWindow& w) { if (w.workspace().isOpen()) w.perspectives().toggleMaximised(); }},
     {"view.reset", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Reset the Layout"), "", none, [](MainWindow& w) { w.resetLayout(); }},
 
+    {"help.explain", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Help"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Explain the Problem"), "F1", drawn(Icon::Question), [](MainWindow& w) { explainProblem(w); }},
     {"help.tour", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Help"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Tour"), "", drawn(Icon::Help), [](MainWindow& w) { w.startTour(); }},
     {"help.about", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Help"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "About Stepwise"), "", drawn(Icon::Information), [](MainWindow& w) { w.about(); }},
 };

@@ -203,7 +203,10 @@ void MainWindow::makeActions() {
     for (const ActionSpec& spec : actionTable()) {
         const QString menuName = tr(spec.menu);
         QMenu*& menu = menus[menuName];
-        if (!menu) menu = menuBar()->addMenu(menuName);
+        if (!menu) {
+            menu = menuBar()->addMenu(menuName);
+            menu->menuAction()->setObjectName(QStringLiteral("menu.") + spec.menu); // its letter in Chinese
+        }
         auto* made = new QAction(tr(spec.text), this);
         made->setObjectName(spec.id);
         if (spec.icon >= 0) made->setIcon(kit::icon(static_cast<kit::Icon>(spec.icon)));

@@ -25,6 +25,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QInputDialog>
+#include <QLayout>
 #include <QLocale>
 #include <QMessageBox>
 #include <QToolBar>
@@ -55,13 +56,25 @@ bool MainWindow::openProject(const QString& folder) {
     return true;
 }
 
+namespace {
+/// While the docks are shown one after the other, they need more room than together: the window must not stay that
+/// large, on a small screen it would end outside.
+void keepSize(QMainWindow& window, QSize size) {
+    if (window.isMaximized() || window.isFullScreen()) return;
+    window.layout()->activate();
+    window.resize(size);
+}
+} // namespace
+
 void MainWindow::showProject() {
+    const QSize before = size();
     setWindowTitle(tr("%1 – Stepwise").arg(QString::fromStdString(m_workspace->project().name)));
     m_stack->setCurrentWidget(m_tabs);
     for (QDockWidget* each : findChildren<QDockWidget*>()) each->show();
     m_guide->showProject(m_workspace->folder());
     restoreProjectState();
     findChild<QToolBar*>("timeToolBar")->show();
+    keepSize(*this, before);
 }
 
 void MainWindow::closeProject() {

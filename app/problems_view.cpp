@@ -126,6 +126,11 @@ void ProblemsView::reload() {
     emit countsChanged();
 }
 
+QString ProblemsView::currentCode() const {
+    const QTreeWidgetItem* item = m_list->currentItem();
+    return item ? item->text(1) : QString();
+}
+
 void ProblemsView::goToNext(int direction) {
     const int count = m_list->topLevelItemCount();
     if (count == 0) return;

@@ -28,6 +28,7 @@ public:
     [[nodiscard]] int errorCount() const { return m_errors; }
     [[nodiscard]] int warningCount() const { return m_warnings; }
     [[nodiscard]] QTreeWidget& list() { return *m_list; }
+    [[nodiscard]] QString currentCode() const; // "P2001"; "" when no row is current
 
 signals:
     void placeRequested(const QString& file, uint32_t offset);

@@ -90,14 +90,14 @@ QWidget* SettingsDialog::makeRun() {
     m_changeOnSave->setChecked(m_settings.changeOnSave());
     m_history = new QSpinBox(page);
     m_history->setRange(16, 16384);
-    m_history->setSuffix(" MB");
+    m_history->setSuffix(tr(" MB"));
     m_history->setValue(m_settings.historyMegabytes());
     form->addRow(m_changeOnSave);
     form->addRow(tr("Memory for the recording of every scan"), m_history);
     m_runs = new QSpinBox(page);
     m_runs->setRange(0, 1 << 20);
     m_runs->setSingleStep(256);
-    m_runs->setSuffix(" MB");
+    m_runs->setSuffix(tr(" MB"));
     m_runs->setSpecialValueText(tr("none is kept"));
     m_runs->setValue(m_settings.runsMegabytes());
     form->addRow(tr("Disk space for the recordings of earlier runs, per project"), m_runs);

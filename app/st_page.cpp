@@ -103,6 +103,7 @@ void StPage::showBeside(StPage* other) {
     close->setIcon(kit::icon(kit::Icon::Close));
     close->setAutoRaise(true);
     close->setToolTip(tr("Close this side"));
+    close->setAccessibleName(close->toolTip());
     m_beside = new StEditor(m_besideFrame);
     m_beside->shareDocumentOf(other->first());
     auto* head = new QHBoxLayout;

@@ -1,5 +1,6 @@
 #include "app/translation.h"
 
+#include "editor/kit/kept_translator.h"
 #include "editor/kit/translation_tag.h"
 
 #include <QApplication>
@@ -17,9 +18,9 @@ void installTranslation(QApplication& application, const QString& tag) {
     // Those of the language before, when the window is rebuilt in another one.
     for (QTranslator* before : application.findChildren<QTranslator*>(QString(), Qt::FindDirectChildrenOnly))
         delete before;
-    auto* texts = new QTranslator(&application);
+    auto* texts = new kit::KeptTranslator(&application);
     if (texts->load(":/translations/stepwise_" + language + ".qm")) application.installTranslator(texts);
-    auto* qt = new QTranslator(&application); // buttons of Qt's own dialogs
+    auto* qt = new kit::KeptTranslator(&application); // buttons of Qt's own dialogs
     if (qt->load("qtbase_" + language, QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
         application.installTranslator(qt);
     QLocale::setDefault(QLocale(language));

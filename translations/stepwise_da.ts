@@ -4,10 +4,6 @@
 <context>
     <name>Diagnostics</name>
     <message>
-        <source>The character {0} has no meaning here</source>
-        <translation>Tegnet {0} har ingen betydning her</translation>
-    </message>
-    <message>
         <source>Unterminated comment; close it with *)</source>
         <translation>Kommentaren er ikke afsluttet; luk den med *)</translation>
     </message>
@@ -58,10 +54,6 @@
     <message>
         <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT</source>
         <translation>En åben grænse skrives ARRAY[*] og er kun tilladt for VAR_IN_OUT</translation>
-    </message>
-    <message>
-        <source>This is nested too deeply to be compiled</source>
-        <translation>Dette er indlejret for dybt til at blive oversat</translation>
     </message>
     <message>
         <source>The pragma {0} is not known and has no effect</source>
@@ -120,16 +112,8 @@
         <translation>{0} tager {1} {1:argument|argumenter}</translation>
     </message>
     <message>
-        <source>{0} is specified twice</source>
-        <translation>{0} er angivet to gange</translation>
-    </message>
-    <message>
         <source>{0} is an IN_OUT parameter and needs a variable of type {1}</source>
         <translation>{0} er en IN_OUT-parameter og kræver en variabel af typen {1}</translation>
-    </message>
-    <message>
-        <source>{0} is not an array or string</source>
-        <translation>{0} er hverken array eller streng</translation>
     </message>
     <message>
         <source>This array has {0} {0:dimension|dimensions}, not {1}</source>
@@ -140,20 +124,8 @@
         <translation>Indekset {0} ligger uden for {1}..{2}</translation>
     </message>
     <message>
-        <source>Division by zero</source>
-        <translation>Division med nul</translation>
-    </message>
-    <message>
         <source>{0} does not fit into {1}</source>
         <translation>{0} kan ikke være i {1}</translation>
-    </message>
-    <message>
-        <source>A constant is needed here</source>
-        <translation>Her kræves en konstant</translation>
-    </message>
-    <message>
-        <source>{0} is not a pointer or reference</source>
-        <translation>{0} er hverken pointer eller reference</translation>
     </message>
     <message>
         <source>{0} has only the bits 0 to {1}</source>
@@ -164,20 +136,8 @@
         <translation>Betingelsen skal være BOOL, ikke {0}</translation>
     </message>
     <message>
-        <source>{0} does not return a value</source>
-        <translation>{0} returnerer ingen værdi</translation>
-    </message>
-    <message>
         <source>{0} is ambiguous: {1}; write the namespace before it</source>
         <translation>{0} er flertydig: {1}; skriv navnerummet foran</translation>
-    </message>
-    <message>
-        <source>{0} is abstract and cannot be instantiated</source>
-        <translation>{0} er abstrakt og kan ikke instantieres</translation>
-    </message>
-    <message>
-        <source>{0} is {1} and cannot be used here</source>
-        <translation>{0} er {1} og kan ikke bruges her</translation>
     </message>
     <message>
         <source>The character {0} is not in STRING (Latin-1); use WSTRING</source>
@@ -204,10 +164,6 @@
         <translation>{0} kontrolleres ikke mod enumerationen {1}; brug et af dens navne</translation>
     </message>
     <message>
-        <source>The result of {0} is not used</source>
-        <translation>Resultatet af {0} bruges ikke</translation>
-    </message>
-    <message>
         <source>The address {0} is outside {1}</source>
         <translation>Adressen {0} ligger uden for {1}</translation>
     </message>
@@ -224,14 +180,6 @@
         <translation>En reference kræver en variabel, der har en adresse</translation>
     </message>
     <message>
-        <source>{0} is declared twice</source>
-        <translation>{0} er erklæret to gange</translation>
-    </message>
-    <message>
-        <source>There is no type {0}</source>
-        <translation>Der er ingen type {0}</translation>
-    </message>
-    <message>
         <source>{0} contains itself; use a REFERENCE TO</source>
         <translation>{0} indeholder sig selv; brug REFERENCE TO</translation>
     </message>
@@ -240,48 +188,8 @@
         <translation>{0} kalder sig selv, hvilket ikke er tilladt: {1}</translation>
     </message>
     <message>
-        <source>{0} is never used</source>
-        <translation>{0} bruges aldrig</translation>
-    </message>
-    <message>
-        <source>{0} is read but never written</source>
-        <translation>{0} læses, men skrives aldrig</translation>
-    </message>
-    <message>
-        <source>This is never executed</source>
-        <translation>Dette udføres aldrig</translation>
-    </message>
-    <message>
-        <source>The result of {0} is not set on every path</source>
-        <translation>Resultatet af {0} sættes ikke ad alle veje</translation>
-    </message>
-    <message>
-        <source>CASE has no branch for {0} and no ELSE</source>
-        <translation>CASE har ingen gren for {0} og ingen ELSE</translation>
-    </message>
-    <message>
-        <source>{0} already has a branch</source>
-        <translation>{0} har allerede en gren</translation>
-    </message>
-    <message>
-        <source>The task {0} is declared twice</source>
-        <translation>Tasken {0} er erklæret to gange</translation>
-    </message>
-    <message>
-        <source>There is no task {0}</source>
-        <translation>Der er ingen task {0}</translation>
-    </message>
-    <message>
-        <source>{0} does not implement {1} of {2}</source>
-        <translation>{0} implementerer ikke {1} fra {2}</translation>
-    </message>
-    <message>
         <source>The parameters of {0} must match those of the overridden method</source>
         <translation>Parametrene i {0} skal svare til den tilsidesatte metodes</translation>
-    </message>
-    <message>
-        <source>{0} is FINAL and cannot be extended or overridden</source>
-        <translation>{0} er FINAL og kan hverken udvides eller tilsidesættes</translation>
     </message>
     <message>
         <source>{1} cannot extend {0}</source>
@@ -290,10 +198,6 @@
     <message>
         <source>{0} is not allowed {1}</source>
         <translation>{0} er ikke tilladt {1}</translation>
-    </message>
-    <message>
-        <source>There is no label {0}</source>
-        <translation>Der er ingen etiket {0}</translation>
     </message>
     <message>
         <source>{0} is only allowed inside a loop</source>
@@ -308,60 +212,20 @@
         <translation>Der er ingen global variabel {0} af typen {1}</translation>
     </message>
     <message>
-        <source>The variables need {0} bytes; the maximum is {1}</source>
-        <translation>Variablerne kræver {0} byte; maksimum er {1}</translation>
-    </message>
-    <message>
-        <source>There is no PROGRAM to run</source>
-        <translation>Der er intet PROGRAM at køre</translation>
-    </message>
-    <message>
         <source>There are several programs and no CONFIGURATION; name one of them Main or write a CONFIGURATION</source>
         <translation>Der er flere programmer og ingen CONFIGURATION; omdøb ét til Main, eller skriv en CONFIGURATION</translation>
-    </message>
-    <message>
-        <source>There is no namespace {0}</source>
-        <translation>Der er intet navnerum {0}</translation>
     </message>
     <message>
         <source>The range {0}..{1} is not valid: the lower bound is above the upper bound or there are too many elements</source>
         <translation>Området {0}..{1} er ugyldigt: den nedre grænse er over den øvre, eller der er for mange elementer</translation>
     </message>
     <message>
-        <source>{0} is not a variable of this configuration</source>
-        <translation>{0} er ikke en variabel i denne konfiguration</translation>
-    </message>
-    <message>
         <source>{0} has an incomplete address; complete it in a VAR_CONFIG</source>
         <translation>{0} har en ufuldstændig adresse; gør den færdig i en VAR_CONFIG</translation>
     </message>
     <message>
-        <source>{0} restarts on every call because functions keep no state</source>
-        <translation>{0} starter forfra ved hvert kald, fordi funktioner ikke gemmer nogen tilstand</translation>
-    </message>
-    <message>
-        <source>Too many initial values: {0} for {1} {1:element|elements}</source>
-        <translation>For mange startværdier: {0} til {1} {1:element|elementer}</translation>
-    </message>
-    <message>
         <source>{0} may call itself; the depth of recursion is limited at run time</source>
         <translation>{0} kan kalde sig selv; rekursionsdybden er begrænset under kørslen</translation>
-    </message>
-    <message>
-        <source>The chart has no INITIAL_STEP</source>
-        <translation>SFC-diagrammet har ingen INITIAL_STEP</translation>
-    </message>
-    <message>
-        <source>The chart has two initial steps: {0} and {1}</source>
-        <translation>SFC-diagrammet har to starttrin: {0} og {1}</translation>
-    </message>
-    <message>
-        <source>There is no step {0}</source>
-        <translation>Der er intet trin {0}</translation>
-    </message>
-    <message>
-        <source>No transition leads to step {0}; it can never become active</source>
-        <translation>Ingen transition fører til trin {0}; det kan aldrig blive aktivt</translation>
     </message>
     <message>
         <source>Step {0} can become active twice at the same time: the branches from here do not join</source>
@@ -380,32 +244,12 @@
         <translation>Kvalifikatoren {0} kræver en tid, for eksempel T#2s</translation>
     </message>
     <message>
-        <source>{0} is not an action qualifier</source>
-        <translation>{0} er ikke en aktionskvalifikator</translation>
-    </message>
-    <message>
-        <source>There is no action or BOOL variable {0}</source>
-        <translation>Der er ingen aktion eller BOOL-variabel {0}</translation>
-    </message>
-    <message>
-        <source>The step {0} is declared twice</source>
-        <translation>Trinnet {0} er erklæret to gange</translation>
-    </message>
-    <message>
         <source>{0} is not an IL operator</source>
         <translation>{0} er ikke en IL-operator</translation>
     </message>
     <message>
         <source>{0} needs a current result; load one with LD</source>
         <translation>{0} kræver et aktuelt resultat; indlæs et med LD</translation>
-    </message>
-    <message>
-        <source>The parenthesis of this instruction is not closed</source>
-        <translation>Parentesen i denne instruktion er ikke lukket</translation>
-    </message>
-    <message>
-        <source>The current result is {0} on one path to this label and {1} on another</source>
-        <translation>Det aktuelle resultat er {0} ad én vej til denne etiket og {1} ad en anden</translation>
     </message>
     <message>
         <source>{0} is only allowed in a TEST</source>
@@ -456,10 +300,6 @@
         <translation>Ingen transition fører væk fra trin {0}; SFC-diagrammet slutter her</translation>
     </message>
     <message>
-        <source>{0} appears twice in this step with qualifier {1}</source>
-        <translation>{0} forekommer to gange i dette trin med kvalifikatoren {1}</translation>
-    </message>
-    <message>
         <source>{0} is also a variable; steps and calls mean the ACTION</source>
         <translation>{0} er også en variabel; trin og kald betyder aktionen</translation>
     </message>
@@ -470,14 +310,6 @@
     <message>
         <source>Use {1} instead of {0} in Structured Text</source>
         <translation>Brug {1} i stedet for {0} i struktureret tekst</translation>
-    </message>
-    <message>
-        <source>This loop never ends and would stop the controller</source>
-        <translation>Denne løkke slutter aldrig; styringen ville blive hængende i den</translation>
-    </message>
-    <message>
-        <source>{0} is marked OVERRIDE, but no base has a method with this name</source>
-        <translation>{0} er mærket OVERRIDE, men ingen basisblok har en metode med dette navn</translation>
     </message>
     <message>
         <source>The task {0} has no INTERVAL above zero and no SINGLE; it runs in every scan</source>
@@ -512,8 +344,172 @@
         <translation>Pragmaet {0} mangler til dette {1}</translation>
     </message>
     <message>
-        <source>Code in C is not executed</source>
-        <translation>Kode i C udføres ikke</translation>
+        <source>The character {0} has no meaning here; remove it</source>
+        <translation>Tegnet {0} har ingen betydning her; fjern det</translation>
+    </message>
+    <message>
+        <source>This is nested too deeply to be compiled; split it into several statements or units</source>
+        <translation>Dette er indlejret for dybt til at blive oversat; del det op i flere sætninger eller enheder</translation>
+    </message>
+    <message>
+        <source>Code in C is not executed; write it in ST</source>
+        <translation>Kode i C udføres ikke; skriv den i ST</translation>
+    </message>
+    <message>
+        <source>{0} is specified twice; remove one of the two</source>
+        <translation>{0} er angivet to gange; fjern den ene</translation>
+    </message>
+    <message>
+        <source>{0} is not an array or string; remove the index or declare it as an ARRAY</source>
+        <translation>{0} er hverken array eller streng; fjern indekset, eller erklær den som ARRAY</translation>
+    </message>
+    <message>
+        <source>The divisor is always zero; divide by another value</source>
+        <translation>Divisoren er altid nul; divider med en anden værdi</translation>
+    </message>
+    <message>
+        <source>A constant is needed here; write a value or the name of a VAR CONSTANT</source>
+        <translation>Her kræves en konstant; skriv en værdi eller navnet på en VAR CONSTANT</translation>
+    </message>
+    <message>
+        <source>{0} is not a pointer or reference; use it without ^ or declare it with REF_TO</source>
+        <translation>{0} er hverken pointer eller reference; brug den uden ^, eller erklær den med REF_TO</translation>
+    </message>
+    <message>
+        <source>{0} does not return a value; call it in a statement of its own</source>
+        <translation>{0} returnerer ingen værdi; kald den i en sætning for sig</translation>
+    </message>
+    <message>
+        <source>{0} is abstract and cannot be instantiated; use a block that extends it</source>
+        <translation>{0} er abstrakt og kan ikke instantieres; brug en blok, der udvider den</translation>
+    </message>
+    <message>
+        <source>{0} is {1} and cannot be used here; make it PUBLIC or use it inside its block</source>
+        <translation>{0} er {1} og kan ikke bruges her; gør den PUBLIC, eller brug den inden i dens blok</translation>
+    </message>
+    <message>
+        <source>The result of {0} is not used; assign it to a variable</source>
+        <translation>Resultatet af {0} bruges ikke; tildel det til en variabel</translation>
+    </message>
+    <message>
+        <source>{0} is declared twice; rename or remove one of the two</source>
+        <translation>{0} er erklæret to gange; omdøb eller fjern den ene</translation>
+    </message>
+    <message>
+        <source>There is no type {0}; declare it or add the library that contains it</source>
+        <translation>Der er ingen type {0}; erklær den, eller tilføj det bibliotek, der indeholder den</translation>
+    </message>
+    <message>
+        <source>{0} is never used; remove its declaration</source>
+        <translation>{0} bruges aldrig; fjern erklæringen</translation>
+    </message>
+    <message>
+        <source>{0} is read but never written; give it a value or declare it as CONSTANT</source>
+        <translation>{0} læses, men skrives aldrig; giv den en værdi, eller erklær den som CONSTANT</translation>
+    </message>
+    <message>
+        <source>This is never executed; remove it or change what is before it</source>
+        <translation>Dette udføres aldrig; fjern det, eller ret det, der står før</translation>
+    </message>
+    <message>
+        <source>The result of {0} is not set on every path; assign it before the first RETURN or IF</source>
+        <translation>Resultatet af {0} sættes ikke ad alle veje; tildel det før første RETURN eller IF</translation>
+    </message>
+    <message>
+        <source>CASE has no branch for {0} and no ELSE; add one of them</source>
+        <translation>CASE har ingen gren for {0} og ingen ELSE; tilføj en af delene</translation>
+    </message>
+    <message>
+        <source>{0} already has a branch; remove one of the two</source>
+        <translation>{0} har allerede en gren; fjern den ene</translation>
+    </message>
+    <message>
+        <source>The task {0} is declared twice; rename one of the two</source>
+        <translation>Tasken {0} er erklæret to gange; omdøb den ene</translation>
+    </message>
+    <message>
+        <source>There is no task {0}; declare it with TASK in this configuration</source>
+        <translation>Der er ingen task {0}; erklær den med TASK i denne konfiguration</translation>
+    </message>
+    <message>
+        <source>{0} does not implement {1} of {2}; add it</source>
+        <translation>{0} implementerer ikke {1} fra {2}; tilføj det</translation>
+    </message>
+    <message>
+        <source>{0} is FINAL and cannot be extended or overridden; remove FINAL or use another base</source>
+        <translation>{0} er FINAL og kan hverken udvides eller tilsidesættes; fjern FINAL, eller brug en anden basis</translation>
+    </message>
+    <message>
+        <source>There is no label {0}; write it with a colon before a statement of this unit</source>
+        <translation>Der er ingen etiket {0}; skriv den med kolon før en sætning i denne enhed</translation>
+    </message>
+    <message>
+        <source>The variables need {0} bytes; the maximum is {1}: make arrays or strings smaller</source>
+        <translation>Variablerne kræver {0} byte; maksimum er {1}: gør arrays eller strenge mindre</translation>
+    </message>
+    <message>
+        <source>There is no PROGRAM to run; add one</source>
+        <translation>Der er intet PROGRAM at køre; tilføj et</translation>
+    </message>
+    <message>
+        <source>There is no namespace {0}; declare it or add the library that contains it</source>
+        <translation>Der er intet navnerum {0}; erklær det, eller tilføj det bibliotek, der indeholder det</translation>
+    </message>
+    <message>
+        <source>{0} is not a variable of this configuration; write program instance and variable, as in Main.x</source>
+        <translation>{0} er ikke en variabel i denne konfiguration; skriv programinstans og variabel, som i Main.x</translation>
+    </message>
+    <message>
+        <source>{0} restarts on every call because functions keep no state; use a FUNCTION_BLOCK</source>
+        <translation>{0} starter forfra ved hvert kald, fordi funktioner ikke gemmer nogen tilstand; brug en FUNCTION_BLOCK</translation>
+    </message>
+    <message>
+        <source>Too many initial values: {0} for {1} {1:element|elements}; remove some or enlarge the array</source>
+        <translation>For mange startværdier: {0} til {1} {1:element|elementer}; fjern nogle, eller gør arrayet større</translation>
+    </message>
+    <message>
+        <source>This loop never ends and would stop the controller; give it a condition or an EXIT</source>
+        <translation>Denne løkke slutter aldrig; styringen ville blive hængende i den; giv den en betingelse eller en EXIT</translation>
+    </message>
+    <message>
+        <source>{0} is marked OVERRIDE, but no base has a method with this name; remove OVERRIDE or correct the name</source>
+        <translation>{0} er mærket OVERRIDE, men ingen basisblok har en metode med dette navn; fjern OVERRIDE, eller ret navnet</translation>
+    </message>
+    <message>
+        <source>The chart has no INITIAL_STEP; declare its first step with INITIAL_STEP instead of STEP</source>
+        <translation>SFC-diagrammet har ingen INITIAL_STEP; erklær dets første trin med INITIAL_STEP i stedet for STEP</translation>
+    </message>
+    <message>
+        <source>The chart has two initial steps: {0} and {1}; declare one of them with STEP</source>
+        <translation>SFC-diagrammet har to starttrin: {0} og {1}; erklær det ene med STEP</translation>
+    </message>
+    <message>
+        <source>There is no step {0}; declare it or correct the name</source>
+        <translation>Der er intet trin {0}; erklær det, eller ret navnet</translation>
+    </message>
+    <message>
+        <source>No transition leads to step {0}; it can never become active: add a TRANSITION to it</source>
+        <translation>Ingen transition fører til trin {0}; det kan aldrig blive aktivt: tilføj en TRANSITION til det</translation>
+    </message>
+    <message>
+        <source>{0} is not an action qualifier; use N, R, S, L, D, P, SD, DS or SL</source>
+        <translation>{0} er ikke en aktionskvalifikator; brug N, R, S, L, D, P, SD, DS eller SL</translation>
+    </message>
+    <message>
+        <source>There is no action or BOOL variable {0}; add an ACTION or declare the variable</source>
+        <translation>Der er ingen aktion eller BOOL-variabel {0}; tilføj en ACTION, eller erklær variablen</translation>
+    </message>
+    <message>
+        <source>The step {0} is declared twice; rename or remove one of the two</source>
+        <translation>Trinnet {0} er erklæret to gange; omdøb eller fjern det ene</translation>
+    </message>
+    <message>
+        <source>{0} appears twice in this step with qualifier {1}; remove one of the two</source>
+        <translation>{0} forekommer to gange i dette trin med kvalifikatoren {1}; fjern den ene</translation>
+    </message>
+    <message>
+        <source>The parenthesis of this instruction is not closed; add an instruction ) after its operands</source>
+        <translation>Parentesen i denne instruktion er ikke lukket; tilføj en instruktion ) efter operanderne</translation>
     </message>
 </context>
 <context>
@@ -5167,6 +5163,38 @@
     </message>
 </context>
 <context>
+    <name>plc::app::ExplanationDialog</name>
+    <message>
+        <source>Explanation</source>
+        <translation>Forklaring</translation>
+    </message>
+    <message>
+        <source>Line %1: %2</source>
+        <extracomment>an example&apos;s line, then what is wrong there</extracomment>
+        <translation>Linje %1: %2</translation>
+    </message>
+    <message>
+        <source>What %1 Means</source>
+        <translation>Hvad %1 betyder</translation>
+    </message>
+    <message>
+        <source>Wrong</source>
+        <translation>Forkert</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rigtigt</translation>
+    </message>
+    <message>
+        <source>Put the cursor on a problem, or choose one in the list, and press F1 again</source>
+        <translation>Sæt markøren på et problem, eller vælg et på listen, og tryk på F1 igen</translation>
+    </message>
+    <message>
+        <source>There is no page for %1</source>
+        <translation>Der er ingen side om %1</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::ExportDialog</name>
     <message>
         <source>Export the Project</source>
@@ -6278,6 +6306,10 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>What if? needs a running controller: a recording from a file cannot be resumed</source>
         <translation>”Hvad nu hvis” kræver en kørende styring: En optagelse fra en fil kan ikke fortsættes</translation>
     </message>
+    <message>
+        <source>Explain the Problem</source>
+        <translation>Forklar problemet</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MergeDialog</name>
@@ -6931,6 +6963,10 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Disk space for the recordings of earlier runs, per project</source>
         <translation>Diskplads til optagelser af tidligere kørsler, pr. projekt</translation>
+    </message>
+    <message>
+        <source> MB</source>
+        <translation> MB</translation>
     </message>
 </context>
 <context>

@@ -4,10 +4,6 @@
 <context>
     <name>Diagnostics</name>
     <message>
-        <source>The character {0} has no meaning here</source>
-        <translation>Das Zeichen {0} hat hier keine Bedeutung</translation>
-    </message>
-    <message>
         <source>Unterminated comment; close it with *)</source>
         <translation>Kommentar nicht abgeschlossen; mit *) schließen</translation>
     </message>
@@ -58,10 +54,6 @@
     <message>
         <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT</source>
         <translation>Eine offene Grenze wird ARRAY[*] geschrieben und ist nur bei VAR_IN_OUT erlaubt</translation>
-    </message>
-    <message>
-        <source>This is nested too deeply to be compiled</source>
-        <translation>Das ist zu tief geschachtelt, um übersetzt zu werden</translation>
     </message>
     <message>
         <source>The pragma {0} is not known and has no effect</source>
@@ -120,16 +112,8 @@
         <translation>{0} hat {1} {1:Argument|Argumente}</translation>
     </message>
     <message>
-        <source>{0} is specified twice</source>
-        <translation>{0} ist doppelt angegeben</translation>
-    </message>
-    <message>
         <source>{0} is an IN_OUT parameter and needs a variable of type {1}</source>
         <translation>{0} ist ein IN_OUT-Parameter und braucht eine Variable vom Typ {1}</translation>
-    </message>
-    <message>
-        <source>{0} is not an array or string</source>
-        <translation>{0} ist weder Array noch Zeichenkette</translation>
     </message>
     <message>
         <source>This array has {0} {0:dimension|dimensions}, not {1}</source>
@@ -140,20 +124,8 @@
         <translation>Der Index {0} liegt außerhalb von {1}..{2}</translation>
     </message>
     <message>
-        <source>Division by zero</source>
-        <translation>Division durch null</translation>
-    </message>
-    <message>
         <source>{0} does not fit into {1}</source>
         <translation>{0} passt nicht in {1}</translation>
-    </message>
-    <message>
-        <source>A constant is needed here</source>
-        <translation>Hier wird eine Konstante gebraucht</translation>
-    </message>
-    <message>
-        <source>{0} is not a pointer or reference</source>
-        <translation>{0} ist weder Zeiger noch Referenz</translation>
     </message>
     <message>
         <source>{0} has only the bits 0 to {1}</source>
@@ -164,20 +136,8 @@
         <translation>Die Bedingung muss BOOL sein, nicht {0}</translation>
     </message>
     <message>
-        <source>{0} does not return a value</source>
-        <translation>{0} liefert keinen Wert</translation>
-    </message>
-    <message>
         <source>{0} is ambiguous: {1}; write the namespace before it</source>
         <translation>{0} ist mehrdeutig: {1}; den Namensraum davor schreiben</translation>
-    </message>
-    <message>
-        <source>{0} is abstract and cannot be instantiated</source>
-        <translation>{0} ist abstrakt und kann nicht instanziiert werden</translation>
-    </message>
-    <message>
-        <source>{0} is {1} and cannot be used here</source>
-        <translation>{0} ist {1} und kann hier nicht verwendet werden</translation>
     </message>
     <message>
         <source>The character {0} is not in STRING (Latin-1); use WSTRING</source>
@@ -204,10 +164,6 @@
         <translation>{0} wird nicht gegen die Enumeration {1} geprüft; einen ihrer Namen verwenden</translation>
     </message>
     <message>
-        <source>The result of {0} is not used</source>
-        <translation>Das Ergebnis von {0} wird nicht verwendet</translation>
-    </message>
-    <message>
         <source>The address {0} is outside {1}</source>
         <translation>Die Adresse {0} liegt außerhalb von {1}</translation>
     </message>
@@ -224,14 +180,6 @@
         <translation>Eine Referenz braucht eine Variable mit Adresse</translation>
     </message>
     <message>
-        <source>{0} is declared twice</source>
-        <translation>{0} ist doppelt deklariert</translation>
-    </message>
-    <message>
-        <source>There is no type {0}</source>
-        <translation>Es gibt keinen Typ {0}</translation>
-    </message>
-    <message>
         <source>{0} contains itself; use a REFERENCE TO</source>
         <translation>{0} enthält sich selbst; REFERENCE TO verwenden</translation>
     </message>
@@ -240,48 +188,8 @@
         <translation>{0} ruft sich selbst auf, was nicht erlaubt ist: {1}</translation>
     </message>
     <message>
-        <source>{0} is never used</source>
-        <translation>{0} wird nie verwendet</translation>
-    </message>
-    <message>
-        <source>{0} is read but never written</source>
-        <translation>{0} wird gelesen, aber nie geschrieben</translation>
-    </message>
-    <message>
-        <source>This is never executed</source>
-        <translation>Das wird nie ausgeführt</translation>
-    </message>
-    <message>
-        <source>The result of {0} is not set on every path</source>
-        <translation>Das Ergebnis von {0} wird nicht auf jedem Weg gesetzt</translation>
-    </message>
-    <message>
-        <source>CASE has no branch for {0} and no ELSE</source>
-        <translation>CASE hat keinen Zweig für {0} und kein ELSE</translation>
-    </message>
-    <message>
-        <source>{0} already has a branch</source>
-        <translation>{0} hat bereits einen Zweig</translation>
-    </message>
-    <message>
-        <source>The task {0} is declared twice</source>
-        <translation>Die Task {0} ist doppelt deklariert</translation>
-    </message>
-    <message>
-        <source>There is no task {0}</source>
-        <translation>Es gibt keine Task {0}</translation>
-    </message>
-    <message>
-        <source>{0} does not implement {1} of {2}</source>
-        <translation>{0} implementiert {1} von {2} nicht</translation>
-    </message>
-    <message>
         <source>The parameters of {0} must match those of the overridden method</source>
         <translation>Die Parameter von {0} müssen mit denen der überschriebenen Methode übereinstimmen</translation>
-    </message>
-    <message>
-        <source>{0} is FINAL and cannot be extended or overridden</source>
-        <translation>{0} ist FINAL und kann weder erweitert noch überschrieben werden</translation>
     </message>
     <message>
         <source>{1} cannot extend {0}</source>
@@ -290,10 +198,6 @@
     <message>
         <source>{0} is not allowed {1}</source>
         <translation>{0} ist {1} nicht erlaubt</translation>
-    </message>
-    <message>
-        <source>There is no label {0}</source>
-        <translation>Es gibt keine Sprungmarke {0}</translation>
     </message>
     <message>
         <source>{0} is only allowed inside a loop</source>
@@ -308,60 +212,20 @@
         <translation>Es gibt keine globale Variable {0} vom Typ {1}</translation>
     </message>
     <message>
-        <source>The variables need {0} bytes; the maximum is {1}</source>
-        <translation>Die Variablen brauchen {0} Bytes; das Maximum ist {1}</translation>
-    </message>
-    <message>
-        <source>There is no PROGRAM to run</source>
-        <translation>Es gibt kein PROGRAM zum Ausführen</translation>
-    </message>
-    <message>
         <source>There are several programs and no CONFIGURATION; name one of them Main or write a CONFIGURATION</source>
         <translation>Es gibt mehrere Programme und keine CONFIGURATION; eines in Main umbenennen oder eine CONFIGURATION schreiben</translation>
-    </message>
-    <message>
-        <source>There is no namespace {0}</source>
-        <translation>Es gibt keinen Namensraum {0}</translation>
     </message>
     <message>
         <source>The range {0}..{1} is not valid: the lower bound is above the upper bound or there are too many elements</source>
         <translation>Der Bereich {0}..{1} ist ungültig: Die Untergrenze liegt über der Obergrenze oder es sind zu viele Elemente</translation>
     </message>
     <message>
-        <source>{0} is not a variable of this configuration</source>
-        <translation>{0} ist keine Variable dieser Konfiguration</translation>
-    </message>
-    <message>
         <source>{0} has an incomplete address; complete it in a VAR_CONFIG</source>
         <translation>{0} hat eine unvollständige Adresse; in einem VAR_CONFIG vervollständigen</translation>
     </message>
     <message>
-        <source>{0} restarts on every call because functions keep no state</source>
-        <translation>{0} beginnt bei jedem Aufruf neu, weil Funktionen keinen Zustand speichern</translation>
-    </message>
-    <message>
-        <source>Too many initial values: {0} for {1} {1:element|elements}</source>
-        <translation>Zu viele Initialwerte: {0} für {1} {1:Element|Elemente}</translation>
-    </message>
-    <message>
         <source>{0} may call itself; the depth of recursion is limited at run time</source>
         <translation>{0} kann sich selbst aufrufen; die Rekursionstiefe ist zur Laufzeit begrenzt</translation>
-    </message>
-    <message>
-        <source>The chart has no INITIAL_STEP</source>
-        <translation>Die Schrittkette hat keinen INITIAL_STEP</translation>
-    </message>
-    <message>
-        <source>The chart has two initial steps: {0} and {1}</source>
-        <translation>Die Schrittkette hat zwei Initialschritte: {0} und {1}</translation>
-    </message>
-    <message>
-        <source>There is no step {0}</source>
-        <translation>Es gibt keinen Schritt {0}</translation>
-    </message>
-    <message>
-        <source>No transition leads to step {0}; it can never become active</source>
-        <translation>Zu Schritt {0} führt keine Transition; er kann nie aktiv werden</translation>
     </message>
     <message>
         <source>Step {0} can become active twice at the same time: the branches from here do not join</source>
@@ -380,32 +244,12 @@
         <translation>Das Bestimmungszeichen {0} braucht eine Zeit, zum Beispiel T#2s</translation>
     </message>
     <message>
-        <source>{0} is not an action qualifier</source>
-        <translation>{0} ist kein Bestimmungszeichen</translation>
-    </message>
-    <message>
-        <source>There is no action or BOOL variable {0}</source>
-        <translation>Es gibt keine Aktion oder BOOL-Variable {0}</translation>
-    </message>
-    <message>
-        <source>The step {0} is declared twice</source>
-        <translation>Der Schritt {0} ist doppelt deklariert</translation>
-    </message>
-    <message>
         <source>{0} is not an IL operator</source>
         <translation>{0} ist kein AWL-Operator</translation>
     </message>
     <message>
         <source>{0} needs a current result; load one with LD</source>
         <translation>{0} braucht ein aktuelles Ergebnis; mit LD laden</translation>
-    </message>
-    <message>
-        <source>The parenthesis of this instruction is not closed</source>
-        <translation>Die Klammer dieser Anweisung ist nicht geschlossen</translation>
-    </message>
-    <message>
-        <source>The current result is {0} on one path to this label and {1} on another</source>
-        <translation>Das aktuelle Ergebnis ist auf einem Weg zu dieser Sprungmarke {0} und auf einem anderen {1}</translation>
     </message>
     <message>
         <source>{0} is only allowed in a TEST</source>
@@ -456,10 +300,6 @@
         <translation>Von Schritt {0} führt keine Transition weg; die Schrittkette endet hier</translation>
     </message>
     <message>
-        <source>{0} appears twice in this step with qualifier {1}</source>
-        <translation>{0} kommt in diesem Schritt doppelt mit dem Bestimmungszeichen {1} vor</translation>
-    </message>
-    <message>
         <source>{0} is also a variable; steps and calls mean the ACTION</source>
         <translation>{0} ist auch eine Variable; Schritte und Aufrufe meinen die ACTION</translation>
     </message>
@@ -470,14 +310,6 @@
     <message>
         <source>Use {1} instead of {0} in Structured Text</source>
         <translation>In Strukturiertem Text {1} statt {0} verwenden</translation>
-    </message>
-    <message>
-        <source>This loop never ends and would stop the controller</source>
-        <translation>Diese Schleife endet nie; die Steuerung würde darin hängen bleiben</translation>
-    </message>
-    <message>
-        <source>{0} is marked OVERRIDE, but no base has a method with this name</source>
-        <translation>{0} ist mit OVERRIDE gekennzeichnet, aber kein Basisbaustein hat eine Methode dieses Namens</translation>
     </message>
     <message>
         <source>The task {0} has no INTERVAL above zero and no SINGLE; it runs in every scan</source>
@@ -512,8 +344,172 @@
         <translation>Zu diesem {1} fehlt das Pragma {0}</translation>
     </message>
     <message>
-        <source>Code in C is not executed</source>
-        <translation>Code in C wird nicht ausgeführt</translation>
+        <source>The character {0} has no meaning here; remove it</source>
+        <translation>Das Zeichen {0} hat hier keine Bedeutung; entfernen</translation>
+    </message>
+    <message>
+        <source>This is nested too deeply to be compiled; split it into several statements or units</source>
+        <translation>Das ist zu tief geschachtelt, um übersetzt zu werden; in mehrere Anweisungen oder Bausteine aufteilen</translation>
+    </message>
+    <message>
+        <source>Code in C is not executed; write it in ST</source>
+        <translation>Code in C wird nicht ausgeführt; in ST schreiben</translation>
+    </message>
+    <message>
+        <source>{0} is specified twice; remove one of the two</source>
+        <translation>{0} ist doppelt angegeben; eine der beiden Angaben entfernen</translation>
+    </message>
+    <message>
+        <source>{0} is not an array or string; remove the index or declare it as an ARRAY</source>
+        <translation>{0} ist weder Array noch Zeichenkette; den Index entfernen oder als ARRAY deklarieren</translation>
+    </message>
+    <message>
+        <source>The divisor is always zero; divide by another value</source>
+        <translation>Der Divisor ist immer null; durch einen anderen Wert teilen</translation>
+    </message>
+    <message>
+        <source>A constant is needed here; write a value or the name of a VAR CONSTANT</source>
+        <translation>Hier wird eine Konstante gebraucht; einen Wert oder den Namen einer VAR CONSTANT schreiben</translation>
+    </message>
+    <message>
+        <source>{0} is not a pointer or reference; use it without ^ or declare it with REF_TO</source>
+        <translation>{0} ist weder Zeiger noch Referenz; ohne ^ verwenden oder mit REF_TO deklarieren</translation>
+    </message>
+    <message>
+        <source>{0} does not return a value; call it in a statement of its own</source>
+        <translation>{0} liefert keinen Wert; in einer eigenen Anweisung aufrufen</translation>
+    </message>
+    <message>
+        <source>{0} is abstract and cannot be instantiated; use a block that extends it</source>
+        <translation>{0} ist abstrakt und kann nicht instanziiert werden; einen Baustein verwenden, der ihn erweitert</translation>
+    </message>
+    <message>
+        <source>{0} is {1} and cannot be used here; make it PUBLIC or use it inside its block</source>
+        <translation>{0} ist {1} und kann hier nicht verwendet werden; als PUBLIC deklarieren oder innerhalb des Bausteins verwenden</translation>
+    </message>
+    <message>
+        <source>The result of {0} is not used; assign it to a variable</source>
+        <translation>Das Ergebnis von {0} wird nicht verwendet; einer Variablen zuweisen</translation>
+    </message>
+    <message>
+        <source>{0} is declared twice; rename or remove one of the two</source>
+        <translation>{0} ist doppelt deklariert; eine der beiden Deklarationen umbenennen oder entfernen</translation>
+    </message>
+    <message>
+        <source>There is no type {0}; declare it or add the library that contains it</source>
+        <translation>Es gibt keinen Typ {0}; ihn deklarieren oder die Bibliothek hinzufügen, die ihn enthält</translation>
+    </message>
+    <message>
+        <source>{0} is never used; remove its declaration</source>
+        <translation>{0} wird nie verwendet; die Deklaration entfernen</translation>
+    </message>
+    <message>
+        <source>{0} is read but never written; give it a value or declare it as CONSTANT</source>
+        <translation>{0} wird gelesen, aber nie geschrieben; einen Wert zuweisen oder als CONSTANT deklarieren</translation>
+    </message>
+    <message>
+        <source>This is never executed; remove it or change what is before it</source>
+        <translation>Das wird nie ausgeführt; entfernen oder ändern, was davor steht</translation>
+    </message>
+    <message>
+        <source>The result of {0} is not set on every path; assign it before the first RETURN or IF</source>
+        <translation>Das Ergebnis von {0} wird nicht auf jedem Weg gesetzt; vor dem ersten RETURN oder IF zuweisen</translation>
+    </message>
+    <message>
+        <source>CASE has no branch for {0} and no ELSE; add one of them</source>
+        <translation>CASE hat keinen Zweig für {0} und kein ELSE; eines von beiden hinzufügen</translation>
+    </message>
+    <message>
+        <source>{0} already has a branch; remove one of the two</source>
+        <translation>{0} hat bereits einen Zweig; einen der beiden entfernen</translation>
+    </message>
+    <message>
+        <source>The task {0} is declared twice; rename one of the two</source>
+        <translation>Die Task {0} ist doppelt deklariert; eine der beiden umbenennen</translation>
+    </message>
+    <message>
+        <source>There is no task {0}; declare it with TASK in this configuration</source>
+        <translation>Es gibt keine Task {0}; mit TASK in dieser Konfiguration deklarieren</translation>
+    </message>
+    <message>
+        <source>{0} does not implement {1} of {2}; add it</source>
+        <translation>{0} implementiert {1} von {2} nicht; es hinzufügen</translation>
+    </message>
+    <message>
+        <source>{0} is FINAL and cannot be extended or overridden; remove FINAL or use another base</source>
+        <translation>{0} ist FINAL und kann weder erweitert noch überschrieben werden; FINAL entfernen oder eine andere Basis verwenden</translation>
+    </message>
+    <message>
+        <source>There is no label {0}; write it with a colon before a statement of this unit</source>
+        <translation>Es gibt keine Sprungmarke {0}; sie mit Doppelpunkt vor eine Anweisung dieses Bausteins schreiben</translation>
+    </message>
+    <message>
+        <source>The variables need {0} bytes; the maximum is {1}: make arrays or strings smaller</source>
+        <translation>Die Variablen brauchen {0} Bytes; das Maximum ist {1}: Arrays oder Zeichenketten verkleinern</translation>
+    </message>
+    <message>
+        <source>There is no PROGRAM to run; add one</source>
+        <translation>Es gibt kein PROGRAM zum Ausführen; eines hinzufügen</translation>
+    </message>
+    <message>
+        <source>There is no namespace {0}; declare it or add the library that contains it</source>
+        <translation>Es gibt keinen Namensraum {0}; ihn deklarieren oder die Bibliothek hinzufügen, die ihn enthält</translation>
+    </message>
+    <message>
+        <source>{0} is not a variable of this configuration; write program instance and variable, as in Main.x</source>
+        <translation>{0} ist keine Variable dieser Konfiguration; Programminstanz und Variable schreiben, wie in Main.x</translation>
+    </message>
+    <message>
+        <source>{0} restarts on every call because functions keep no state; use a FUNCTION_BLOCK</source>
+        <translation>{0} beginnt bei jedem Aufruf neu, weil Funktionen keinen Zustand speichern; einen FUNCTION_BLOCK verwenden</translation>
+    </message>
+    <message>
+        <source>Too many initial values: {0} for {1} {1:element|elements}; remove some or enlarge the array</source>
+        <translation>Zu viele Initialwerte: {0} für {1} {1:Element|Elemente}; einige entfernen oder das Array vergrößern</translation>
+    </message>
+    <message>
+        <source>This loop never ends and would stop the controller; give it a condition or an EXIT</source>
+        <translation>Diese Schleife endet nie; die Steuerung würde darin hängen bleiben; eine Bedingung oder ein EXIT hinzufügen</translation>
+    </message>
+    <message>
+        <source>{0} is marked OVERRIDE, but no base has a method with this name; remove OVERRIDE or correct the name</source>
+        <translation>{0} ist mit OVERRIDE gekennzeichnet, aber kein Basisbaustein hat eine Methode dieses Namens; OVERRIDE entfernen oder den Namen berichtigen</translation>
+    </message>
+    <message>
+        <source>The chart has no INITIAL_STEP; declare its first step with INITIAL_STEP instead of STEP</source>
+        <translation>Die Schrittkette hat keinen INITIAL_STEP; den ersten Schritt mit INITIAL_STEP statt STEP deklarieren</translation>
+    </message>
+    <message>
+        <source>The chart has two initial steps: {0} and {1}; declare one of them with STEP</source>
+        <translation>Die Schrittkette hat zwei Initialschritte: {0} und {1}; einen davon mit STEP deklarieren</translation>
+    </message>
+    <message>
+        <source>There is no step {0}; declare it or correct the name</source>
+        <translation>Es gibt keinen Schritt {0}; ihn deklarieren oder den Namen berichtigen</translation>
+    </message>
+    <message>
+        <source>No transition leads to step {0}; it can never become active: add a TRANSITION to it</source>
+        <translation>Zu Schritt {0} führt keine Transition; er kann nie aktiv werden: eine TRANSITION zu ihm hinzufügen</translation>
+    </message>
+    <message>
+        <source>{0} is not an action qualifier; use N, R, S, L, D, P, SD, DS or SL</source>
+        <translation>{0} ist kein Bestimmungszeichen; N, R, S, L, D, P, SD, DS oder SL verwenden</translation>
+    </message>
+    <message>
+        <source>There is no action or BOOL variable {0}; add an ACTION or declare the variable</source>
+        <translation>Es gibt keine Aktion oder BOOL-Variable {0}; eine ACTION hinzufügen oder die Variable deklarieren</translation>
+    </message>
+    <message>
+        <source>The step {0} is declared twice; rename or remove one of the two</source>
+        <translation>Der Schritt {0} ist doppelt deklariert; einen der beiden umbenennen oder entfernen</translation>
+    </message>
+    <message>
+        <source>{0} appears twice in this step with qualifier {1}; remove one of the two</source>
+        <translation>{0} kommt in diesem Schritt doppelt mit dem Bestimmungszeichen {1} vor; eines der beiden entfernen</translation>
+    </message>
+    <message>
+        <source>The parenthesis of this instruction is not closed; add an instruction ) after its operands</source>
+        <translation>Die Klammer dieser Anweisung ist nicht geschlossen; nach ihren Operanden eine Anweisung ) hinzufügen</translation>
     </message>
 </context>
 <context>
@@ -5167,6 +5163,38 @@
     </message>
 </context>
 <context>
+    <name>plc::app::ExplanationDialog</name>
+    <message>
+        <source>Explanation</source>
+        <translation>Erklärung</translation>
+    </message>
+    <message>
+        <source>Line %1: %2</source>
+        <extracomment>an example&apos;s line, then what is wrong there</extracomment>
+        <translation>Zeile %1: %2</translation>
+    </message>
+    <message>
+        <source>What %1 Means</source>
+        <translation>Was %1 bedeutet</translation>
+    </message>
+    <message>
+        <source>Wrong</source>
+        <translation>Falsch</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Richtig</translation>
+    </message>
+    <message>
+        <source>Put the cursor on a problem, or choose one in the list, and press F1 again</source>
+        <translation>Setzen Sie den Cursor auf ein Problem oder wählen Sie eines in der Liste und drücken Sie F1 erneut</translation>
+    </message>
+    <message>
+        <source>There is no page for %1</source>
+        <translation>Zu %1 gibt es keine Seite</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::ExportDialog</name>
     <message>
         <source>Export the Project</source>
@@ -6278,6 +6306,10 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>What if? needs a running controller: a recording from a file cannot be resumed</source>
         <translation>„Was wäre, wenn“ braucht eine laufende Steuerung: Eine Aufzeichnung aus einer Datei kann nicht fortgesetzt werden</translation>
     </message>
+    <message>
+        <source>Explain the Problem</source>
+        <translation>Problem erklären</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MergeDialog</name>
@@ -6931,6 +6963,10 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Disk space for the recordings of earlier runs, per project</source>
         <translation>Plattenplatz für die Aufzeichnungen früherer Läufe, je Projekt</translation>
+    </message>
+    <message>
+        <source> MB</source>
+        <translation> MB</translation>
     </message>
 </context>
 <context>

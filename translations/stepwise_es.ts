@@ -4,10 +4,6 @@
 <context>
     <name>Diagnostics</name>
     <message>
-        <source>The character {0} has no meaning here</source>
-        <translation>El carácter {0} no tiene significado aquí</translation>
-    </message>
-    <message>
         <source>Unterminated comment; close it with *)</source>
         <translation>Comentario sin terminar; ciérrelo con *)</translation>
     </message>
@@ -58,10 +54,6 @@
     <message>
         <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT</source>
         <translation>Un límite abierto se escribe ARRAY[*] y solo se permite en VAR_IN_OUT</translation>
-    </message>
-    <message>
-        <source>This is nested too deeply to be compiled</source>
-        <translation>El anidamiento es demasiado profundo para compilarlo</translation>
     </message>
     <message>
         <source>The pragma {0} is not known and has no effect</source>
@@ -120,16 +112,8 @@
         <translation>{0} espera {1} {1:argumento|argumentos}</translation>
     </message>
     <message>
-        <source>{0} is specified twice</source>
-        <translation>{0} se indica dos veces</translation>
-    </message>
-    <message>
         <source>{0} is an IN_OUT parameter and needs a variable of type {1}</source>
         <translation>{0} es un parámetro IN_OUT y necesita una variable de tipo {1}</translation>
-    </message>
-    <message>
-        <source>{0} is not an array or string</source>
-        <translation>{0} no es un array ni una cadena</translation>
     </message>
     <message>
         <source>This array has {0} {0:dimension|dimensions}, not {1}</source>
@@ -140,20 +124,8 @@
         <translation>El índice {0} está fuera de {1}..{2}</translation>
     </message>
     <message>
-        <source>Division by zero</source>
-        <translation>División por cero</translation>
-    </message>
-    <message>
         <source>{0} does not fit into {1}</source>
         <translation>{0} no cabe en {1}</translation>
-    </message>
-    <message>
-        <source>A constant is needed here</source>
-        <translation>Aquí se necesita una constante</translation>
-    </message>
-    <message>
-        <source>{0} is not a pointer or reference</source>
-        <translation>{0} no es un puntero ni una referencia</translation>
     </message>
     <message>
         <source>{0} has only the bits 0 to {1}</source>
@@ -164,20 +136,8 @@
         <translation>La condición debe ser BOOL, no {0}</translation>
     </message>
     <message>
-        <source>{0} does not return a value</source>
-        <translation>{0} no devuelve ningún valor</translation>
-    </message>
-    <message>
         <source>{0} is ambiguous: {1}; write the namespace before it</source>
         <translation>{0} es ambiguo: {1}; escriba delante el espacio de nombres</translation>
-    </message>
-    <message>
-        <source>{0} is abstract and cannot be instantiated</source>
-        <translation>{0} es abstracto y no se puede instanciar</translation>
-    </message>
-    <message>
-        <source>{0} is {1} and cannot be used here</source>
-        <translation>{0} es {1} y no se puede usar aquí</translation>
     </message>
     <message>
         <source>The character {0} is not in STRING (Latin-1); use WSTRING</source>
@@ -204,10 +164,6 @@
         <translation>{0} no se comprueba con la enumeración {1}; use uno de sus nombres</translation>
     </message>
     <message>
-        <source>The result of {0} is not used</source>
-        <translation>El resultado de {0} no se usa</translation>
-    </message>
-    <message>
         <source>The address {0} is outside {1}</source>
         <translation>La dirección {0} está fuera de {1}</translation>
     </message>
@@ -224,14 +180,6 @@
         <translation>Una referencia necesita una variable con dirección</translation>
     </message>
     <message>
-        <source>{0} is declared twice</source>
-        <translation>{0} está declarado dos veces</translation>
-    </message>
-    <message>
-        <source>There is no type {0}</source>
-        <translation>No existe el tipo {0}</translation>
-    </message>
-    <message>
         <source>{0} contains itself; use a REFERENCE TO</source>
         <translation>{0} se contiene a sí mismo; use un REFERENCE TO</translation>
     </message>
@@ -240,48 +188,8 @@
         <translation>{0} se llama a sí mismo, lo que no está permitido: {1}</translation>
     </message>
     <message>
-        <source>{0} is never used</source>
-        <translation>{0} no se usa nunca</translation>
-    </message>
-    <message>
-        <source>{0} is read but never written</source>
-        <translation>{0} se lee, pero no se escribe nunca</translation>
-    </message>
-    <message>
-        <source>This is never executed</source>
-        <translation>Esto no se ejecuta nunca</translation>
-    </message>
-    <message>
-        <source>The result of {0} is not set on every path</source>
-        <translation>El resultado de {0} no se asigna en todos los caminos</translation>
-    </message>
-    <message>
-        <source>CASE has no branch for {0} and no ELSE</source>
-        <translation>CASE no tiene ninguna rama para {0} ni ELSE</translation>
-    </message>
-    <message>
-        <source>{0} already has a branch</source>
-        <translation>{0} ya tiene una rama</translation>
-    </message>
-    <message>
-        <source>The task {0} is declared twice</source>
-        <translation>La tarea {0} está declarada dos veces</translation>
-    </message>
-    <message>
-        <source>There is no task {0}</source>
-        <translation>No existe la tarea {0}</translation>
-    </message>
-    <message>
-        <source>{0} does not implement {1} of {2}</source>
-        <translation>{0} no implementa {1} de {2}</translation>
-    </message>
-    <message>
         <source>The parameters of {0} must match those of the overridden method</source>
         <translation>Los parámetros de {0} deben coincidir con los del método sobrescrito</translation>
-    </message>
-    <message>
-        <source>{0} is FINAL and cannot be extended or overridden</source>
-        <translation>{0} es FINAL y no se puede extender ni sobrescribir</translation>
     </message>
     <message>
         <source>{1} cannot extend {0}</source>
@@ -290,10 +198,6 @@
     <message>
         <source>{0} is not allowed {1}</source>
         <translation>{0} no se permite {1}</translation>
-    </message>
-    <message>
-        <source>There is no label {0}</source>
-        <translation>No existe la etiqueta {0}</translation>
     </message>
     <message>
         <source>{0} is only allowed inside a loop</source>
@@ -308,60 +212,20 @@
         <translation>No existe la variable global {0} de tipo {1}</translation>
     </message>
     <message>
-        <source>The variables need {0} bytes; the maximum is {1}</source>
-        <translation>Las variables necesitan {0} bytes; el máximo es {1}</translation>
-    </message>
-    <message>
-        <source>There is no PROGRAM to run</source>
-        <translation>No hay ningún PROGRAM que ejecutar</translation>
-    </message>
-    <message>
         <source>There are several programs and no CONFIGURATION; name one of them Main or write a CONFIGURATION</source>
         <translation>Hay varios programas y ninguna CONFIGURATION; llame Main a uno de ellos o escriba una CONFIGURATION</translation>
-    </message>
-    <message>
-        <source>There is no namespace {0}</source>
-        <translation>No existe el espacio de nombres {0}</translation>
     </message>
     <message>
         <source>The range {0}..{1} is not valid: the lower bound is above the upper bound or there are too many elements</source>
         <translation>El rango {0}..{1} no es válido: el límite inferior supera al superior o hay demasiados elementos</translation>
     </message>
     <message>
-        <source>{0} is not a variable of this configuration</source>
-        <translation>{0} no es una variable de esta configuración</translation>
-    </message>
-    <message>
         <source>{0} has an incomplete address; complete it in a VAR_CONFIG</source>
         <translation>{0} tiene una dirección incompleta; complétela en un VAR_CONFIG</translation>
     </message>
     <message>
-        <source>{0} restarts on every call because functions keep no state</source>
-        <translation>{0} se reinicia en cada llamada, porque las funciones no conservan estado</translation>
-    </message>
-    <message>
-        <source>Too many initial values: {0} for {1} {1:element|elements}</source>
-        <translation>Demasiados valores iniciales: {0} para {1} {1:elemento|elementos}</translation>
-    </message>
-    <message>
         <source>{0} may call itself; the depth of recursion is limited at run time</source>
         <translation>{0} puede llamarse a sí mismo; la profundidad de recursión está limitada en ejecución</translation>
-    </message>
-    <message>
-        <source>The chart has no INITIAL_STEP</source>
-        <translation>La secuencia no tiene INITIAL_STEP</translation>
-    </message>
-    <message>
-        <source>The chart has two initial steps: {0} and {1}</source>
-        <translation>La secuencia tiene dos etapas iniciales: {0} y {1}</translation>
-    </message>
-    <message>
-        <source>There is no step {0}</source>
-        <translation>No existe la etapa {0}</translation>
-    </message>
-    <message>
-        <source>No transition leads to step {0}; it can never become active</source>
-        <translation>Ninguna transición lleva a la etapa {0}; nunca puede activarse</translation>
     </message>
     <message>
         <source>Step {0} can become active twice at the same time: the branches from here do not join</source>
@@ -380,32 +244,12 @@
         <translation>El calificador {0} necesita un tiempo, por ejemplo T#2s</translation>
     </message>
     <message>
-        <source>{0} is not an action qualifier</source>
-        <translation>{0} no es un calificador de acción</translation>
-    </message>
-    <message>
-        <source>There is no action or BOOL variable {0}</source>
-        <translation>No existe ninguna acción ni variable BOOL {0}</translation>
-    </message>
-    <message>
-        <source>The step {0} is declared twice</source>
-        <translation>La etapa {0} está declarada dos veces</translation>
-    </message>
-    <message>
         <source>{0} is not an IL operator</source>
         <translation>{0} no es un operador de IL</translation>
     </message>
     <message>
         <source>{0} needs a current result; load one with LD</source>
         <translation>{0} necesita un resultado actual; cargue uno con LD</translation>
-    </message>
-    <message>
-        <source>The parenthesis of this instruction is not closed</source>
-        <translation>El paréntesis de esta instrucción no está cerrado</translation>
-    </message>
-    <message>
-        <source>The current result is {0} on one path to this label and {1} on another</source>
-        <translation>El resultado actual es {0} en un camino hacia esta etiqueta y {1} en otro</translation>
     </message>
     <message>
         <source>{0} is only allowed in a TEST</source>
@@ -456,10 +300,6 @@
         <translation>Ninguna transición sale de la etapa {0}; la secuencia termina aquí</translation>
     </message>
     <message>
-        <source>{0} appears twice in this step with qualifier {1}</source>
-        <translation>{0} aparece dos veces en esta etapa con el calificador {1}</translation>
-    </message>
-    <message>
         <source>{0} is also a variable; steps and calls mean the ACTION</source>
         <translation>{0} también es una variable; las etapas y las llamadas se refieren a la ACTION</translation>
     </message>
@@ -470,14 +310,6 @@
     <message>
         <source>Use {1} instead of {0} in Structured Text</source>
         <translation>En texto estructurado, use {1} en lugar de {0}</translation>
-    </message>
-    <message>
-        <source>This loop never ends and would stop the controller</source>
-        <translation>Este bucle no termina nunca y bloquearía el controlador</translation>
-    </message>
-    <message>
-        <source>{0} is marked OVERRIDE, but no base has a method with this name</source>
-        <translation>{0} está marcado como OVERRIDE, pero ninguna base tiene un método con ese nombre</translation>
     </message>
     <message>
         <source>The task {0} has no INTERVAL above zero and no SINGLE; it runs in every scan</source>
@@ -512,8 +344,172 @@
         <translation>Falta el pragma {0} para este {1}</translation>
     </message>
     <message>
-        <source>Code in C is not executed</source>
-        <translation>El código en C no se ejecuta</translation>
+        <source>The character {0} has no meaning here; remove it</source>
+        <translation>El carácter {0} no tiene significado aquí; elimínelo</translation>
+    </message>
+    <message>
+        <source>This is nested too deeply to be compiled; split it into several statements or units</source>
+        <translation>El anidamiento es demasiado profundo para compilarlo; divídalo en varias instrucciones o unidades</translation>
+    </message>
+    <message>
+        <source>Code in C is not executed; write it in ST</source>
+        <translation>El código en C no se ejecuta; escríbalo en ST</translation>
+    </message>
+    <message>
+        <source>{0} is specified twice; remove one of the two</source>
+        <translation>{0} se indica dos veces; elimine uno de los dos</translation>
+    </message>
+    <message>
+        <source>{0} is not an array or string; remove the index or declare it as an ARRAY</source>
+        <translation>{0} no es un array ni una cadena; elimine el índice o declárelo como ARRAY</translation>
+    </message>
+    <message>
+        <source>The divisor is always zero; divide by another value</source>
+        <translation>El divisor es siempre cero; divida por otro valor</translation>
+    </message>
+    <message>
+        <source>A constant is needed here; write a value or the name of a VAR CONSTANT</source>
+        <translation>Aquí se necesita una constante; escriba un valor o el nombre de una VAR CONSTANT</translation>
+    </message>
+    <message>
+        <source>{0} is not a pointer or reference; use it without ^ or declare it with REF_TO</source>
+        <translation>{0} no es un puntero ni una referencia; úselo sin ^ o declárelo con REF_TO</translation>
+    </message>
+    <message>
+        <source>{0} does not return a value; call it in a statement of its own</source>
+        <translation>{0} no devuelve ningún valor; llámelo en una instrucción propia</translation>
+    </message>
+    <message>
+        <source>{0} is abstract and cannot be instantiated; use a block that extends it</source>
+        <translation>{0} es abstracto y no se puede instanciar; use un bloque que lo extienda</translation>
+    </message>
+    <message>
+        <source>{0} is {1} and cannot be used here; make it PUBLIC or use it inside its block</source>
+        <translation>{0} es {1} y no se puede usar aquí; declárelo PUBLIC o úselo dentro de su bloque</translation>
+    </message>
+    <message>
+        <source>The result of {0} is not used; assign it to a variable</source>
+        <translation>El resultado de {0} no se usa; asígnelo a una variable</translation>
+    </message>
+    <message>
+        <source>{0} is declared twice; rename or remove one of the two</source>
+        <translation>{0} está declarado dos veces; cambie el nombre de uno de los dos o elimínelo</translation>
+    </message>
+    <message>
+        <source>There is no type {0}; declare it or add the library that contains it</source>
+        <translation>No existe el tipo {0}; declárelo o añada la biblioteca que lo contiene</translation>
+    </message>
+    <message>
+        <source>{0} is never used; remove its declaration</source>
+        <translation>{0} no se usa nunca; elimine su declaración</translation>
+    </message>
+    <message>
+        <source>{0} is read but never written; give it a value or declare it as CONSTANT</source>
+        <translation>{0} se lee, pero no se escribe nunca; déle un valor o declárelo como CONSTANT</translation>
+    </message>
+    <message>
+        <source>This is never executed; remove it or change what is before it</source>
+        <translation>Esto no se ejecuta nunca; elimínelo o cambie lo que hay antes</translation>
+    </message>
+    <message>
+        <source>The result of {0} is not set on every path; assign it before the first RETURN or IF</source>
+        <translation>El resultado de {0} no se asigna en todos los caminos; asígnelo antes del primer RETURN o IF</translation>
+    </message>
+    <message>
+        <source>CASE has no branch for {0} and no ELSE; add one of them</source>
+        <translation>CASE no tiene ninguna rama para {0} ni ELSE; añada una de las dos cosas</translation>
+    </message>
+    <message>
+        <source>{0} already has a branch; remove one of the two</source>
+        <translation>{0} ya tiene una rama; elimine una de las dos</translation>
+    </message>
+    <message>
+        <source>The task {0} is declared twice; rename one of the two</source>
+        <translation>La tarea {0} está declarada dos veces; cambie el nombre de una de las dos</translation>
+    </message>
+    <message>
+        <source>There is no task {0}; declare it with TASK in this configuration</source>
+        <translation>No existe la tarea {0}; declárela con TASK en esta configuración</translation>
+    </message>
+    <message>
+        <source>{0} does not implement {1} of {2}; add it</source>
+        <translation>{0} no implementa {1} de {2}; añádalo</translation>
+    </message>
+    <message>
+        <source>{0} is FINAL and cannot be extended or overridden; remove FINAL or use another base</source>
+        <translation>{0} es FINAL y no se puede extender ni sobrescribir; elimine FINAL o use otra base</translation>
+    </message>
+    <message>
+        <source>There is no label {0}; write it with a colon before a statement of this unit</source>
+        <translation>No existe la etiqueta {0}; escríbala con dos puntos antes de una instrucción de esta unidad</translation>
+    </message>
+    <message>
+        <source>The variables need {0} bytes; the maximum is {1}: make arrays or strings smaller</source>
+        <translation>Las variables necesitan {0} bytes; el máximo es {1}: reduzca arrays o cadenas</translation>
+    </message>
+    <message>
+        <source>There is no PROGRAM to run; add one</source>
+        <translation>No hay ningún PROGRAM que ejecutar; añada uno</translation>
+    </message>
+    <message>
+        <source>There is no namespace {0}; declare it or add the library that contains it</source>
+        <translation>No existe el espacio de nombres {0}; declárelo o añada la biblioteca que lo contiene</translation>
+    </message>
+    <message>
+        <source>{0} is not a variable of this configuration; write program instance and variable, as in Main.x</source>
+        <translation>{0} no es una variable de esta configuración; escriba la instancia de programa y la variable, como en Main.x</translation>
+    </message>
+    <message>
+        <source>{0} restarts on every call because functions keep no state; use a FUNCTION_BLOCK</source>
+        <translation>{0} se reinicia en cada llamada, porque las funciones no conservan estado; use un FUNCTION_BLOCK</translation>
+    </message>
+    <message>
+        <source>Too many initial values: {0} for {1} {1:element|elements}; remove some or enlarge the array</source>
+        <translation>Demasiados valores iniciales: {0} para {1} {1:elemento|elementos}; elimine algunos o amplíe el array</translation>
+    </message>
+    <message>
+        <source>This loop never ends and would stop the controller; give it a condition or an EXIT</source>
+        <translation>Este bucle no termina nunca y bloquearía el controlador; déle una condición o un EXIT</translation>
+    </message>
+    <message>
+        <source>{0} is marked OVERRIDE, but no base has a method with this name; remove OVERRIDE or correct the name</source>
+        <translation>{0} está marcado como OVERRIDE, pero ninguna base tiene un método con ese nombre; elimine OVERRIDE o corrija el nombre</translation>
+    </message>
+    <message>
+        <source>The chart has no INITIAL_STEP; declare its first step with INITIAL_STEP instead of STEP</source>
+        <translation>La secuencia no tiene INITIAL_STEP; declare su primera etapa con INITIAL_STEP en lugar de STEP</translation>
+    </message>
+    <message>
+        <source>The chart has two initial steps: {0} and {1}; declare one of them with STEP</source>
+        <translation>La secuencia tiene dos etapas iniciales: {0} y {1}; declare una de ellas con STEP</translation>
+    </message>
+    <message>
+        <source>There is no step {0}; declare it or correct the name</source>
+        <translation>No existe la etapa {0}; declárela o corrija el nombre</translation>
+    </message>
+    <message>
+        <source>No transition leads to step {0}; it can never become active: add a TRANSITION to it</source>
+        <translation>Ninguna transición lleva a la etapa {0}; nunca puede activarse: añada una TRANSITION hacia ella</translation>
+    </message>
+    <message>
+        <source>{0} is not an action qualifier; use N, R, S, L, D, P, SD, DS or SL</source>
+        <translation>{0} no es un calificador de acción; use N, R, S, L, D, P, SD, DS o SL</translation>
+    </message>
+    <message>
+        <source>There is no action or BOOL variable {0}; add an ACTION or declare the variable</source>
+        <translation>No existe ninguna acción ni variable BOOL {0}; añada una ACTION o declare la variable</translation>
+    </message>
+    <message>
+        <source>The step {0} is declared twice; rename or remove one of the two</source>
+        <translation>La etapa {0} está declarada dos veces; cambie el nombre de una de las dos o elimínela</translation>
+    </message>
+    <message>
+        <source>{0} appears twice in this step with qualifier {1}; remove one of the two</source>
+        <translation>{0} aparece dos veces en esta etapa con el calificador {1}; elimine una de las dos</translation>
+    </message>
+    <message>
+        <source>The parenthesis of this instruction is not closed; add an instruction ) after its operands</source>
+        <translation>El paréntesis de esta instrucción no está cerrado; añada una instrucción ) después de sus operandos</translation>
     </message>
 </context>
 <context>
@@ -5167,6 +5163,38 @@
     </message>
 </context>
 <context>
+    <name>plc::app::ExplanationDialog</name>
+    <message>
+        <source>Explanation</source>
+        <translation>Explicación</translation>
+    </message>
+    <message>
+        <source>Line %1: %2</source>
+        <extracomment>an example&apos;s line, then what is wrong there</extracomment>
+        <translation>Línea %1: %2</translation>
+    </message>
+    <message>
+        <source>What %1 Means</source>
+        <translation>Qué significa %1</translation>
+    </message>
+    <message>
+        <source>Wrong</source>
+        <translation>Incorrecto</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Correcto</translation>
+    </message>
+    <message>
+        <source>Put the cursor on a problem, or choose one in the list, and press F1 again</source>
+        <translation>Coloque el cursor sobre un problema o elija uno en la lista y vuelva a pulsar F1</translation>
+    </message>
+    <message>
+        <source>There is no page for %1</source>
+        <translation>No hay ninguna página para %1</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::ExportDialog</name>
     <message>
         <source>Export the Project</source>
@@ -6278,6 +6306,10 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <source>What if? needs a running controller: a recording from a file cannot be resumed</source>
         <translation>«Y si» necesita un controlador en marcha: una grabación de un archivo no se puede reanudar</translation>
     </message>
+    <message>
+        <source>Explain the Problem</source>
+        <translation>Explicar el problema</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MergeDialog</name>
@@ -6931,6 +6963,10 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>Disk space for the recordings of earlier runs, per project</source>
         <translation>Espacio en disco para las grabaciones de ejecuciones anteriores, por proyecto</translation>
+    </message>
+    <message>
+        <source> MB</source>
+        <translation> MB</translation>
     </message>
 </context>
 <context>

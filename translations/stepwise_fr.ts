@@ -4,10 +4,6 @@
 <context>
     <name>Diagnostics</name>
     <message>
-        <source>The character {0} has no meaning here</source>
-        <translation>Le caractère {0} n’a pas de sens ici</translation>
-    </message>
-    <message>
         <source>Unterminated comment; close it with *)</source>
         <translation>Commentaire non terminé&#x202f;; le fermer par *)</translation>
     </message>
@@ -58,10 +54,6 @@
     <message>
         <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT</source>
         <translation>Une borne ouverte s’écrit ARRAY[*] et n’est autorisée que pour VAR_IN_OUT</translation>
-    </message>
-    <message>
-        <source>This is nested too deeply to be compiled</source>
-        <translation>Imbrication trop profonde pour être compilée</translation>
     </message>
     <message>
         <source>The pragma {0} is not known and has no effect</source>
@@ -120,16 +112,8 @@
         <translation>{0} attend {1} {1:argument|arguments}</translation>
     </message>
     <message>
-        <source>{0} is specified twice</source>
-        <translation>{0} est indiqué deux fois</translation>
-    </message>
-    <message>
         <source>{0} is an IN_OUT parameter and needs a variable of type {1}</source>
         <translation>{0} est un paramètre IN_OUT et demande une variable de type {1}</translation>
-    </message>
-    <message>
-        <source>{0} is not an array or string</source>
-        <translation>{0} n’est ni un tableau ni une chaîne</translation>
     </message>
     <message>
         <source>This array has {0} {0:dimension|dimensions}, not {1}</source>
@@ -140,20 +124,8 @@
         <translation>L’indice {0} est en dehors de {1}..{2}</translation>
     </message>
     <message>
-        <source>Division by zero</source>
-        <translation>Division par zéro</translation>
-    </message>
-    <message>
         <source>{0} does not fit into {1}</source>
         <translation>{0} dépasse la plage de {1}</translation>
-    </message>
-    <message>
-        <source>A constant is needed here</source>
-        <translation>Une constante est nécessaire ici</translation>
-    </message>
-    <message>
-        <source>{0} is not a pointer or reference</source>
-        <translation>{0} n’est ni un pointeur ni une référence</translation>
     </message>
     <message>
         <source>{0} has only the bits 0 to {1}</source>
@@ -164,20 +136,8 @@
         <translation>La condition doit être de type BOOL, et non {0}</translation>
     </message>
     <message>
-        <source>{0} does not return a value</source>
-        <translation>{0} ne renvoie pas de valeur</translation>
-    </message>
-    <message>
         <source>{0} is ambiguous: {1}; write the namespace before it</source>
         <translation>{0} est ambigu&#xa0;: {1}&#x202f;; le faire précéder de l’espace de noms</translation>
-    </message>
-    <message>
-        <source>{0} is abstract and cannot be instantiated</source>
-        <translation>{0} est abstrait et ne peut pas être instancié</translation>
-    </message>
-    <message>
-        <source>{0} is {1} and cannot be used here</source>
-        <translation>{0} est {1} et ne peut pas être utilisé ici</translation>
     </message>
     <message>
         <source>The character {0} is not in STRING (Latin-1); use WSTRING</source>
@@ -204,10 +164,6 @@
         <translation>{0} n’est pas vérifié par rapport à l’énumération {1}&#x202f;; utiliser l’un de ses noms</translation>
     </message>
     <message>
-        <source>The result of {0} is not used</source>
-        <translation>Le résultat de {0} n’est pas utilisé</translation>
-    </message>
-    <message>
         <source>The address {0} is outside {1}</source>
         <translation>L’adresse {0} est en dehors de {1}</translation>
     </message>
@@ -224,14 +180,6 @@
         <translation>Une référence demande une variable qui a une adresse</translation>
     </message>
     <message>
-        <source>{0} is declared twice</source>
-        <translation>{0} est déclaré deux fois</translation>
-    </message>
-    <message>
-        <source>There is no type {0}</source>
-        <translation>Le type {0} n’existe pas</translation>
-    </message>
-    <message>
         <source>{0} contains itself; use a REFERENCE TO</source>
         <translation>{0} se contient lui-même&#x202f;; utiliser un REFERENCE TO</translation>
     </message>
@@ -240,48 +188,8 @@
         <translation>{0} s’appelle lui-même, ce qui n’est pas autorisé&#xa0;: {1}</translation>
     </message>
     <message>
-        <source>{0} is never used</source>
-        <translation>{0} n’est jamais utilisé</translation>
-    </message>
-    <message>
-        <source>{0} is read but never written</source>
-        <translation>{0} est lu mais jamais écrit</translation>
-    </message>
-    <message>
-        <source>This is never executed</source>
-        <translation>Ceci n’est jamais exécuté</translation>
-    </message>
-    <message>
-        <source>The result of {0} is not set on every path</source>
-        <translation>Le résultat de {0} n’est pas affecté sur tous les chemins</translation>
-    </message>
-    <message>
-        <source>CASE has no branch for {0} and no ELSE</source>
-        <translation>CASE n’a ni branche pour {0} ni ELSE</translation>
-    </message>
-    <message>
-        <source>{0} already has a branch</source>
-        <translation>{0} a déjà une branche</translation>
-    </message>
-    <message>
-        <source>The task {0} is declared twice</source>
-        <translation>La tâche {0} est déclarée deux fois</translation>
-    </message>
-    <message>
-        <source>There is no task {0}</source>
-        <translation>La tâche {0} n’existe pas</translation>
-    </message>
-    <message>
-        <source>{0} does not implement {1} of {2}</source>
-        <translation>{0} n’implémente pas {1} de {2}</translation>
-    </message>
-    <message>
         <source>The parameters of {0} must match those of the overridden method</source>
         <translation>Les paramètres de {0} doivent correspondre à ceux de la méthode redéfinie</translation>
-    </message>
-    <message>
-        <source>{0} is FINAL and cannot be extended or overridden</source>
-        <translation>{0} est FINAL et ne peut être ni étendu ni redéfini</translation>
     </message>
     <message>
         <source>{1} cannot extend {0}</source>
@@ -290,10 +198,6 @@
     <message>
         <source>{0} is not allowed {1}</source>
         <translation>{0} n’est pas autorisé {1}</translation>
-    </message>
-    <message>
-        <source>There is no label {0}</source>
-        <translation>L’étiquette {0} n’existe pas</translation>
     </message>
     <message>
         <source>{0} is only allowed inside a loop</source>
@@ -308,60 +212,20 @@
         <translation>La variable globale {0} de type {1} n’existe pas</translation>
     </message>
     <message>
-        <source>The variables need {0} bytes; the maximum is {1}</source>
-        <translation>Les variables demandent {0} octets&#x202f;; le maximum est {1}</translation>
-    </message>
-    <message>
-        <source>There is no PROGRAM to run</source>
-        <translation>Il n’y a pas de PROGRAM à exécuter</translation>
-    </message>
-    <message>
         <source>There are several programs and no CONFIGURATION; name one of them Main or write a CONFIGURATION</source>
         <translation>Il y a plusieurs programmes et pas de CONFIGURATION&#x202f;; en nommer un Main ou écrire une CONFIGURATION</translation>
-    </message>
-    <message>
-        <source>There is no namespace {0}</source>
-        <translation>L’espace de noms {0} n’existe pas</translation>
     </message>
     <message>
         <source>The range {0}..{1} is not valid: the lower bound is above the upper bound or there are too many elements</source>
         <translation>La plage {0}..{1} n’est pas valide&#xa0;: la borne inférieure dépasse la borne supérieure ou il y a trop d’éléments</translation>
     </message>
     <message>
-        <source>{0} is not a variable of this configuration</source>
-        <translation>{0} n’est pas une variable de cette configuration</translation>
-    </message>
-    <message>
         <source>{0} has an incomplete address; complete it in a VAR_CONFIG</source>
         <translation>{0} a une adresse incomplète&#x202f;; la compléter dans un VAR_CONFIG</translation>
     </message>
     <message>
-        <source>{0} restarts on every call because functions keep no state</source>
-        <translation>{0} redémarre à chaque appel, car une fonction ne garde pas d’état</translation>
-    </message>
-    <message>
-        <source>Too many initial values: {0} for {1} {1:element|elements}</source>
-        <translation>Trop de valeurs initiales&#xa0;: {0} pour {1} {1:élément|éléments}</translation>
-    </message>
-    <message>
         <source>{0} may call itself; the depth of recursion is limited at run time</source>
         <translation>{0} peut s’appeler lui-même&#x202f;; la profondeur de récursion est limitée à l’exécution</translation>
-    </message>
-    <message>
-        <source>The chart has no INITIAL_STEP</source>
-        <translation>Le grafcet n’a pas d’INITIAL_STEP</translation>
-    </message>
-    <message>
-        <source>The chart has two initial steps: {0} and {1}</source>
-        <translation>Le grafcet a deux étapes initiales&#xa0;: {0} et {1}</translation>
-    </message>
-    <message>
-        <source>There is no step {0}</source>
-        <translation>L’étape {0} n’existe pas</translation>
-    </message>
-    <message>
-        <source>No transition leads to step {0}; it can never become active</source>
-        <translation>Aucune transition ne mène à l’étape {0}&#x202f;; elle ne peut jamais devenir active</translation>
     </message>
     <message>
         <source>Step {0} can become active twice at the same time: the branches from here do not join</source>
@@ -380,32 +244,12 @@
         <translation>Le qualificatif {0} demande un temps, par exemple T#2s</translation>
     </message>
     <message>
-        <source>{0} is not an action qualifier</source>
-        <translation>{0} n’est pas un qualificatif d’action</translation>
-    </message>
-    <message>
-        <source>There is no action or BOOL variable {0}</source>
-        <translation>Il n’y a ni action ni variable BOOL {0}</translation>
-    </message>
-    <message>
-        <source>The step {0} is declared twice</source>
-        <translation>L’étape {0} est déclarée deux fois</translation>
-    </message>
-    <message>
         <source>{0} is not an IL operator</source>
         <translation>{0} n’est pas un opérateur IL</translation>
     </message>
     <message>
         <source>{0} needs a current result; load one with LD</source>
         <translation>{0} demande un résultat courant&#x202f;; en charger un avec LD</translation>
-    </message>
-    <message>
-        <source>The parenthesis of this instruction is not closed</source>
-        <translation>La parenthèse de cette instruction n’est pas fermée</translation>
-    </message>
-    <message>
-        <source>The current result is {0} on one path to this label and {1} on another</source>
-        <translation>Le résultat courant est {0} sur un chemin vers cette étiquette et {1} sur un autre</translation>
     </message>
     <message>
         <source>{0} is only allowed in a TEST</source>
@@ -456,10 +300,6 @@
         <translation>Aucune transition ne part de l’étape {0}&#x202f;; le grafcet se termine ici</translation>
     </message>
     <message>
-        <source>{0} appears twice in this step with qualifier {1}</source>
-        <translation>{0} apparaît deux fois dans cette étape avec le qualificatif {1}</translation>
-    </message>
-    <message>
         <source>{0} is also a variable; steps and calls mean the ACTION</source>
         <translation>{0} est aussi une variable&#x202f;; les étapes et les appels désignent l’ACTION</translation>
     </message>
@@ -470,14 +310,6 @@
     <message>
         <source>Use {1} instead of {0} in Structured Text</source>
         <translation>En texte structuré, utiliser {1} au lieu de {0}</translation>
-    </message>
-    <message>
-        <source>This loop never ends and would stop the controller</source>
-        <translation>Cette boucle ne se termine jamais et bloquerait l’automate</translation>
-    </message>
-    <message>
-        <source>{0} is marked OVERRIDE, but no base has a method with this name</source>
-        <translation>{0} est marqué OVERRIDE, mais aucune base n’a de méthode de ce nom</translation>
     </message>
     <message>
         <source>The task {0} has no INTERVAL above zero and no SINGLE; it runs in every scan</source>
@@ -512,8 +344,172 @@
         <translation>Il manque le pragma {0} pour ce {1}</translation>
     </message>
     <message>
-        <source>Code in C is not executed</source>
-        <translation>Le code en C n’est pas exécuté</translation>
+        <source>The character {0} has no meaning here; remove it</source>
+        <translation>Le caractère {0} n’a pas de sens ici&#x202f;; le supprimer</translation>
+    </message>
+    <message>
+        <source>This is nested too deeply to be compiled; split it into several statements or units</source>
+        <translation>Imbrication trop profonde pour être compilée&#x202f;; la répartir sur plusieurs instructions ou unités</translation>
+    </message>
+    <message>
+        <source>Code in C is not executed; write it in ST</source>
+        <translation>Le code en C n’est pas exécuté&#x202f;; l’écrire en ST</translation>
+    </message>
+    <message>
+        <source>{0} is specified twice; remove one of the two</source>
+        <translation>{0} est indiqué deux fois&#x202f;; supprimer l’un des deux</translation>
+    </message>
+    <message>
+        <source>{0} is not an array or string; remove the index or declare it as an ARRAY</source>
+        <translation>{0} n’est ni un tableau ni une chaîne&#x202f;; supprimer l’indice ou déclarer un ARRAY</translation>
+    </message>
+    <message>
+        <source>The divisor is always zero; divide by another value</source>
+        <translation>Le diviseur est toujours nul&#x202f;; diviser par une autre valeur</translation>
+    </message>
+    <message>
+        <source>A constant is needed here; write a value or the name of a VAR CONSTANT</source>
+        <translation>Une constante est nécessaire ici&#x202f;; écrire une valeur ou le nom d’une VAR CONSTANT</translation>
+    </message>
+    <message>
+        <source>{0} is not a pointer or reference; use it without ^ or declare it with REF_TO</source>
+        <translation>{0} n’est ni un pointeur ni une référence&#x202f;; l’utiliser sans ^ ou le déclarer avec REF_TO</translation>
+    </message>
+    <message>
+        <source>{0} does not return a value; call it in a statement of its own</source>
+        <translation>{0} ne renvoie pas de valeur&#x202f;; l’appeler dans une instruction à part</translation>
+    </message>
+    <message>
+        <source>{0} is abstract and cannot be instantiated; use a block that extends it</source>
+        <translation>{0} est abstrait et ne peut pas être instancié&#x202f;; utiliser un bloc qui l’étend</translation>
+    </message>
+    <message>
+        <source>{0} is {1} and cannot be used here; make it PUBLIC or use it inside its block</source>
+        <translation>{0} est {1} et ne peut pas être utilisé ici&#x202f;; le déclarer PUBLIC ou l’utiliser dans son bloc</translation>
+    </message>
+    <message>
+        <source>The result of {0} is not used; assign it to a variable</source>
+        <translation>Le résultat de {0} n’est pas utilisé&#x202f;; l’affecter à une variable</translation>
+    </message>
+    <message>
+        <source>{0} is declared twice; rename or remove one of the two</source>
+        <translation>{0} est déclaré deux fois&#x202f;; renommer ou supprimer l’un des deux</translation>
+    </message>
+    <message>
+        <source>There is no type {0}; declare it or add the library that contains it</source>
+        <translation>Le type {0} n’existe pas&#x202f;; le déclarer ou ajouter la bibliothèque qui le contient</translation>
+    </message>
+    <message>
+        <source>{0} is never used; remove its declaration</source>
+        <translation>{0} n’est jamais utilisé&#x202f;; supprimer sa déclaration</translation>
+    </message>
+    <message>
+        <source>{0} is read but never written; give it a value or declare it as CONSTANT</source>
+        <translation>{0} est lu mais jamais écrit&#x202f;; lui donner une valeur ou le déclarer CONSTANT</translation>
+    </message>
+    <message>
+        <source>This is never executed; remove it or change what is before it</source>
+        <translation>Ceci n’est jamais exécuté&#x202f;; supprimer ceci ou modifier ce qui précède</translation>
+    </message>
+    <message>
+        <source>The result of {0} is not set on every path; assign it before the first RETURN or IF</source>
+        <translation>Le résultat de {0} n’est pas affecté sur tous les chemins&#x202f;; l’affecter avant le premier RETURN ou IF</translation>
+    </message>
+    <message>
+        <source>CASE has no branch for {0} and no ELSE; add one of them</source>
+        <translation>CASE n’a ni branche pour {0} ni ELSE&#x202f;; ajouter l’un des deux</translation>
+    </message>
+    <message>
+        <source>{0} already has a branch; remove one of the two</source>
+        <translation>{0} a déjà une branche&#x202f;; supprimer l’une des deux</translation>
+    </message>
+    <message>
+        <source>The task {0} is declared twice; rename one of the two</source>
+        <translation>La tâche {0} est déclarée deux fois&#x202f;; renommer l’une des deux</translation>
+    </message>
+    <message>
+        <source>There is no task {0}; declare it with TASK in this configuration</source>
+        <translation>La tâche {0} n’existe pas&#x202f;; la déclarer avec TASK dans cette configuration</translation>
+    </message>
+    <message>
+        <source>{0} does not implement {1} of {2}; add it</source>
+        <translation>{0} n’implémente pas {1} de {2}&#x202f;; l’ajouter</translation>
+    </message>
+    <message>
+        <source>{0} is FINAL and cannot be extended or overridden; remove FINAL or use another base</source>
+        <translation>{0} est FINAL et ne peut être ni étendu ni redéfini&#x202f;; supprimer FINAL ou utiliser une autre base</translation>
+    </message>
+    <message>
+        <source>There is no label {0}; write it with a colon before a statement of this unit</source>
+        <translation>L’étiquette {0} n’existe pas&#x202f;; l’écrire avec un deux-points devant une instruction de cette unité</translation>
+    </message>
+    <message>
+        <source>The variables need {0} bytes; the maximum is {1}: make arrays or strings smaller</source>
+        <translation>Les variables demandent {0} octets&#x202f;; le maximum est {1}&#xa0;: réduire les tableaux ou les chaînes</translation>
+    </message>
+    <message>
+        <source>There is no PROGRAM to run; add one</source>
+        <translation>Il n’y a pas de PROGRAM à exécuter&#x202f;; en ajouter un</translation>
+    </message>
+    <message>
+        <source>There is no namespace {0}; declare it or add the library that contains it</source>
+        <translation>L’espace de noms {0} n’existe pas&#x202f;; le déclarer ou ajouter la bibliothèque qui le contient</translation>
+    </message>
+    <message>
+        <source>{0} is not a variable of this configuration; write program instance and variable, as in Main.x</source>
+        <translation>{0} n’est pas une variable de cette configuration&#x202f;; écrire l’instance de programme et la variable, comme Main.x</translation>
+    </message>
+    <message>
+        <source>{0} restarts on every call because functions keep no state; use a FUNCTION_BLOCK</source>
+        <translation>{0} redémarre à chaque appel, car une fonction ne garde pas d’état&#x202f;; utiliser un FUNCTION_BLOCK</translation>
+    </message>
+    <message>
+        <source>Too many initial values: {0} for {1} {1:element|elements}; remove some or enlarge the array</source>
+        <translation>Trop de valeurs initiales&#xa0;: {0} pour {1} {1:élément|éléments}&#x202f;; en supprimer ou agrandir le tableau</translation>
+    </message>
+    <message>
+        <source>This loop never ends and would stop the controller; give it a condition or an EXIT</source>
+        <translation>Cette boucle ne se termine jamais et bloquerait l’automate&#x202f;; lui donner une condition ou un EXIT</translation>
+    </message>
+    <message>
+        <source>{0} is marked OVERRIDE, but no base has a method with this name; remove OVERRIDE or correct the name</source>
+        <translation>{0} est marqué OVERRIDE, mais aucune base n’a de méthode de ce nom&#x202f;; supprimer OVERRIDE ou corriger le nom</translation>
+    </message>
+    <message>
+        <source>The chart has no INITIAL_STEP; declare its first step with INITIAL_STEP instead of STEP</source>
+        <translation>Le grafcet n’a pas d’INITIAL_STEP&#x202f;; déclarer sa première étape avec INITIAL_STEP au lieu de STEP</translation>
+    </message>
+    <message>
+        <source>The chart has two initial steps: {0} and {1}; declare one of them with STEP</source>
+        <translation>Le grafcet a deux étapes initiales&#xa0;: {0} et {1}&#x202f;; déclarer l’une d’elles avec STEP</translation>
+    </message>
+    <message>
+        <source>There is no step {0}; declare it or correct the name</source>
+        <translation>L’étape {0} n’existe pas&#x202f;; la déclarer ou corriger le nom</translation>
+    </message>
+    <message>
+        <source>No transition leads to step {0}; it can never become active: add a TRANSITION to it</source>
+        <translation>Aucune transition ne mène à l’étape {0}&#x202f;; elle ne peut jamais devenir active&#xa0;: ajouter une TRANSITION vers elle</translation>
+    </message>
+    <message>
+        <source>{0} is not an action qualifier; use N, R, S, L, D, P, SD, DS or SL</source>
+        <translation>{0} n’est pas un qualificatif d’action&#x202f;; utiliser N, R, S, L, D, P, SD, DS ou SL</translation>
+    </message>
+    <message>
+        <source>There is no action or BOOL variable {0}; add an ACTION or declare the variable</source>
+        <translation>Il n’y a ni action ni variable BOOL {0}&#x202f;; ajouter une ACTION ou déclarer la variable</translation>
+    </message>
+    <message>
+        <source>The step {0} is declared twice; rename or remove one of the two</source>
+        <translation>L’étape {0} est déclarée deux fois&#x202f;; renommer ou supprimer l’une des deux</translation>
+    </message>
+    <message>
+        <source>{0} appears twice in this step with qualifier {1}; remove one of the two</source>
+        <translation>{0} apparaît deux fois dans cette étape avec le qualificatif {1}&#x202f;; supprimer l’un des deux</translation>
+    </message>
+    <message>
+        <source>The parenthesis of this instruction is not closed; add an instruction ) after its operands</source>
+        <translation>La parenthèse de cette instruction n’est pas fermée&#x202f;; ajouter une instruction ) après ses opérandes</translation>
     </message>
 </context>
 <context>
@@ -5167,6 +5163,38 @@
     </message>
 </context>
 <context>
+    <name>plc::app::ExplanationDialog</name>
+    <message>
+        <source>Explanation</source>
+        <translation>Explication</translation>
+    </message>
+    <message>
+        <source>Line %1: %2</source>
+        <extracomment>an example&apos;s line, then what is wrong there</extracomment>
+        <translation>Ligne %1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>What %1 Means</source>
+        <translation>Ce que signifie %1</translation>
+    </message>
+    <message>
+        <source>Wrong</source>
+        <translation>Faux</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Correct</translation>
+    </message>
+    <message>
+        <source>Put the cursor on a problem, or choose one in the list, and press F1 again</source>
+        <translation>Placez le curseur sur un problème ou choisissez-en un dans la liste, puis appuyez de nouveau sur F1</translation>
+    </message>
+    <message>
+        <source>There is no page for %1</source>
+        <translation>Il n’existe pas de page pour %1</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::ExportDialog</name>
     <message>
         <source>Export the Project</source>
@@ -6278,6 +6306,10 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <source>What if? needs a running controller: a recording from a file cannot be resumed</source>
         <translation>«&#xa0;Et si&#xa0;» demande un automate en marche&#xa0;: un enregistrement ouvert depuis un fichier ne peut pas être repris</translation>
     </message>
+    <message>
+        <source>Explain the Problem</source>
+        <translation>Expliquer le problème</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MergeDialog</name>
@@ -6931,6 +6963,10 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <message>
         <source>Disk space for the recordings of earlier runs, per project</source>
         <translation>Espace disque pour les enregistrements des exécutions précédentes, par projet</translation>
+    </message>
+    <message>
+        <source> MB</source>
+        <translation> Mo</translation>
     </message>
 </context>
 <context>

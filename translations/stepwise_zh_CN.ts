@@ -4,10 +4,6 @@
 <context>
     <name>Diagnostics</name>
     <message>
-        <source>The character {0} has no meaning here</source>
-        <translation>字符 {0} 在此处没有意义</translation>
-    </message>
-    <message>
         <source>Unterminated comment; close it with *)</source>
         <translation>注释未结束；请用 *) 结束</translation>
     </message>
@@ -58,10 +54,6 @@
     <message>
         <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT</source>
         <translation>开放边界写作 ARRAY[*]，仅允许用于 VAR_IN_OUT</translation>
-    </message>
-    <message>
-        <source>This is nested too deeply to be compiled</source>
-        <translation>嵌套过深，无法编译</translation>
     </message>
     <message>
         <source>The pragma {0} is not known and has no effect</source>
@@ -120,16 +112,8 @@
         <translation>{0} 需要 {1} 个实参</translation>
     </message>
     <message>
-        <source>{0} is specified twice</source>
-        <translation>{0} 指定了两次</translation>
-    </message>
-    <message>
         <source>{0} is an IN_OUT parameter and needs a variable of type {1}</source>
         <translation>{0} 是 IN_OUT 参数，需要类型为 {1} 的变量</translation>
-    </message>
-    <message>
-        <source>{0} is not an array or string</source>
-        <translation>{0} 不是数组或字符串</translation>
     </message>
     <message>
         <source>This array has {0} {0:dimension|dimensions}, not {1}</source>
@@ -140,20 +124,8 @@
         <translation>下标 {0} 超出 {1}..{2}</translation>
     </message>
     <message>
-        <source>Division by zero</source>
-        <translation>除以零</translation>
-    </message>
-    <message>
         <source>{0} does not fit into {1}</source>
         <translation>{0} 超出 {1} 的范围</translation>
-    </message>
-    <message>
-        <source>A constant is needed here</source>
-        <translation>此处需要常量</translation>
-    </message>
-    <message>
-        <source>{0} is not a pointer or reference</source>
-        <translation>{0} 不是指针或引用</translation>
     </message>
     <message>
         <source>{0} has only the bits 0 to {1}</source>
@@ -164,20 +136,8 @@
         <translation>条件必须是 BOOL，而不是 {0}</translation>
     </message>
     <message>
-        <source>{0} does not return a value</source>
-        <translation>{0} 不返回值</translation>
-    </message>
-    <message>
         <source>{0} is ambiguous: {1}; write the namespace before it</source>
         <translation>{0} 不明确：{1}；请在前面写上命名空间</translation>
-    </message>
-    <message>
-        <source>{0} is abstract and cannot be instantiated</source>
-        <translation>{0} 是抽象的，不能实例化</translation>
-    </message>
-    <message>
-        <source>{0} is {1} and cannot be used here</source>
-        <translation>{0} 是 {1}，不能在此处使用</translation>
     </message>
     <message>
         <source>The character {0} is not in STRING (Latin-1); use WSTRING</source>
@@ -204,10 +164,6 @@
         <translation>{0} 不会按枚举 {1} 检查；请使用其中的名称</translation>
     </message>
     <message>
-        <source>The result of {0} is not used</source>
-        <translation>{0} 的结果未使用</translation>
-    </message>
-    <message>
         <source>The address {0} is outside {1}</source>
         <translation>地址 {0} 超出 {1}</translation>
     </message>
@@ -224,14 +180,6 @@
         <translation>引用需要具有地址的变量</translation>
     </message>
     <message>
-        <source>{0} is declared twice</source>
-        <translation>{0} 声明了两次</translation>
-    </message>
-    <message>
-        <source>There is no type {0}</source>
-        <translation>没有类型 {0}</translation>
-    </message>
-    <message>
         <source>{0} contains itself; use a REFERENCE TO</source>
         <translation>{0} 包含自身；请使用 REFERENCE TO</translation>
     </message>
@@ -240,48 +188,8 @@
         <translation>{0} 调用自身，这是不允许的：{1}</translation>
     </message>
     <message>
-        <source>{0} is never used</source>
-        <translation>{0} 从未使用</translation>
-    </message>
-    <message>
-        <source>{0} is read but never written</source>
-        <translation>{0} 被读取，但从未写入</translation>
-    </message>
-    <message>
-        <source>This is never executed</source>
-        <translation>此处永远不会执行</translation>
-    </message>
-    <message>
-        <source>The result of {0} is not set on every path</source>
-        <translation>{0} 的结果未在所有路径上赋值</translation>
-    </message>
-    <message>
-        <source>CASE has no branch for {0} and no ELSE</source>
-        <translation>CASE 没有 {0} 的分支，也没有 ELSE</translation>
-    </message>
-    <message>
-        <source>{0} already has a branch</source>
-        <translation>{0} 已有分支</translation>
-    </message>
-    <message>
-        <source>The task {0} is declared twice</source>
-        <translation>任务 {0} 声明了两次</translation>
-    </message>
-    <message>
-        <source>There is no task {0}</source>
-        <translation>没有任务 {0}</translation>
-    </message>
-    <message>
-        <source>{0} does not implement {1} of {2}</source>
-        <translation>{0} 未实现 {2} 的 {1}</translation>
-    </message>
-    <message>
         <source>The parameters of {0} must match those of the overridden method</source>
         <translation>{0} 的参数必须与被重写的方法一致</translation>
-    </message>
-    <message>
-        <source>{0} is FINAL and cannot be extended or overridden</source>
-        <translation>{0} 是 FINAL，不能扩展或重写</translation>
     </message>
     <message>
         <source>{1} cannot extend {0}</source>
@@ -290,10 +198,6 @@
     <message>
         <source>{0} is not allowed {1}</source>
         <translation>{1}不允许使用 {0}</translation>
-    </message>
-    <message>
-        <source>There is no label {0}</source>
-        <translation>没有标号 {0}</translation>
     </message>
     <message>
         <source>{0} is only allowed inside a loop</source>
@@ -308,60 +212,20 @@
         <translation>没有类型为 {1} 的全局变量 {0}</translation>
     </message>
     <message>
-        <source>The variables need {0} bytes; the maximum is {1}</source>
-        <translation>变量需要 {0} 字节；最大为 {1}</translation>
-    </message>
-    <message>
-        <source>There is no PROGRAM to run</source>
-        <translation>没有可运行的 PROGRAM</translation>
-    </message>
-    <message>
         <source>There are several programs and no CONFIGURATION; name one of them Main or write a CONFIGURATION</source>
         <translation>有多个程序但没有 CONFIGURATION；请将其中一个命名为 Main，或编写 CONFIGURATION</translation>
-    </message>
-    <message>
-        <source>There is no namespace {0}</source>
-        <translation>没有命名空间 {0}</translation>
     </message>
     <message>
         <source>The range {0}..{1} is not valid: the lower bound is above the upper bound or there are too many elements</source>
         <translation>范围 {0}..{1} 无效：下界大于上界，或元素过多</translation>
     </message>
     <message>
-        <source>{0} is not a variable of this configuration</source>
-        <translation>{0} 不是此配置的变量</translation>
-    </message>
-    <message>
         <source>{0} has an incomplete address; complete it in a VAR_CONFIG</source>
         <translation>{0} 的地址不完整；请在 VAR_CONFIG 中补全</translation>
     </message>
     <message>
-        <source>{0} restarts on every call because functions keep no state</source>
-        <translation>{0} 在每次调用时重新开始，因为函数不保存状态</translation>
-    </message>
-    <message>
-        <source>Too many initial values: {0} for {1} {1:element|elements}</source>
-        <translation>初始值过多：{1} 个元素有 {0} 个初始值</translation>
-    </message>
-    <message>
         <source>{0} may call itself; the depth of recursion is limited at run time</source>
         <translation>{0} 可能调用自身；运行时会限制递归深度</translation>
-    </message>
-    <message>
-        <source>The chart has no INITIAL_STEP</source>
-        <translation>顺序功能图没有 INITIAL_STEP</translation>
-    </message>
-    <message>
-        <source>The chart has two initial steps: {0} and {1}</source>
-        <translation>顺序功能图有两个初始步：{0} 和 {1}</translation>
-    </message>
-    <message>
-        <source>There is no step {0}</source>
-        <translation>没有步 {0}</translation>
-    </message>
-    <message>
-        <source>No transition leads to step {0}; it can never become active</source>
-        <translation>没有转换通向步 {0}；它永远不会激活</translation>
     </message>
     <message>
         <source>Step {0} can become active twice at the same time: the branches from here do not join</source>
@@ -380,32 +244,12 @@
         <translation>限定符 {0} 需要时间，例如 T#2s</translation>
     </message>
     <message>
-        <source>{0} is not an action qualifier</source>
-        <translation>{0} 不是动作限定符</translation>
-    </message>
-    <message>
-        <source>There is no action or BOOL variable {0}</source>
-        <translation>没有名为 {0} 的动作或 BOOL 变量</translation>
-    </message>
-    <message>
-        <source>The step {0} is declared twice</source>
-        <translation>步 {0} 声明了两次</translation>
-    </message>
-    <message>
         <source>{0} is not an IL operator</source>
         <translation>{0} 不是 IL 操作符</translation>
     </message>
     <message>
         <source>{0} needs a current result; load one with LD</source>
         <translation>{0} 需要当前结果；请用 LD 装载</translation>
-    </message>
-    <message>
-        <source>The parenthesis of this instruction is not closed</source>
-        <translation>此指令的括号未闭合</translation>
-    </message>
-    <message>
-        <source>The current result is {0} on one path to this label and {1} on another</source>
-        <translation>到达此标号时，当前结果在一条路径上为 {0}，在另一条上为 {1}</translation>
     </message>
     <message>
         <source>{0} is only allowed in a TEST</source>
@@ -456,10 +300,6 @@
         <translation>没有转换从步 {0} 离开；顺序功能图在此处结束</translation>
     </message>
     <message>
-        <source>{0} appears twice in this step with qualifier {1}</source>
-        <translation>{0} 在此步中以限定符 {1} 出现了两次</translation>
-    </message>
-    <message>
         <source>{0} is also a variable; steps and calls mean the ACTION</source>
         <translation>{0} 也是变量；步和调用指的是 ACTION</translation>
     </message>
@@ -470,14 +310,6 @@
     <message>
         <source>Use {1} instead of {0} in Structured Text</source>
         <translation>在结构化文本中请使用 {1} 代替 {0}</translation>
-    </message>
-    <message>
-        <source>This loop never ends and would stop the controller</source>
-        <translation>此循环永不结束，会使控制器停住</translation>
-    </message>
-    <message>
-        <source>{0} is marked OVERRIDE, but no base has a method with this name</source>
-        <translation>{0} 标有 OVERRIDE，但基类中没有同名方法</translation>
     </message>
     <message>
         <source>The task {0} has no INTERVAL above zero and no SINGLE; it runs in every scan</source>
@@ -512,8 +344,172 @@
         <translation>此 {1} 缺少编译指示 {0}</translation>
     </message>
     <message>
-        <source>Code in C is not executed</source>
-        <translation>C 代码不会执行</translation>
+        <source>The character {0} has no meaning here; remove it</source>
+        <translation>字符 {0} 在此处没有意义；请删除</translation>
+    </message>
+    <message>
+        <source>This is nested too deeply to be compiled; split it into several statements or units</source>
+        <translation>嵌套过深，无法编译；请拆分为多条语句或多个程序组织单元</translation>
+    </message>
+    <message>
+        <source>Code in C is not executed; write it in ST</source>
+        <translation>C 代码不会执行；请用 ST 编写</translation>
+    </message>
+    <message>
+        <source>{0} is specified twice; remove one of the two</source>
+        <translation>{0} 指定了两次；请删除其中一个</translation>
+    </message>
+    <message>
+        <source>{0} is not an array or string; remove the index or declare it as an ARRAY</source>
+        <translation>{0} 不是数组或字符串；请删除下标或声明为 ARRAY</translation>
+    </message>
+    <message>
+        <source>The divisor is always zero; divide by another value</source>
+        <translation>除数始终为零；请除以其他值</translation>
+    </message>
+    <message>
+        <source>A constant is needed here; write a value or the name of a VAR CONSTANT</source>
+        <translation>此处需要常量；请写一个值或 VAR CONSTANT 的名称</translation>
+    </message>
+    <message>
+        <source>{0} is not a pointer or reference; use it without ^ or declare it with REF_TO</source>
+        <translation>{0} 不是指针或引用；请不带 ^ 使用，或用 REF_TO 声明</translation>
+    </message>
+    <message>
+        <source>{0} does not return a value; call it in a statement of its own</source>
+        <translation>{0} 不返回值；请在单独的语句中调用</translation>
+    </message>
+    <message>
+        <source>{0} is abstract and cannot be instantiated; use a block that extends it</source>
+        <translation>{0} 是抽象的，不能实例化；请使用扩展它的功能块</translation>
+    </message>
+    <message>
+        <source>{0} is {1} and cannot be used here; make it PUBLIC or use it inside its block</source>
+        <translation>{0} 是 {1}，不能在此处使用；请声明为 PUBLIC 或在其功能块内使用</translation>
+    </message>
+    <message>
+        <source>The result of {0} is not used; assign it to a variable</source>
+        <translation>{0} 的结果未使用；请赋给变量</translation>
+    </message>
+    <message>
+        <source>{0} is declared twice; rename or remove one of the two</source>
+        <translation>{0} 声明了两次；请重命名或删除其中一个</translation>
+    </message>
+    <message>
+        <source>There is no type {0}; declare it or add the library that contains it</source>
+        <translation>没有类型 {0}；请声明它，或添加包含它的库</translation>
+    </message>
+    <message>
+        <source>{0} is never used; remove its declaration</source>
+        <translation>{0} 从未使用；请删除其声明</translation>
+    </message>
+    <message>
+        <source>{0} is read but never written; give it a value or declare it as CONSTANT</source>
+        <translation>{0} 被读取，但从未写入；请赋值或声明为 CONSTANT</translation>
+    </message>
+    <message>
+        <source>This is never executed; remove it or change what is before it</source>
+        <translation>此处永远不会执行；请删除，或修改其前面的语句</translation>
+    </message>
+    <message>
+        <source>The result of {0} is not set on every path; assign it before the first RETURN or IF</source>
+        <translation>{0} 的结果未在所有路径上赋值；请在第一个 RETURN 或 IF 之前赋值</translation>
+    </message>
+    <message>
+        <source>CASE has no branch for {0} and no ELSE; add one of them</source>
+        <translation>CASE 没有 {0} 的分支，也没有 ELSE；请添加其中之一</translation>
+    </message>
+    <message>
+        <source>{0} already has a branch; remove one of the two</source>
+        <translation>{0} 已有分支；请删除其中一个</translation>
+    </message>
+    <message>
+        <source>The task {0} is declared twice; rename one of the two</source>
+        <translation>任务 {0} 声明了两次；请重命名其中一个</translation>
+    </message>
+    <message>
+        <source>There is no task {0}; declare it with TASK in this configuration</source>
+        <translation>没有任务 {0}；请在此配置中用 TASK 声明</translation>
+    </message>
+    <message>
+        <source>{0} does not implement {1} of {2}; add it</source>
+        <translation>{0} 未实现 {2} 的 {1}；请添加</translation>
+    </message>
+    <message>
+        <source>{0} is FINAL and cannot be extended or overridden; remove FINAL or use another base</source>
+        <translation>{0} 是 FINAL，不能扩展或重写；请删除 FINAL 或使用其他基类</translation>
+    </message>
+    <message>
+        <source>There is no label {0}; write it with a colon before a statement of this unit</source>
+        <translation>没有标号 {0}；请在此程序组织单元的一条语句前写上标号和冒号</translation>
+    </message>
+    <message>
+        <source>The variables need {0} bytes; the maximum is {1}: make arrays or strings smaller</source>
+        <translation>变量需要 {0} 字节；最大为 {1}：请减小数组或字符串</translation>
+    </message>
+    <message>
+        <source>There is no PROGRAM to run; add one</source>
+        <translation>没有可运行的 PROGRAM；请添加一个</translation>
+    </message>
+    <message>
+        <source>There is no namespace {0}; declare it or add the library that contains it</source>
+        <translation>没有命名空间 {0}；请声明它，或添加包含它的库</translation>
+    </message>
+    <message>
+        <source>{0} is not a variable of this configuration; write program instance and variable, as in Main.x</source>
+        <translation>{0} 不是此配置的变量；请写程序实例和变量，例如 Main.x</translation>
+    </message>
+    <message>
+        <source>{0} restarts on every call because functions keep no state; use a FUNCTION_BLOCK</source>
+        <translation>{0} 在每次调用时重新开始，因为函数不保存状态；请使用 FUNCTION_BLOCK</translation>
+    </message>
+    <message>
+        <source>Too many initial values: {0} for {1} {1:element|elements}; remove some or enlarge the array</source>
+        <translation>初始值过多：{1} 个元素有 {0} 个初始值；请删除一些或增大数组</translation>
+    </message>
+    <message>
+        <source>This loop never ends and would stop the controller; give it a condition or an EXIT</source>
+        <translation>此循环永不结束，会使控制器停住；请添加条件或 EXIT</translation>
+    </message>
+    <message>
+        <source>{0} is marked OVERRIDE, but no base has a method with this name; remove OVERRIDE or correct the name</source>
+        <translation>{0} 标有 OVERRIDE，但基类中没有同名方法；请删除 OVERRIDE 或更正名称</translation>
+    </message>
+    <message>
+        <source>The chart has no INITIAL_STEP; declare its first step with INITIAL_STEP instead of STEP</source>
+        <translation>顺序功能图没有 INITIAL_STEP；请用 INITIAL_STEP 代替 STEP 声明第一步</translation>
+    </message>
+    <message>
+        <source>The chart has two initial steps: {0} and {1}; declare one of them with STEP</source>
+        <translation>顺序功能图有两个初始步：{0} 和 {1}；请将其中一个声明为 STEP</translation>
+    </message>
+    <message>
+        <source>There is no step {0}; declare it or correct the name</source>
+        <translation>没有步 {0}；请声明它或更正名称</translation>
+    </message>
+    <message>
+        <source>No transition leads to step {0}; it can never become active: add a TRANSITION to it</source>
+        <translation>没有转换通向步 {0}；它永远不会激活：请添加通向它的 TRANSITION</translation>
+    </message>
+    <message>
+        <source>{0} is not an action qualifier; use N, R, S, L, D, P, SD, DS or SL</source>
+        <translation>{0} 不是动作限定符；请使用 N、R、S、L、D、P、SD、DS 或 SL</translation>
+    </message>
+    <message>
+        <source>There is no action or BOOL variable {0}; add an ACTION or declare the variable</source>
+        <translation>没有名为 {0} 的动作或 BOOL 变量；请添加 ACTION 或声明变量</translation>
+    </message>
+    <message>
+        <source>The step {0} is declared twice; rename or remove one of the two</source>
+        <translation>步 {0} 声明了两次；请重命名或删除其中一个</translation>
+    </message>
+    <message>
+        <source>{0} appears twice in this step with qualifier {1}; remove one of the two</source>
+        <translation>{0} 在此步中以限定符 {1} 出现了两次；请删除其中一个</translation>
+    </message>
+    <message>
+        <source>The parenthesis of this instruction is not closed; add an instruction ) after its operands</source>
+        <translation>此指令的括号未闭合；请在其操作数之后添加一条 ) 指令</translation>
     </message>
 </context>
 <context>
@@ -5163,6 +5159,38 @@
     </message>
 </context>
 <context>
+    <name>plc::app::ExplanationDialog</name>
+    <message>
+        <source>Explanation</source>
+        <translation>解释</translation>
+    </message>
+    <message>
+        <source>Line %1: %2</source>
+        <extracomment>an example&apos;s line, then what is wrong there</extracomment>
+        <translation>第 %1 行：%2</translation>
+    </message>
+    <message>
+        <source>What %1 Means</source>
+        <translation>%1 的含义</translation>
+    </message>
+    <message>
+        <source>Wrong</source>
+        <translation>错误</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>正确</translation>
+    </message>
+    <message>
+        <source>Put the cursor on a problem, or choose one in the list, and press F1 again</source>
+        <translation>请将光标放在某个问题上，或在列表中选择一个，然后再按 F1</translation>
+    </message>
+    <message>
+        <source>There is no page for %1</source>
+        <translation>没有关于 %1 的页面</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::ExportDialog</name>
     <message>
         <source>Export the Project</source>
@@ -6272,6 +6300,10 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <source>What if? needs a running controller: a recording from a file cannot be resumed</source>
         <translation>“假如”需要运行中的控制器：来自文件的记录不能继续运行</translation>
     </message>
+    <message>
+        <source>Explain the Problem</source>
+        <translation>解释问题</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MergeDialog</name>
@@ -6921,6 +6953,10 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Disk space for the recordings of earlier runs, per project</source>
         <translation>每个项目以往运行记录的磁盘空间</translation>
+    </message>
+    <message>
+        <source> MB</source>
+        <translation> MB</translation>
     </message>
 </context>
 <context>

@@ -46,7 +46,7 @@ const std::vector<Command>& commands() {
         checkCommand(),  runCommand(),     formatCommand(),  testCommand(),   traceCommand(),  replayCommand(),
         panelCommand(),  docCommand(),     convertCommand(), importCommand(), exportCommand(), ladderCommand(),
         whyCommand(),    tuneCommand(),    serveCommand(),   textsCommand(),  recipeCommand(), peopleCommand(),
-        alarmsCommand(), devicesCommand(), lspCommand(),     dapCommand(),    mcpCommand()};
+        alarmsCommand(), devicesCommand(), lspCommand(),     dapCommand(),    mcpCommand(),    explainCommand()};
     return all;
 }
 

@@ -29,6 +29,7 @@ int runCommandLine(const std::vector<std::string>& words);
 [[nodiscard]] Command replayCommand();
 [[nodiscard]] Command panelCommand();
 [[nodiscard]] Command docCommand();
+[[nodiscard]] Command explainCommand();
 [[nodiscard]] Command convertCommand();
 [[nodiscard]] Command importCommand();
 [[nodiscard]] Command exportCommand();

@@ -1,6 +1,7 @@
 #include "app/cli/command.h"
 
 #include "app/cli/errors.h"
+#include "projects/analysis/explanation.h"
 #include "projects/analysis/library_reference.h"
 
 #include <fstream>
@@ -24,9 +25,26 @@ int checkReference(const std::string& folder) {
     return stale == 0 ? kGood : kProgramWrong;
 }
 
+int documentDiagnostics(const Arguments& arguments) {
+    const std::string path = arguments.value("--out").value_or("docs") + "/diagnostics.md";
+    const std::string text = analysis::diagnosticsReference();
+    std::ostringstream old;
+    old << std::ifstream(path, std::ios::binary).rdbuf();
+    if (old.str() == text) return kGood;
+    if (arguments.has("--check")) {
+        std::cerr << path << " is stale (stepwise doc diagnostics writes it)\n";
+        return kProgramWrong;
+    }
+    std::ofstream file(path, std::ios::binary);
+    if (!(file << text).flush()) return wrongUse({errors::OutputNotWritten(), path});
+    std::cout << path << " written\n";
+    return kGood;
+}
+
 int document(const Arguments& arguments) {
-    if (arguments.paths().size() != 1 || arguments.paths()[0] != "library")
-        return wrongUse({errors::DocNeedsSubject(), ""});
+    const std::string subject = arguments.paths().size() == 1 ? arguments.paths()[0] : std::string();
+    if (subject == "diagnostics") return documentDiagnostics(arguments);
+    if (subject != "library") return wrongUse({errors::DocNeedsSubject(), ""});
     const std::string folder = arguments.value("--out").value_or("docs/library");
     if (arguments.has("--check")) return checkReference(folder);
     const auto written = analysis::writeLibraryReference(folder);
@@ -39,9 +57,9 @@ int document(const Arguments& arguments) {
 
 Command docCommand() {
     return {{"doc",
-             "library [OPTIONS]",
-             "Writes the reference of all libraries as Markdown, from the comments of their ST texts.",
-             {{"--out", "FOLDER", "where the pages go (docs/library)"},
+             "library|diagnostics [OPTIONS]",
+             "Writes the reference of all libraries (from the comments of their ST texts) or of all diagnostics.",
+             {{"--out", "FOLDER", "where the pages go (docs/library, docs)"},
               {"--check", "", "writes nothing; exit code 1 where a page is stale"}},
              "stepwise doc library --out /tmp/reference"},
             document};

@@ -25,6 +25,7 @@ QString text(const std::string& s) { return QString::fromStdString(s); }
 
 QTreeWidget* makeTree(const QStringList& columns, const char* name, QWidget* parent) {
     auto* tree = new QTreeWidget(parent);
+    tree->setAccessibleName(columns.front());
     tree->setObjectName(name);
     tree->setHeaderLabels(columns);
     tree->setUniformRowHeights(true);

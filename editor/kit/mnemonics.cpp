@@ -1,5 +1,7 @@
 #include "editor/kit/mnemonics.h"
 
+#include "editor/kit/kept_translator.h"
+
 #include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
@@ -8,8 +10,10 @@
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
+#include <QPlainTextEdit>
 #include <QRegularExpression>
 #include <QTabBar>
+#include <QTableView>
 #include <QToolButton>
 
 #include <array>
@@ -62,7 +66,8 @@ std::vector<int> lettersIn(const QString& text) {
 
 std::vector<int> candidates(const QString& text, const QString& hint) {
     if (!isChinese(text)) return lettersIn(text);
-    std::vector<int> out = lettersIn(hint);
+    const QString english = KeptTranslator::sourceOf(text);
+    std::vector<int> out = lettersIn(english.isEmpty() ? hint : withoutMnemonic(english));
     for (int letter = 0; letter < 26; ++letter) append(out, characterOf(letter));
     return out;
 }
@@ -172,6 +177,12 @@ std::vector<Holder> partsOf(QWidget& dialog) {
     return out;
 }
 
+/// Tab goes to the next field also from a table or a text in a dialog, else nobody without a mouse gets out of it.
+void letTabLeave(QDialog& dialog) {
+    for (QTableView* table : dialog.findChildren<QTableView*>()) table->setTabKeyNavigation(false);
+    for (QPlainTextEdit* text : dialog.findChildren<QPlainTextEdit*>()) text->setTabChangesFocus(true);
+}
+
 class Keeper : public QObject {
 public:
     using QObject::QObject;
@@ -179,7 +190,10 @@ public:
         if (event->type() == QEvent::ActionAdded && !object->property(kKnown).toBool())
             if (auto* menu = qobject_cast<QMenu*>(object)) keep(*menu);
         if (event->type() == QEvent::Show)
-            if (auto* dialog = qobject_cast<QDialog*>(object)) giveMnemonics(*dialog);
+            if (auto* dialog = qobject_cast<QDialog*>(object)) {
+                giveMnemonics(*dialog);
+                letTabLeave(*dialog);
+            }
         return false;
     }
 

@@ -8,7 +8,8 @@ class QWidget;
 
 namespace plc::kit {
 
-/// The texts with one & each. `hints` are names whose letters serve texts in Chinese, which get theirs as “(&X)”.
+/// The texts with one & each. Texts in Chinese get theirs as “(&X)”: of the English they were translated from, else of
+/// the name in `hints`.
 [[nodiscard]] QStringList withMnemonics(const QStringList& texts, const QStringList& hints);
 
 /// "&Save" without its mark, "保存(&S)" without the letter.
@@ -17,7 +18,7 @@ namespace plc::kit {
 /// To a menu bar, a menu or a dialog as it is now.
 void giveMnemonics(QWidget& of);
 
-/// To every menu and dialog of the application when it opens. Once is enough.
+/// To every menu and dialog of the application when it opens; Tab leaves every field of a dialog, too. Once is enough.
 void keepMnemonics(QApplication& application);
 
 } // namespace plc::kit

@@ -94,6 +94,7 @@ std::optional<QString> askLongText(const QString& title, const QString& text, QW
     dialog.setWindowTitle(title);
     dialog.resize(480, 260);
     auto* edit = new QPlainTextEdit(text, &dialog);
+    edit->setAccessibleName(title);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, &dialog);
     auto* layout = new QVBoxLayout(&dialog);
     layout->addWidget(edit);
@@ -219,6 +220,8 @@ QWidget* PropertyDelegate::createEditor(QWidget* parent, const QStyleOptionViewI
 
 void PropertyDelegate::setEditorData(QWidget* editor, const QModelIndex& index) const {
     const QVariant value = m_grid.value(idOf(index));
+    if (const PropertyDescriptor* described = m_grid.descriptor(idOf(index)))
+        (editor->focusProxy() ? editor->focusProxy() : editor)->setAccessibleName(described->label);
     const QSignalBlocker quiet(editor);
     if (auto* spin = qobject_cast<QSpinBox*>(editor)) {
         spin->setValue(value.toInt());

@@ -36,6 +36,7 @@ public:
     using QStyledItemDelegate::QStyledItemDelegate;
     QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex& index) const override {
         auto* box = new QComboBox(parent);
+        box->setAccessibleName(index.model()->headerData(index.column(), Qt::Horizontal).toString());
         for (const SectionKind kind : kSections) box->addItem(kit::fromView(syntax::keywordOf(kind)));
         const QString now = index.data().toString();
         if (box->findText(now) < 0) box->insertItem(0, now); // VAR CONSTANT, VAR RETAIN

@@ -65,6 +65,7 @@ ChannelPanel::ChannelPanel(QWidget* parent) : QWidget(parent) {
     auto* add = new QToolButton(this);
     add->setIcon(kit::icon(kit::Icon::Add));
     add->setToolTip(tr("Add as a channel"));
+    add->setAccessibleName(add->toolTip());
     add->setAutoRaise(true);
     m_list = new QTreeWidget(this);
     m_list->setColumnCount(2);

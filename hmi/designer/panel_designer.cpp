@@ -292,6 +292,7 @@ QToolBar* PanelDesigner::makeToolBar() {
     put({"grid", "snap", "zoom-out", "zoom-in", "zoom-fit"});
     auto* languages = new QComboBox;
     languages->setToolTip(tr("Language shown"));
+    languages->setAccessibleName(languages->toolTip());
     const auto fill = [this, languages] {
         const QSignalBlocker quiet(languages);
         languages->clear();
@@ -306,6 +307,7 @@ QToolBar* PanelDesigner::makeToolBar() {
     bar->addWidget(languages);
     auto* themes = new QComboBox;
     themes->setToolTip(tr("Theme of the panel"));
+    themes->setAccessibleName(themes->toolTip());
     for (const auto& [name, title] :
          {std::pair{"light", tr("Light")}, std::pair{"dark", tr("Dark")}, std::pair{"contrast", tr("High contrast")}})
         themes->addItem(title, QString::fromLatin1(name));

@@ -252,7 +252,7 @@ TEST_F(DiskChangeTest, TheDifferencesOfBothSidesAreColoured) {
             EXPECT_NE(current, plain);
             EXPECT_NE(other, plain);
             EXPECT_NE(current, other) << "the one that Take Over takes";
-            if (!isHere) EXPECT_EQ(groundOf(*side, 4), other) << "a line that only the disk has";
+            EXPECT_EQ(groundOf(*side, 4) == other, !isHere) << "a line that only the disk has";
         }
     }
     window->changeTheme(kit::ThemeChoice::Light);

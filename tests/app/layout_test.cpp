@@ -59,6 +59,15 @@ TEST_F(LayoutTest, TheWindowFitsIntoASmallScreen) {
     EXPECT_GT(window->tabs().height(), 150);
 }
 
+TEST_F(LayoutTest, OpeningAProjectKeepsTheSizeOfTheWindow) {
+    window->closeProject();
+    window->resize(1024, 700);
+    ASSERT_TRUE(waitFor([&] { return window->size() == QSize(1024, 700); }));
+    ASSERT_TRUE(window->openProject(folder.path()));
+    QTest::qWait(50); // what the docks have posted
+    EXPECT_EQ(window->size(), QSize(1024, 700));
+}
+
 TEST_F(LayoutTest, ClickingWithAltPutsOneMoreCaret) {
     const auto at = [&](const char* text) {
         const auto position = static_cast<long>(editor().utf8().find(text));

@@ -74,7 +74,8 @@ TEST(Companions, VariablesThatOnlyPanelsAlarmsTracesAndTestsNameAreUsed) {
     folder.write("tests/main.st", "TEST 'counts'\n    ASSERT Main.tested = 0;\nEND_TEST\n");
     const auto project = projects::openProject({folder.path()});
     ASSERT_TRUE(project);
-    EXPECT_EQ(unusedIn(*project), (std::vector<std::string>{"alone is never used", "nobody is never used"}));
+    EXPECT_EQ(unusedIn(*project), (std::vector<std::string>{"alone is never used; remove its declaration",
+                                                            "nobody is never used; remove its declaration"}));
 }
 
 TEST(Companions, APipeIsNotReplacedByAFile) {

@@ -1,0 +1,264 @@
+#include "tests/app/all_windows.h"
+
+#include "app/editor_tabs.h"
+#include "app/exchange_dialogs.h"
+#include "app/live_views.h"
+#include "app/merge_dialog.h"
+#include "app/new_project.h"
+#include "app/project_tree.h"
+#include "app/settings_dialog.h"
+#include "app/st_page.h"
+#include "app/start_page.h"
+#include "editor/debug/watch_view.h"
+#include "editor/graph/chart_view.h"
+#include "editor/graph/ladder_view.h"
+#include "editor/kit/command_palette.h"
+#include "hmi/designer/palette.h"
+#include "hmi/designer/panel_designer.h"
+#include "hmi/designer/records_dialog.h"
+#include "hmi/model/descriptor.h"
+#include "hmi/model/panel.h"
+
+#include <QAbstractItemView>
+#include <QAction>
+#include <QApplication>
+#include <QContextMenuEvent>
+#include <QDialog>
+#include <QDir>
+#include <QDockWidget>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QFileInfo>
+#include <QListWidget>
+#include <QMenu>
+#include <QMenuBar>
+#include <QTest>
+#include <QTimer>
+#include <QTreeWidget>
+
+#include <gtest/gtest.h>
+
+namespace plc::app {
+
+namespace {
+
+const char* const kMotor = R"(FUNCTION_BLOCK Motor
+VAR_INPUT
+    run : BOOL;
+END_VAR
+VAR_OUTPUT
+    turns : DINT;
+END_VAR
+IF run THEN
+    turns := turns + 1;
+END_IF
+END_FUNCTION_BLOCK
+)";
+
+const char* const kSteps = R"(PROGRAM Steps
+VAR
+    go : BOOL;
+    drive : Motor;
+END_VAR
+INITIAL_STEP Ready: END_STEP
+TRANSITION FROM Ready TO Work := go; END_TRANSITION
+STEP Work:
+    Turn(N);
+END_STEP
+TRANSITION FROM Work TO Ready := NOT go; END_TRANSITION
+ACTION Turn:
+    drive(run := TRUE);
+END_ACTION
+END_PROGRAM
+)";
+
+const char* const kRungs = R"(PROGRAM Rungs
+VAR
+    on, off, motor : BOOL;
+END_VAR
+motor := (on OR motor) AND NOT off;
+END_PROGRAM
+)";
+
+const char* const kAlarms = R"({"version": 1, "classes": [{"name": "fault", "title": "@fault"}],
+  "alarms": [{"id": "1", "condition": "Main.done", "class": "fault", "text": "@hot"}]})";
+
+void write(const QString& path, const std::string& text) {
+    QDir().mkpath(QFileInfo(path).path());
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly)) << path.toStdString();
+    file.write(QByteArray::fromStdString(text));
+}
+
+/// One element of each kind, in rows.
+std::string panelOfAllKinds() {
+    hmi::Json elements = hmi::Json::array();
+    int index = 0;
+    for (const hmi::ElementDescriptor& kind : hmi::elementDescriptors()) {
+        hmi::Json fields = hmi::newElementFields(kind.kind);
+        fields["id"] = "e" + std::to_string(index);
+        fields["rect"] = {40 + index % 8 * 120, 40 + index / 8 * 90, 100, 70};
+        elements.push_back(std::move(fields));
+        ++index;
+    }
+    return hmi::Json({{"elements", std::move(elements)}}).dump();
+}
+
+bool waitFor(const std::function<bool()>& condition) {
+    QElapsedTimer timer;
+    timer.start();
+    while (timer.elapsed() < 8000 && !condition()) QTest::qWait(10);
+    return condition();
+}
+
+/// Looks at what `open` shows, a dialog or a popup of its own loop, and closes it.
+void lookAtWhatOpens(const Look& look, const QString& name, QWidget* (*opened)(), const std::function<void()>& open) {
+    bool isSeen = false;
+    QTimer timer;
+    QObject::connect(&timer, &QTimer::timeout, [&] {
+        QWidget* shown = opened();
+        if (!shown) return;
+        if (!isSeen) look(*shown, name);
+        isSeen = true;
+        if (auto* dialog = qobject_cast<QDialog*>(shown))
+            dialog->reject();
+        else
+            shown->close();
+    });
+    timer.start(20);
+    open();
+    waitFor([&] { return isSeen; });
+    EXPECT_TRUE(isSeen) << name.toStdString() << " did not open";
+}
+
+void lookAtDialog(const Look& look, const QString& name, const std::function<void()>& open) {
+    lookAtWhatOpens(look, name, &QApplication::activeModalWidget, open);
+}
+
+/// The menu of the right button at the middle of a row, or of the widget.
+void lookAtMenuOf(const Look& look, const QString& name, QWidget* widget) {
+    ASSERT_NE(widget, nullptr) << name.toStdString();
+    QPoint at = widget->rect().center();
+    auto* view = qobject_cast<QAbstractItemView*>(widget);
+    if (view && view->model()->rowCount() > 0) at = view->visualRect(view->model()->index(0, 0)).center();
+    QWidget* target = widget;
+    if (auto* area = qobject_cast<QAbstractScrollArea*>(widget)) target = area->viewport();
+    lookAtWhatOpens(look, name, &QApplication::activePopupWidget, [&] {
+        QContextMenuEvent event(QContextMenuEvent::Mouse, at, target->mapToGlobal(at));
+        QApplication::sendEvent(target, &event);
+    });
+}
+
+} // namespace
+
+std::vector<QWidget*> widgetsOf(QWidget& window) {
+    std::vector<QWidget*> out{&window};
+    for (QWidget* each : window.findChildren<QWidget*>()) out.push_back(each);
+    return out;
+}
+
+void writeProjectOfAllKinds(const QString& folder) {
+    write(folder + "/src/motor.st", kMotor);
+    write(folder + "/src/steps.st", kSteps);
+    write(folder + "/src/rungs.st", kRungs);
+    write(folder + "/tests/first.st", "TEST 'turns'\nRUN T#20ms;\nASSERT Main.counter > 0;\nEND_TEST\n");
+    write(folder + "/hmi/all.panel.json", panelOfAllKinds());
+    write(folder + "/hmi/alarms.json", kAlarms);
+    write(folder + "/hmi/texts.csv", "key,comment,en\nfault,,Fault\nhot,,Hot\nState.0,,Off\n");
+}
+
+void lookAtAllDocuments(MainWindow& window, const Look& look) {
+    window.action("run.start")->trigger();
+    ASSERT_TRUE(waitFor([&] { return window.control().status().scans > 20; }));
+    window.watch().setExpressions({"Main.counter", "Main.done", "Main.pulse"});
+    (void)window.control().force("Main.limit", "900");
+    for (QDockWidget* dock : window.findChildren<QDockWidget*>()) window.showDock(dock->objectName());
+    window.runTests();
+    QTest::qWait(300);
+    look(window, "main window");
+    StPage* page = window.tabs().openFile("src/main.st");
+    page->findBar().open(true);
+    page->toggleTable();
+    look(window, "text, table and find bar");
+    page = window.tabs().openFile("src/steps.st");
+    ASSERT_NE(page->showChart("Steps"), nullptr);
+    look(window, "chart");
+    page = window.tabs().openFile("src/rungs.st");
+    ASSERT_NE(page->showLadder("Rungs"), nullptr);
+    look(window, "ladder");
+    window.openTexts();
+    look(window, "texts");
+    window.openAlarms();
+    look(window, "alarms");
+    window.openDesigner("all");
+    auto* designer = qobject_cast<hmi::PanelDesigner*>(window.tabs().currentWidget());
+    ASSERT_NE(designer, nullptr);
+    designer->selection().clear();
+    look(*designer, "designer");
+    for (const hmi::Element& element : designer->document().panel().elements()) {
+        designer->selection().set({element.id()});
+        QTest::qWait(1);
+        look(*designer, "designer: " + element.id());
+    }
+    window.startTour();
+    QTest::qWait(50);
+    look(window, "tour");
+    window.openPalette();
+    look(window, "palette");
+    window.findChild<kit::CommandPalette*>()->hide();
+}
+
+void lookAtAllDialogs(MainWindow& window, const Look& look) {
+    lookAtDialog(look, "new project", [&] { window.newProject(); });
+    lookAtDialog(look, "new unit", [&] { window.newUnit(); });
+    lookAtDialog(look, "settings", [&] { window.openSettings(); });
+    lookAtDialog(look, "speed", [&] { window.setSpeed(); });
+    lookAtDialog(look, "memory", [&] { window.setHistoryBudget(); });
+    lookAtDialog(look, "new panel", [&] { window.newPanel(); });
+    lookAtDialog(look, "new trace", [&] { window.newTrace(); });
+    lookAtDialog(look, "libraries", [&] { window.chooseLibraries(); });
+    lookAtDialog(look, "about", [&] { window.about(); });
+    lookAtDialog(look, "import", [&] { window.action("file.import")->trigger(); });
+    lookAtDialog(look, "export", [&] { window.action("file.export")->trigger(); });
+    StPage* page = window.tabs().openFile("src/main.st");
+    page->active().goTo(static_cast<uint32_t>(page->active().utf8().find("counter :=")));
+    lookAtDialog(look, "go to line", [&] { window.goToLine(); });
+    lookAtDialog(look, "rename", [&] { window.renameAtCursor(); });
+    lookAtDialog(look, "conversion", [&] { window.showConverted(analysis::TextLanguage::Il); });
+    lookAtDialog(look, "delete a unit", [&] { window.deleteUnit("src/motor.st", 0, 20, "Motor"); });
+    lookAtDialog(look, "delete a panel", [&] { window.deleteProjectFile("panel", "all"); });
+    lookAtDialog(look, "differences", [&] {
+        MergeDialog dialog("src/main.st", "a := 1;\n", "a := 2;\n", &window);
+        dialog.exec();
+    });
+    window.openDesigner("all");
+    if (auto* designer = qobject_cast<hmi::PanelDesigner*>(window.tabs().currentWidget())) {
+        designer->selection().set({designer->document().panel().elements().front().id()});
+        lookAtDialog(look, "array", [&] { designer->duplicateAsArray(); });
+    }
+}
+
+void lookAtAllMenus(MainWindow& window, const Look& look) {
+    for (QMenu* menu : window.menuBar()->findChildren<QMenu*>()) {
+        emit menu->aboutToShow();
+        look(*menu, "menu " + menu->title());
+    }
+    look(*window.menuBar(), "menu bar");
+    window.showDock("project");
+    lookAtMenuOf(look, "menu of the project tree", &window.projectTree().tree());
+    window.showDock("watch");
+    window.watch().setExpressions({"Main.counter"});
+    lookAtMenuOf(look, "menu of the watch", &window.watch().tree());
+    StPage* page = window.tabs().openFile("src/main.st");
+    page->active().goTo(static_cast<uint32_t>(page->active().utf8().find("counter :=")));
+    lookAtMenuOf(look, "menu of the text", &page->active());
+    page = window.tabs().openFile("src/steps.st");
+    lookAtMenuOf(look, "menu of the chart", page->showChart("Steps"));
+    page = window.tabs().openFile("src/rungs.st");
+    lookAtMenuOf(look, "menu of the ladder", page->showLadder("Rungs"));
+    window.openDesigner("all");
+    if (auto* designer = qobject_cast<hmi::PanelDesigner*>(window.tabs().currentWidget()))
+        lookAtMenuOf(look, "menu of the designer", &designer->canvas());
+}
+
+} // namespace plc::app
