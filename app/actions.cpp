@@ -9,6 +9,7 @@
 #include "app/perspectives.h"
 #include "app/problems_view.h"
 #include "app/search_view.h"
+#include "app/side_bars.h"
 #include "editor/debug/watch_view.h"
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
@@ -175,6 +176,7 @@ const std::vector<ActionSpec> kActions = {
     {"view.debugging", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Arrange for Debugging"), "Ctrl+Alt+2", none, [](MainWindow& w) { if (w.workspace().isOpen()) w.perspectives().show(Perspective::Debugging); }},
     {"view.panelDesign", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Arrange for Drawing Panels"), "Ctrl+Alt+3", none, [](MainWindow& w) { if (w.workspace().isOpen()) w.perspectives().show(Perspective::PanelDesign); }},
     {"view.maximise", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Maximise the Editor"), "Ctrl+Alt+M", none, [](MainWindow& w) { if (w.workspace().isOpen()) w.perspectives().toggleMaximised(); }},
+    {"view.hideDock", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Hide Dock Automatically"), "Ctrl+Alt+D", none, [](MainWindow& w) { w.sideBars().toggleFocused(); }},
     {"view.reset", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Reset the Layout"), "", none, [](MainWindow& w) { w.resetLayout(); }},
 
     {"help.explain", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Help"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Explain the Problem"), "F1", drawn(Icon::Question), [](MainWindow& w) { explainProblem(w); }},

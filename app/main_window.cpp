@@ -12,6 +12,7 @@
 #include "app/project_tree.h"
 #include "app/runs_menu.h"
 #include "app/search_view.h"
+#include "app/side_bars.h"
 #include "app/start_page.h"
 #include "app/test_runner.h"
 #include "app/test_view.h"
@@ -72,6 +73,7 @@ void MainWindow::build() {
     m_tabs = new EditorTabs(*m_workspace, *m_control, m_settings, m_stack);
     m_live = new LiveViews(*m_workspace, *m_control, this);
     m_perspectives = new Perspectives(*this);
+    m_sideBars = new SideBars(*this);
     takeRecordingSettings();
     for (QWidget* page : {static_cast<QWidget*>(m_startPage), static_cast<QWidget*>(m_tabs)})
         page->setMinimumSize(240, 120); // the page in the back does not keep docks small
@@ -102,6 +104,7 @@ QDockWidget* MainWindow::addDock(const QString& name, const QString& title, int 
     dock->setObjectName(name);
     dock->setWidget(widget);
     dock->setWindowIcon(kit::icon(static_cast<kit::Icon>(icon)));
+    m_sideBars->add(*dock);
     addDockWidget(area, dock);
     return dock;
 }
@@ -192,10 +195,11 @@ void MainWindow::makeDocks() {
 QDockWidget* MainWindow::dock(const QString& name) const { return findChild<QDockWidget*>(name); }
 
 void MainWindow::showDock(const QString& name) {
-    if (QDockWidget* shown = dock(name)) {
-        shown->show();
-        shown->raise();
-    }
+    QDockWidget* shown = dock(name);
+    if (!shown) return;
+    if (m_sideBars->hidesItself(*shown)) return m_sideBars->reveal(*shown);
+    shown->show();
+    shown->raise();
 }
 
 void MainWindow::makeActions() {
@@ -606,6 +610,7 @@ void MainWindow::openPalette() { m_palette->open(); }
 
 void MainWindow::resetLayout() {
     m_perspectives->leaveMaximised();
+    m_sideBars->restore({});
     restoreState(m_defaultLayout);
     for (QDockWidget* each : findChildren<QDockWidget*>()) each->setVisible(m_workspace->isOpen());
     findChild<QToolBar*>("timeToolBar")->setVisible(m_workspace->isOpen());

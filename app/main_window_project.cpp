@@ -9,6 +9,7 @@
 #include "app/project_tree.h"
 #include "app/search_view.h"
 #include "app/settings_dialog.h"
+#include "app/side_bars.h"
 #include "app/start_page.h"
 #include "app/test_view.h"
 #include "app/tour.h"
@@ -83,6 +84,7 @@ void MainWindow::closeProject() {
     if (!mayLeaveProject()) return;
     m_workspace->discardRecovery();
     m_workspace->close();
+    m_sideBars->restore({}); // they are the project's
     for (QDockWidget* each : findChildren<QDockWidget*>()) each->hide();
     findChild<QToolBar*>("timeToolBar")->hide();
     m_startPage->reload();
@@ -108,6 +110,7 @@ void MainWindow::saveProjectState() {
     m_settings.setProjectValue(folder, "watchLists", m_watch->stored());
     m_perspectives->leaveMaximised();
     m_settings.setProjectValue(folder, "layout", saveState());
+    m_settings.setProjectValue(folder, "docksThatHide", m_sideBars->stored());
     QStringList breakpoints;
     for (const editor::EditorBreakpoint& b : m_control->breakpoints())
         breakpoints << QStringList{b.file,     QString::number(b.line), b.condition, QString::number(b.hitCount),
@@ -124,6 +127,7 @@ void MainWindow::restoreProjectState() {
         restoreState(m_defaultLayout);
         arrangeAtFirst();
     }
+    m_sideBars->restore(m_settings.projectValue(folder, "docksThatHide").toStringList());
     const QStringList pages = m_settings.projectValue(folder, "pages").toStringList();
     QStringList tabs;
     for (const QString& page : pages) {
