@@ -340,6 +340,9 @@ void ProjectTree::reload() {
     auto* alarms = new QTreeWidgetItem(m_tree, {tr("Alarms")});
     alarms->setIcon(0, kit::icon(Icon::Alarm));
     alarms->setData(0, Kind, "alarms");
+    auto* devices = new QTreeWidgetItem(m_tree, {tr("Devices")});
+    devices->setIcon(0, kit::icon(Icon::Link));
+    devices->setData(0, Kind, "devices");
     names(group(tr("Traces"), static_cast<int>(Icon::Trace), "traces"), project.traces, "trace", Icon::Trace,
           ".trace.json");
     QTreeWidgetItem* tests = group(tr("Tests"), static_cast<int>(Icon::Test), "tests");
@@ -429,6 +432,8 @@ void ProjectTree::activate(QTreeWidgetItem* item) {
         emit textsRequested();
     else if (kind == "alarms")
         emit alarmsRequested();
+    else if (kind == "devices")
+        emit devicesRequested();
     else if (kind == "library")
         emit librariesRequested();
 }

@@ -30,6 +30,7 @@ signals:
     void traceRequested(const QString& name);
     void textsRequested();
     void alarmsRequested();
+    void devicesRequested();
     void testsRequested();
     void chartRequested(const QString& file, const QString& pou);
     /// Preset in the dialog: a template ("block") and a file; both may be empty.
