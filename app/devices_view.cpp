@@ -153,6 +153,8 @@ std::string freeName(const std::string& wish, const std::function<bool(const std
 
 } // namespace
 
+DevicesView& DevicesView::of(const QWidget& window) { return *window.findChild<DevicesView*>(); }
+
 DevicesView::DevicesView(DeviceConnections& connections, editor::Workspace& workspace, QWidget* parent)
     : QWidget(parent), m_connections(connections), m_workspace(workspace), m_tree(new QTreeWidget),
       m_fields(new QTableWidget(0, 2)), m_summary(new QLabel(this)) {

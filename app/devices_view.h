@@ -21,6 +21,8 @@ class DeviceConnections;
 class DevicesView : public QWidget {
     Q_OBJECT
 public:
+    /// The one of a window.
+    [[nodiscard]] static DevicesView& of(const QWidget& window);
     DevicesView(DeviceConnections& connections, editor::Workspace& workspace, QWidget* parent = nullptr);
     void toggleConnection();
     /// "Pump" or "Pump.Level".

@@ -160,10 +160,10 @@ void MainWindow::makeDocks() {
     roomForTuning->setWidgetResizable(true);
     roomForTuning->setWidget(tuning);
     tabifyDockWidget(tests, addDock("tuning", tr("Tuning"), i(Icon::Fit), roomForTuning, Qt::BottomDockWidgetArea));
-    m_devices = new DevicesView(DeviceConnections::of(*m_control, *m_workspace), *m_workspace);
-    connect(m_devices, &DevicesView::message, this, &MainWindow::say);
-    connect(m_devices, &DevicesView::problemsChanged, m_problems, &ProblemsView::setDeviceProblems);
-    tabifyDockWidget(tests, addDock("devices", tr("Devices"), i(Icon::Link), m_devices, Qt::BottomDockWidgetArea));
+    auto* devices = new DevicesView(DeviceConnections::of(*m_control, *m_workspace), *m_workspace);
+    connect(devices, &DevicesView::message, this, &MainWindow::say);
+    connect(devices, &DevicesView::problemsChanged, m_problems, &ProblemsView::setDeviceProblems);
+    tabifyDockWidget(tests, addDock("devices", tr("Devices"), i(Icon::Link), devices, Qt::BottomDockWidgetArea));
     tabifyDockWidget(tests, why);
     tabifyDockWidget(why, slow);
     watch->raise();

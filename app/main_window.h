@@ -36,7 +36,6 @@ class WatchView;
 namespace plc::app {
 
 class DesignFindings;
-class DevicesView;
 class EditorTabs;
 class InsideViews;
 class LiveViews;
@@ -88,7 +87,6 @@ public:
     [[nodiscard]] Perspectives& perspectives() { return *m_perspectives; }
     [[nodiscard]] PanelFiles& panelFiles() { return *m_files; }
     [[nodiscard]] TestView& tests() { return *m_tests; }
-    [[nodiscard]] DevicesView& devices() { return *m_devices; }
     [[nodiscard]] LiveViews& live() { return *m_live; }
     [[nodiscard]] InsideViews& inside() { return *m_inside; }
     [[nodiscard]] StartPage& startPage() { return *m_startPage; }
@@ -239,7 +237,6 @@ private:
     TestRunner* m_testRunner = nullptr;
     GuideView* m_guide;
     TestView* m_tests = nullptr;
-    DevicesView* m_devices = nullptr;
 };
 
 [[nodiscard]] const std::vector<ActionSpec>& actionTable();

@@ -268,7 +268,7 @@ void MainWindow::saveLanguages() {
 void MainWindow::openDesignPlace(const QString& file, const QString& element) {
     if (file == "devices.json") {
         showDock("devices");
-        return m_devices->select(element);
+        return DevicesView::of(*this).select(element);
     }
     if (file.endsWith(".csv")) return openTexts();
     if (!file.endsWith(".panel.json")) return openAlarms();

@@ -47,7 +47,7 @@ protected:
         ASSERT_TRUE(waitFor([&] { return window->workspace().model() != nullptr; }));
         window->showDock("devices");
     }
-    DevicesView& view() { return window->devices(); }
+    DevicesView& view() { return DevicesView::of(*window); }
     std::string onDisk() {
         QFile file(folder.filePath("devices.json"));
         return file.open(QIODevice::ReadOnly) ? file.readAll().toStdString() : std::string();
