@@ -58,6 +58,7 @@ void DeviceConnections::letGo() {
 Result<void> DeviceConnections::connectDevices() {
     if (!m_control.session()) return Error{devices::errors::NeedController(), {}};
     if (!m_current) return Error{m_refusal, {}};
+    if (m_control.mode().pace != session::Pace::Real) return Error{devices::errors::NeedRealTime(), {}};
     m_current->connect();
     emit changed();
     return {};
