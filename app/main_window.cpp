@@ -1,6 +1,8 @@
 #include "app/main_window.h"
 
 #include "app/design_findings.h"
+#include "app/device_connections.h"
+#include "app/devices_view.h"
 #include "app/editor_tabs.h"
 #include "app/guide_view.h"
 #include "app/inside_views.h"
@@ -161,6 +163,10 @@ void MainWindow::makeDocks() {
     roomForTuning->setWidgetResizable(true);
     roomForTuning->setWidget(tuning);
     tabifyDockWidget(tests, addDock("tuning", tr("Tuning"), i(Icon::Fit), roomForTuning, Qt::BottomDockWidgetArea));
+    auto* devices = new DevicesView(DeviceConnections::of(*m_control, *m_workspace), *m_workspace);
+    connect(devices, &DevicesView::message, this, &MainWindow::say);
+    connect(devices, &DevicesView::problemsChanged, m_problems, &ProblemsView::setDeviceProblems);
+    tabifyDockWidget(tests, addDock("devices", tr("Devices"), i(Icon::Link), devices, Qt::BottomDockWidgetArea));
     tabifyDockWidget(tests, why);
     tabifyDockWidget(why, slow);
     watch->raise();
@@ -347,6 +353,7 @@ void MainWindow::connectParts() {
     connect(m_tree, &ProjectTree::alarmsRequested, this, &MainWindow::openAlarms);
     connect(m_tree, &ProjectTree::recipesRequested, this, &MainWindow::openRecipes);
     connect(m_tree, &ProjectTree::peopleRequested, this, &MainWindow::openPeople);
+    connect(m_tree, &ProjectTree::devicesRequested, this, [this] { showDock("devices"); });
     connect(m_live, &LiveViews::designsMustClose, this, [this] {
         for (int i = m_tabs->count() - 1; i >= 0; --i) {
             QWidget* page = m_tabs->widget(i);
