@@ -313,6 +313,7 @@ namespace {
 void construct(World& world, Context& checker, tree::Place* place, const std::vector<syntax::Argument>* constructor,
                std::vector<tree::Stmt*>& out);
 
+/// A loop for each dimension instead of a call for each element: the code does not grow with the array.
 void constructArray(World& world, Context& checker, tree::Place* place,
                     const std::vector<syntax::Argument>* constructor, std::vector<tree::Stmt*>& out) {
     const types::Type& type = world.types[place->type];
@@ -446,6 +447,7 @@ void emitDynamics(World& world, Context& checker, const std::vector<DynamicInit>
     checker.scope = outer;
 }
 
+/// Made when it is first needed, and once for a type: most types have nothing that bytes cannot say.
 tree::FunctionId initialiserOf(World& world, TypeId type) {
     if (const auto it = world.initialisers.find(type); it != world.initialisers.end()) return it->second;
     const auto initial = world.typeInitials.find(type);

@@ -153,6 +153,8 @@ void checkAddressSize(World& world, const Variable& variable, std::string_view t
     if (range != variable.range) diagnostic.fixes.push_back({fixes::Write(own), {{range, own}}});
 }
 
+/// The areas of %I, %Q and %M are as large as the highest address that any text names, so that adding a variable moves
+/// nothing in them and a panel or driver may name an address that no variable has.
 void measureAddresses(World& world) {
     uint64_t sizes[3] = {kMinimumArea, kMinimumArea, kMinimumArea};
     const auto use = [&](const DirectAddress& address, uint64_t bytes) {
@@ -182,6 +184,8 @@ void measureAddresses(World& world) {
     world.rangeOfMemory = aligned(sizes[2], 8);
 }
 
+/// The image: header, the three areas of addresses, then every global and program instance as a root of its own. An
+/// offset is fixed here once for all; what runs, records and shows knows nothing but these.
 void layoutGlobals(World& world) {
     measureAddresses(world);
     image::Layout& layout = world.program->layout;

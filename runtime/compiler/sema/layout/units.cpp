@@ -179,6 +179,8 @@ void noteBlockNesting(World& world, const Unit& unit) {
     noteNesting(world, unit.type, nesting);
 }
 
+/// Gives a unit its parameters and its variables their places; of a block or program also the type with its initial
+/// bytes. A base lies at the beginning of what extends it, so that a pointer to the one is a pointer to the other.
 void completeUnit(World& world, Unit& unit, SourceRange usedAt) {
     if (unit.layoutProgress != Progress::Open) return;
     unit.layoutProgress = Progress::Working;
@@ -224,6 +226,7 @@ void completeUnit(World& world, Unit& unit, SourceRange usedAt) {
         initial.dynamics = world.typeInitials[unit.base->type].dynamics;
     }
     if (unit.hasHeader) {
+        // an instance says what it is: calls through interfaces and pointers ask for it
         const uint32_t number = world.types[unit.type].blockNumber;
         std::memcpy(initial.bytes.data(), &number, sizeof number);
     }

@@ -90,6 +90,8 @@ Found lookupUsed(const std::vector<Space*>& used, NameId id, bool wantsType) {
     return first;
 }
 
+/// What a name means, from the inside out: the unit, the blocks around it, what it uses (USING), its namespaces, the
+/// file's USINGs, the top, and last the libraries, so that a new name in a library never changes what a program means.
 Found lookup(World& world, const Scope& scope, NameId id, bool wantsType) {
     if (!id.isValid()) return {};
     Found found;

@@ -76,6 +76,8 @@ tree::FunctionId newFunction(World& world, std::string name, const Unit* unit) {
     return tree::FunctionId(world.functions.size() - 1);
 }
 
+/// The order of the phases. Names first, then types and units, each completed when something asks for it; then
+/// addresses, which bodies refer to; then bodies; and what needs all of them last: tasks, dispatch, use, recursion.
 void build(World& world, const std::vector<std::shared_ptr<const syntax::SyntaxFile>>& files) {
     for (const auto& file : files) declareFile(world, *file);
     resolveUsings(world);
@@ -89,7 +91,7 @@ void build(World& world, const std::vector<std::shared_ptr<const syntax::SyntaxF
     for (size_t i = 0; i < world.globals.size(); ++i)
         completeType(world, typeOf(world, world.globals[i]), world.globals[i].range);
     for (size_t i = 0; i < world.structs.size(); ++i) completeStruct(world, world.structs[i]);
-    for (size_t i = 0; i < world.types.count(); ++i) completeType(world, TypeId(i), {});
+    for (size_t i = 0; i < world.types.count(); ++i) completeType(world, TypeId(i), {}); // grows while it runs
     checkConstants(world);
     assignSlots(world);
     for (size_t i = 0; i < world.units.size(); ++i) checkInheritance(world, world.units[i]);

@@ -11,6 +11,8 @@
 
 namespace plc::sema {
 
+/// EXTENDS and IMPLEMENTS of a unit, its bases first: whoever asks for a member may rely on the whole chain.
+///   ok:    FUNCTION_BLOCK B EXTENDS A      wrong: FUNCTION_BLOCK A EXTENDS A  (P3003)
 void resolveBases(World& world, Unit& unit) {
     if (unit.baseProgress != Progress::Open) return;
     unit.baseProgress = Progress::Working;

@@ -25,6 +25,7 @@ static bool tellEarlyOperation(Context& context, const Operand& operand, TypeId 
 static bool tellNarrowing(Context& context, const Operand& operand, TypeId to);
 static Operand convertedByType(Context& context, const Operand& operand, TypeId to);
 
+/// Can the type hold the constant as it is? A bit pattern such as 16#FFFF_FFFF_FFFF_FFFF is no negative number.
 bool fits(const Context& context, const types::Value& value, TypeId type) {
     const types::Type& target = context.types[type];
     const TypeKind kind = context.types.storageKind(type);
@@ -57,6 +58,8 @@ TypeId smallestType(const Context& context, const Operand& flexible) {
     return context.elementary(TypeKind::Lint);
 }
 
+/// The type in which two operands are computed: a literal takes the other's when it fits; else the wider one, and
+/// between equally wide ones the signed one (D11).
 TypeId commonType(const Context& context, const Operand& a, const Operand& b) {
     const TypeKind x = context.types.storageKind(a.type()), y = context.types.storageKind(b.type());
     const Family f = types::familyOf(x), g = types::familyOf(y);

@@ -143,6 +143,9 @@ TypeId resolveNamed(World& world, const syntax::Path& path, const Scope& scope, 
     return unknown;
 }
 
+/// TYPE Name : … ; a name for a type is that type. With an initial value of its own it is a copy of it, completed
+/// later, because the value may need types that are not complete yet.
+///   ok:    TYPE Percent : INT := 50; END_TYPE      wrong: TYPE A : B; B : A; END_TYPE  (P3003)
 TypeId resolveDeclared(World& world, DeclaredType& declared) {
     if (declared.progress == Progress::Done) return declared.type;
     if (declared.progress == Progress::Working) {
@@ -190,6 +193,8 @@ TypeId resolveDeclared(World& world, DeclaredType& declared) {
     return behind;
 }
 
+/// What is written behind a colon. Only names are followed, no sizes: a pointer may name a type that holds it.
+///   ok:    STRING(20)      wrong: STRING(70000)  (P2018)
 TypeId resolveSpec(World& world, const syntax::TypeSpec* spec, const Scope& scope, std::string_view anonymousName) {
     const TypeId unknown = TypeTable::of(TypeKind::Unknown);
     if (!spec) return unknown;
