@@ -2,6 +2,277 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="da" sourcelanguage="en">
 <context>
+    <name>Devices</name>
+    <message>
+        <source>This is not valid JSON; check the commas and quotes in front of this line</source>
+        <translation>Dette er ikke gyldig JSON; kontrollér kommaer og anførselstegn før denne linje</translation>
+    </message>
+    <message>
+        <source>The file must be an object with a list named &quot;devices&quot;</source>
+        <translation>Filen skal være et objekt med en liste ved navn ”devices”</translation>
+    </message>
+    <message>
+        <source>Each entry of &quot;{0}&quot; must be an object in braces</source>
+        <translation>Hver post i ”{0}” skal være et objekt i krøllede parenteser</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; is missing</source>
+        <translation>”{0}” mangler</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be a text in quotes</source>
+        <translation>”{0}” skal være en tekst i anførselstegn</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be true or false</source>
+        <translation>”{0}” skal være true eller false</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be a number</source>
+        <translation>”{0}” skal være et tal</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be a whole number from {1} to {2}</source>
+        <translation>”{0}” skal være et heltal fra {1} til {2}</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be a time such as &quot;100ms&quot; or &quot;2s&quot;, at least {1} ms and at most an hour</source>
+        <translation>”{0}” skal være en tid som ”100ms” eller ”2s”, mindst {1} ms og højst en time</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; cannot be {1}; choose one of: {2}</source>
+        <translation>”{0}” kan ikke være {1}; vælg en af: {2}</translation>
+    </message>
+    <message>
+        <source>There is no field &quot;{0}&quot;; it is kept but has no effect</source>
+        <translation>Der er intet felt ”{0}”; det bevares, men har ingen virkning</translation>
+    </message>
+    <message>
+        <source>There is no field &quot;{0}&quot;; did you mean &quot;{1}&quot;?</source>
+        <translation>Der er intet felt ”{0}”; mente du ”{1}”?</translation>
+    </message>
+    <message>
+        <source>There are two devices named {0}; rename one</source>
+        <translation>Der er to enheder med navnet {0}; omdøb den ene</translation>
+    </message>
+    <message>
+        <source>{0} has two channels named {1}; rename one</source>
+        <translation>{0} har to kanaler med navnet {1}; omdøb den ene</translation>
+    </message>
+    <message>
+        <source>{0} is not a name; use letters, digits and underscores, and begin with a letter</source>
+        <translation>{0} er ikke et navn; brug bogstaver, cifre og understreger, og begynd med et bogstav</translation>
+    </message>
+    <message>
+        <source>{0} is neither a host name nor an address, for example plc1.local or 192.168.0.10</source>
+        <translation>{0} er hverken et værtsnavn eller en adresse, for eksempel plc1.local eller 192.168.0.10</translation>
+    </message>
+    <message>
+        <source>{0} is not a serial port; write its path, for example /dev/ttyUSB0</source>
+        <translation>{0} er ikke en seriel port; skriv dens sti, for eksempel /dev/ttyUSB0</translation>
+    </message>
+    <message>
+        <source>{0} and {1} are both unit {2} of {3}</source>
+        <translation>{0} og {1} er begge enhed {2} på {3}</translation>
+    </message>
+    <message>
+        <source>{0} and {1} use {2} with different baud rates, parities or bits</source>
+        <translation>{0} og {1} bruger {2} med forskellig baudrate, paritet eller bitantal</translation>
+    </message>
+    <message>
+        <source>{0} and {1} both listen at port {2}; give one another port</source>
+        <translation>{0} og {1} lytter begge på port {2}; giv den ene en anden port</translation>
+    </message>
+    <message>
+        <source>Ports below 1024 need special rights; a port such as 1502 does not</source>
+        <translation>Porte under 1024 kræver særlige rettigheder; det gør en port som 1502 ikke</translation>
+    </message>
+    <message>
+        <source>{0} has no channels, so nothing is exchanged</source>
+        <translation>{0} har ingen kanaler, så intet udveksles</translation>
+    </message>
+    <message>
+        <source>A channel of an MQTT device needs a &quot;topic&quot;</source>
+        <translation>En kanal på en MQTT-enhed kræver et ”topic”</translation>
+    </message>
+    <message>
+        <source>{0}: a channel has one topic, without the wildcards + and #</source>
+        <translation>{0}: en kanal har ét topic, uden jokertegnene + og #</translation>
+    </message>
+    <message>
+        <source>{0} is not a path into JSON; write for example /sensor/temperature</source>
+        <translation>{0} er ikke en sti i JSON; skriv for eksempel /sensor/temperature</translation>
+    </message>
+    <message>
+        <source>A device does not let others write its table &quot;{0}&quot;; use &quot;coil&quot; or &quot;holding&quot;, or the direction &quot;in&quot;</source>
+        <translation>En enhed lader ikke andre skrive sin tabel ”{0}”; brug ”coil” eller ”holding” eller retningen ”in”</translation>
+    </message>
+    <message>
+        <source>Clients cannot write the table &quot;{0}&quot; of a server; use &quot;coil&quot; or &quot;holding&quot;, or the direction &quot;out&quot;</source>
+        <translation>Klienter kan ikke skrive en servers tabel ”{0}”; brug ”coil” eller ”holding” eller retningen ”out”</translation>
+    </message>
+    <message>
+        <source>{0} needs {1} {1:register|registers} from {2}, but 65535 is the last</source>
+        <translation>{0} kræver {1} {1:register|registre} fra {2}, men 65535 er det sidste</translation>
+    </message>
+    <message>
+        <source>&quot;bit&quot; selects one bit of a register; the type must then be BOOL</source>
+        <translation>”bit” vælger én bit i et register; typen skal da være BOOL</translation>
+    </message>
+    <message>
+        <source>The table &quot;{0}&quot; holds bits; the type must be BOOL</source>
+        <translation>Tabellen ”{0}” indeholder bits; typen skal være BOOL</translation>
+    </message>
+    <message>
+        <source>A BOOL in a register needs &quot;bit&quot;, from 0 to 15</source>
+        <translation>En BOOL i et register kræver ”bit”, fra 0 til 15</translation>
+    </message>
+    <message>
+        <source>Only an MQTT channel can be of type STRING</source>
+        <translation>Kun en MQTT-kanal kan være af typen STRING</translation>
+    </message>
+    <message>
+        <source>&quot;scale&quot; must not be 0</source>
+        <translation>”scale” må ikke være 0</translation>
+    </message>
+    <message>
+        <source>A {0} has no &quot;scale&quot; and &quot;offset&quot;</source>
+        <translation>{0} har hverken ”scale” eller ”offset”</translation>
+    </message>
+    <message>
+        <source>{0}: {1}</source>
+        <translation>{0}: {1}</translation>
+    </message>
+    <message>
+        <source>{0} has no variable yet; name one, or let the addresses be proposed (stepwise devices PROJECT --propose)</source>
+        <translation>{0} har ingen variabel endnu; angiv en, eller lad adresserne foreslå (stepwise devices PROJECT --propose)</translation>
+    </message>
+    <message>
+        <source>{0} is of type {1} and cannot hold a {2}</source>
+        <translation>{0} er af typen {1} og kan ikke indeholde en {2}</translation>
+    </message>
+    <message>
+        <source>A {0} may not fit into {1} of type {2}; a value that does not fit leaves the variable as it is and makes the channel bad</source>
+        <translation>En {0} kan måske ikke være i {1} af typen {2}; en værdi, der ikke kan, lader variablen være og gør kanalen dårlig</translation>
+    </message>
+    <message>
+        <source>{0} is an output of the program; an input channel needs %I or a variable</source>
+        <translation>{0} er en udgang i programmet; en indgangskanal kræver %I eller en variabel</translation>
+    </message>
+    <message>
+        <source>{0} is an input of the program; an output channel needs %Q or a variable</source>
+        <translation>{0} er en indgang i programmet; en udgangskanal kræver %Q eller en variabel</translation>
+    </message>
+    <message>
+        <source>{0} is a constant and cannot be written</source>
+        <translation>{0} er en konstant og kan ikke skrives</translation>
+    </message>
+    <message>
+        <source>{0} and {1} write the same bytes: {2}</source>
+        <translation>{0} og {1} skriver de samme bytes: {2}</translation>
+    </message>
+    <message>
+        <source>{0} and {1} both set {2} {3}</source>
+        <translation>{0} og {1} sætter begge {2} {3}</translation>
+    </message>
+    <message>
+        <source>{0} says whether the channel is good and must be a BOOL or an integer</source>
+        <translation>{0} siger, om kanalen er god, og skal være BOOL eller et heltal</translation>
+    </message>
+    <message>
+        <source>{0} says whether the device answers and must be a BOOL</source>
+        <translation>{0} siger, om enheden svarer, og skal være BOOL</translation>
+    </message>
+    <message>
+        <source>&quot;onLoss&quot;: &quot;safe&quot; needs the value in &quot;safe&quot;</source>
+        <translation>”onLoss”: ”safe” kræver værdien i ”safe”</translation>
+    </message>
+    <message>
+        <source>{0} cannot be read; it holds the password in its first line</source>
+        <translation>{0} kan ikke læses; dens første linje indeholder adgangskoden</translation>
+    </message>
+    <message>
+        <source>{0} cannot be read; it holds the certificates of the authority (PEM)</source>
+        <translation>{0} kan ikke læses; den indeholder udstederens certifikater (PEM)</translation>
+    </message>
+    <message>
+        <source>There is no free address left for {0}</source>
+        <translation>Der er ingen ledig adresse tilbage til {0}</translation>
+    </message>
+    <message>
+        <source>no answer within {0} ms</source>
+        <translation>intet svar inden for {0} ms</translation>
+    </message>
+    <message>
+        <source>cannot connect to {0}: {1}</source>
+        <translation>kan ikke forbinde til {0}: {1}</translation>
+    </message>
+    <message>
+        <source>the connection ended: {0}</source>
+        <translation>forbindelsen sluttede: {0}</translation>
+    </message>
+    <message>
+        <source>the answer does not match the request</source>
+        <translation>svaret passer ikke til forespørgslen</translation>
+    </message>
+    <message>
+        <source>the device refuses {0} {1}: {2}</source>
+        <translation>enheden afviser {0} {1}: {2}</translation>
+    </message>
+    <message>
+        <source>it does not know the function</source>
+        <translation>den kender ikke funktionen</translation>
+    </message>
+    <message>
+        <source>it has no such address</source>
+        <translation>den har ingen sådan adresse</translation>
+    </message>
+    <message>
+        <source>it does not take the value</source>
+        <translation>den tager ikke imod værdien</translation>
+    </message>
+    <message>
+        <source>it failed</source>
+        <translation>den fejlede</translation>
+    </message>
+    <message>
+        <source>it is busy</source>
+        <translation>den er optaget</translation>
+    </message>
+    <message>
+        <source>the gateway does not reach it</source>
+        <translation>gatewayen kan ikke nå den</translation>
+    </message>
+    <message>
+        <source>cannot listen at {0}: {1}</source>
+        <translation>kan ikke lytte på {0}: {1}</translation>
+    </message>
+    <message>
+        <source>{0}: the message holds no value that can be read</source>
+        <translation>{0}: meddelelsen indeholder ingen værdi, der kan læses</translation>
+    </message>
+    <message>
+        <source>{0}: a value does not fit into the variable</source>
+        <translation>{0}: en værdi kan ikke være i variablen</translation>
+    </message>
+    <message>
+        <source>no client wrote for {0} ms</source>
+        <translation>ingen klient har skrevet i {0} ms</translation>
+    </message>
+    <message>
+        <source>the broker refuses the connection: {0}</source>
+        <translation>brokeren afviser forbindelsen: {0}</translation>
+    </message>
+    <message>
+        <source>the input {0} of the device {1} was lost</source>
+        <translation>indgangen {0} fra enheden {1} gik tabt</translation>
+    </message>
+    <message>
+        <source>the input {0} of the device {1} was lost: {2}</source>
+        <translation>indgangen {0} fra enheden {1} gik tabt: {2}</translation>
+    </message>
+</context>
+<context>
     <name>Diagnostics</name>
     <message>
         <source>Unterminated comment; close it with *)</source>
@@ -328,10 +599,6 @@
         <translation>Et indeks skal være et heltal, ikke {0}</translation>
     </message>
     <message>
-        <source>A block with a task of its own is not supported; call {0} in a program of the task {1}</source>
-        <translation>En blok med sin egen task understøttes ikke; kald {0} i et program i tasken {1}</translation>
-    </message>
-    <message>
         <source>{0}</source>
         <translation>{0}</translation>
     </message>
@@ -510,6 +777,14 @@
     <message>
         <source>The parenthesis of this instruction is not closed; add an instruction ) after its operands</source>
         <translation>Parentesen i denne instruktion er ikke lukket; tilføj en instruktion ) efter operanderne</translation>
+    </message>
+    <message>
+        <source>{0} needs memory that the project does not set aside; write &quot;memoryForNew&quot;: 65536 into project.json</source>
+        <translation>{0} kræver hukommelse, som projektet ikke afsætter; skriv &quot;memoryForNew&quot;: 65536 i project.json</translation>
+    </message>
+    <message>
+        <source>{0} is not a block of this program; only a block can have a task of its own</source>
+        <translation>{0} er ikke en blok i dette program; kun en blok kan have sin egen task</translation>
     </message>
 </context>
 <context>
@@ -2192,6 +2467,198 @@
         <source>Who Set This?</source>
         <translation>Hvem satte det?</translation>
     </message>
+    <message>
+        <source>There is no rule {0}; &quot;stepwise panel --rules&quot; lists them</source>
+        <translation>Der er ingen regel {0}; ”stepwise panel --rules” viser dem</translation>
+    </message>
+    <message>
+        <source>There is no rule {0}; did you mean {1}?</source>
+        <translation>Der er ingen regel {0}; mente du {1}?</translation>
+    </message>
+    <message>
+        <source>The rule stays on until a text says why it is off</source>
+        <translation>Reglen forbliver slået til, indtil en tekst siger, hvorfor den er slået fra</translation>
+    </message>
+    <message>
+        <source>The value must be a list of texts in quotes</source>
+        <translation>Værdien skal være en liste af tekster i anførselstegn</translation>
+    </message>
+    <message>
+        <source>The value must be an object with the reason for each rule</source>
+        <translation>Værdien skal være et objekt med begrundelsen for hver regel</translation>
+    </message>
+    <message>
+        <source>The value must be an object with a level, the distance, and rules that are off</source>
+        <translation>Værdien skal være et objekt med et niveau, afstanden og regler, der er slået fra</translation>
+    </message>
+    <message>
+        <source>The colour {0} is seen all the time, whatever happens; use {1}</source>
+        <translation>Farven {0} ses hele tiden, uanset hvad der sker; brug {1}</translation>
+    </message>
+    <message>
+        <source>{0} is a colour of alarms, but it is seen when all is normal; use {1}</source>
+        <translation>{0} er en alarmfarve, men den ses, når alt er normalt; brug {1}</translation>
+    </message>
+    <message>
+        <source>Only the hue tells {0} from {1}; choose one that is brighter, or add a text or blinking</source>
+        <translation>Kun farvetonen adskiller {0} fra {1}; vælg en, der er lysere, eller tilføj en tekst eller blink</translation>
+    </message>
+    <message>
+        <source>Nothing says what the lamp means; give it a label, or place a text beside it</source>
+        <translation>Intet siger, hvad lampen betyder; giv den en etiket, eller anbring en tekst ved siden af</translation>
+    </message>
+    <message>
+        <source>{0} on {1} has a contrast of {2} to 1 in the theme {3}; {4} to 1 is needed</source>
+        <translation>{0} på {1} har en kontrast på {2} til 1 i temaet {3}; der kræves {4} til 1</translation>
+    </message>
+    <message>
+        <source>A font of {0} px cannot be read from {2} mm; use at least {1} px</source>
+        <translation>En skrift på {0} px kan ikke læses på {2} mm; brug mindst {1} px</translation>
+    </message>
+    <message>
+        <source>The faceplate is so small here that its smallest font has {0} px; from {2} mm, {1} px are needed</source>
+        <translation>Faceplaten er så lille her, at dens mindste skrift er {0} px; på {2} mm kræves {1} px</translation>
+    </message>
+    <message>
+        <source>The faceplate is so small here that a finger finds only {0} px to press; {1} px are needed</source>
+        <translation>Faceplaten er så lille her, at en finger kun har {0} px at trykke på; der kræves {1} px</translation>
+    </message>
+    <message>
+        <source>{0} x {1} px are too small for a finger beside its neighbours; {2} px are needed in both directions</source>
+        <translation>{0} × {1} px er for lidt til en finger ved siden af naboerne; der kræves {2} px i begge retninger</translation>
+    </message>
+    <message>
+        <source>The panel shows {0} things to read or press; at its size, {1} can be taken in</source>
+        <translation>Panelet viser {0} ting at læse eller trykke på; ved dets størrelse kan {1} overskues</translation>
+    </message>
+    <message>
+        <source>{0} covers a part of it</source>
+        <translation>{0} dækker en del af det</translation>
+    </message>
+    <message>
+        <source>No button, navigation bar or alarm leads to the panel {0}</source>
+        <translation>Ingen knap, navigationslinje eller alarm fører til panelet {0}</translation>
+    </message>
+    <message>
+        <source>The panel {0} is {1} presses away from the start panel; {2} should do</source>
+        <translation>Panelet {0} er {1} tryk fra startpanelet; {2} bør række</translation>
+    </message>
+    <message>
+        <source>Nothing on the panel {0} leads back; add a button with the action back or home, or a navigation bar</source>
+        <translation>Intet på panelet {0} fører tilbage; tilføj en knap med aktionen back eller home, eller en navigationslinje</translation>
+    </message>
+    <message>
+        <source>{0} is at another place on the panel {1}</source>
+        <translation>{0} er et andet sted på panelet {1}</translation>
+    </message>
+    <message>
+        <source>The help of the alarm {0} does not say what to do</source>
+        <translation>Hjælpen til alarmen {0} siger ikke, hvad der skal gøres</translation>
+    </message>
+    <message>
+        <source>{0} of {1} alarms have the highest priority</source>
+        <translation>{0} af {1} alarmer har den højeste prioritet</translation>
+    </message>
+    <message>
+        <source>The project has {0} {0:alarm|alarms}, but no panel has an alarm list or banner</source>
+        <translation>Projektet har {0} {0:alarm|alarmer}, men intet panel har en alarmliste eller et alarmbanner</translation>
+    </message>
+    <message>
+        <source>Nothing is bound: {0} is empty</source>
+        <translation>Intet er bundet: {0} er tom</translation>
+    </message>
+    <message>
+        <source>Any number can be written to {0}; set {1}</source>
+        <translation>Ethvert tal kan skrives til {0}; angiv {1}</translation>
+    </message>
+    <message>
+        <source>{0} is critical after project.json, but one press writes it</source>
+        <translation>{0} er kritisk ifølge project.json, men ét tryk skriver den</translation>
+    </message>
+    <message>
+        <source>Only {1} may write {0}, but nothing asks for confirmation</source>
+        <translation>Kun {1} må skrive {0}, men intet beder om bekræftelse</translation>
+    </message>
+    <message>
+        <source>{0} suppresses alarms, but one press writes it</source>
+        <translation>{0} undertrykker alarmer, men ét tryk skriver den</translation>
+    </message>
+    <message>
+        <source>What is normal is grey, so that the eye finds what is not (ISA-101). Use a role of the theme such as surface, off or running, and give colour only to conditions.</source>
+        <translation>Det normale er gråt, så øjet finder det, der ikke er (ISA-101). Brug en rolle i temaet som surface, off eller running, og giv kun tilstande farve.</translation>
+    </message>
+    <message>
+        <source>Red, orange and yellow are kept for alarms. An operator who sees them all day long no longer sees them when they matter (ISA-101, ISA-18.2).</source>
+        <translation>Rød, orange og gul er forbeholdt alarmer. En operatør, der ser dem hele dagen, ser dem ikke længere, når de betyder noget (ISA-101, ISA-18.2).</translation>
+    </message>
+    <message>
+        <source>One man in twelve confuses colours, and bright light takes them away. Say the same by a text, a shape, a blinking or at least a different brightness.</source>
+        <translation>Hver tolvte mand forveksler farver, og skarpt lys fjerner dem. Sig det samme med en tekst, en form, blink eller i det mindste en anden lysstyrke.</translation>
+    </message>
+    <message>
+        <source>Text needs a contrast of 4.5 to 1 against its ground, large text 3 to 1 (WCAG 2, ISO 9241-303). Roles of the theme keep it in every theme.</source>
+        <translation>Tekst kræver en kontrast på 4,5 til 1 mod sin bund, stor tekst 3 til 1 (WCAG 2, ISO 9241-303). Temaets roller bevarer den i alle temaer.</translation>
+    </message>
+    <message>
+        <source>A capital letter must be seen at an angle of 16 minutes at least (ISO 9241-303). The distance and the size of a pixel are set in project.json.</source>
+        <translation>Et stort bogstav skal ses under en vinkel på mindst 16 bueminutter (ISO 9241-303). Afstanden og størrelsen af en pixel angives i project.json.</translation>
+    </message>
+    <message>
+        <source>A panel on which everything stands is searched, not read. Move details to a panel of the next level (ISA-101).</source>
+        <translation>Et panel, hvor alt står, gennemsøges, det læses ikke. Flyt detaljer til et panel på næste niveau (ISA-101).</translation>
+    </message>
+    <message>
+        <source>In an abnormal situation, every panel should be three presses away at most, and there should be a way back from it (ISA-101).</source>
+        <translation>I en unormal situation bør hvert panel højst være tre tryk væk, og der bør være en vej tilbage (ISA-101).</translation>
+    </message>
+    <message>
+        <source>What is on several panels is found without looking if it is always in the same place. Put it on the frame, or at the same place everywhere.</source>
+        <translation>Det, der er på flere paneler, findes uden at kigge, hvis det altid er samme sted. Anbring det på rammen eller samme sted overalt.</translation>
+    </message>
+    <message>
+        <source>A finger, in a glove at that, needs 9 mm in both directions (ISO 9241-411). The size of a pixel is set in project.json.</source>
+        <translation>En finger, endda i handske, kræver 9 mm i begge retninger (ISO 9241-411). Størrelsen af en pixel angives i project.json.</translation>
+    </message>
+    <message>
+        <source>One covers the other, so that a text cannot be read or a press goes to the wrong one.</source>
+        <translation>Det ene dækker det andet, så en tekst ikke kan læses, eller et tryk rammer det forkerte.</translation>
+    </message>
+    <message>
+        <source>It looks as if it showed or did something. Bind it to a variable, or remove it.</source>
+        <translation>Det ser ud, som om det viser eller gør noget. Bind det til en variabel, eller fjern det.</translation>
+    </message>
+    <message>
+        <source>A slip of the finger sends 500 for 50. Limits refuse it where it is typed.</source>
+        <translation>Fingeren smutter og sender 500 i stedet for 50. Grænser afviser det, hvor det tastes.</translation>
+    </message>
+    <message>
+        <source>What only some may do, or what project.json lists as critical, must not happen by brushing the glass. Set &quot;Writes are confirmed&quot;, or ask a question.</source>
+        <translation>Det, kun nogle må, eller det, project.json angiver som kritisk, må ikke ske ved at strejfe glasset. Slå ”Skrivninger bekræftes” til, eller stil et spørgsmål.</translation>
+    </message>
+    <message>
+        <source>An alarm that nobody sees is none. Put an alarm banner on the frame or an alarm list on a panel (ISA-18.2).</source>
+        <translation>En alarm, ingen ser, er ingen alarm. Anbring et alarmbanner på rammen eller en alarmliste på et panel (ISA-18.2).</translation>
+    </message>
+    <message>
+        <source>An alarm asks for an action of the operator. Its help says which, and what happens otherwise (ISA-18.2).</source>
+        <translation>En alarm kræver en handling af operatøren. Dens hjælp siger hvilken, og hvad der ellers sker (ISA-18.2).</translation>
+    </message>
+    <message>
+        <source>If everything is urgent, nothing is: about 5 % of the alarms should have the highest priority, 15 % the next (ISA-18.2).</source>
+        <translation>Hvis alt haster, haster intet: ca. 5 % af alarmerne bør have den højeste prioritet, 15 % den næste (ISA-18.2).</translation>
+    </message>
+    <message>
+        <source>the value {0} is outside the subrange {1}..{2}</source>
+        <translation>værdien {0} er uden for delområdet {1}..{2}</translation>
+    </message>
+    <message>
+        <source>&quot;addressing&quot; in project.json is &quot;byte&quot; or &quot;word&quot;, not &quot;{0}&quot;</source>
+        <translation>”addressing” i project.json er ”byte” eller ”word”, ikke ”{0}”</translation>
+    </message>
+    <message>
+        <source>&quot;memoryForNew&quot; in project.json is a number of bytes from 0 to {0}</source>
+        <translation>”memoryForNew” i project.json er et antal bytes fra 0 til {0}</translation>
+    </message>
 </context>
 <context>
     <name>Exchange</name>
@@ -2270,10 +2737,6 @@
     <message>
         <source>The task {0} is started by the event {1}, which does not exist here; give it an INTERVAL or a SINGLE</source>
         <translation>Tasken {0} startes af hændelsen {1}, som ikke findes her; giv den et INTERVAL eller et SINGLE</translation>
-    </message>
-    <message>
-        <source>{0} counts %MW1 in words, here it is counted in bytes; check that the addresses do not overlap</source>
-        <translation>{0} tæller %MW1 i ord, her tælles i byte; kontrollér, at adresserne ikke overlapper</translation>
     </message>
     <message>
         <source>A comment outside of the elements was left out: {0}</source>
@@ -2366,6 +2829,22 @@
     <message>
         <source>The file is no program source and was left out</source>
         <translation>Filen er ingen programkilde og blev udeladt</translation>
+    </message>
+    <message>
+        <source>The network &apos;{0}&apos; is commented out in the diagram and was left out of the text</source>
+        <translation>Netværket ”{0}” er kommenteret ud i diagrammet og er udeladt af teksten</translation>
+    </message>
+    <message>
+        <source>Types that {0} has by itself are declared here</source>
+        <translation>Typer, som {0} har i sig selv, er erklæret her</translation>
+    </message>
+    <message>
+        <source>{0} counts %MW1 in words; &quot;addressing&quot; in project.json says the same</source>
+        <translation>{0} tæller %MW1 i ord; ”addressing” i project.json siger det samme</translation>
+    </message>
+    <message>
+        <source>The address {0} begins at a byte that other tools, which count in words, cannot name; move it to a multiple of its size</source>
+        <translation>Adressen {0} begynder ved en byte, som andre værktøjer, der tæller i ord, ikke kan angive; flyt den til et multiplum af dens størrelse</translation>
     </message>
 </context>
 <context>
@@ -4370,6 +4849,10 @@
         <source>by this transition, while it is active</source>
         <translation>ved denne transition, mens det er aktivt</translation>
     </message>
+    <message>
+        <source>comments nest: the next *) closes the one that begins here</source>
+        <translation>kommentarer kan indlejres: det næste *) lukker den, der begynder her</translation>
+    </message>
 </context>
 <context>
     <name>Phrases</name>
@@ -6310,6 +6793,14 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>Explain the Problem</source>
         <translation>Forklar problemet</translation>
     </message>
+    <message>
+        <source>Recipes</source>
+        <translation>Opskrifter</translation>
+    </message>
+    <message>
+        <source>Users and Rights</source>
+        <translation>Brugere og rettigheder</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MergeDialog</name>
@@ -6538,6 +7029,14 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>Panel %1</source>
         <translation>Panel %1</translation>
     </message>
+    <message>
+        <source>Recipes</source>
+        <translation>Opskrifter</translation>
+    </message>
+    <message>
+        <source>Users and Rights</source>
+        <translation>Brugere og rettigheder</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::ProblemsView</name>
@@ -6683,6 +7182,14 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Files</source>
         <translation>Filer</translation>
+    </message>
+    <message>
+        <source>Recipes</source>
+        <translation>Opskrifter</translation>
+    </message>
+    <message>
+        <source>Users and Rights</source>
+        <translation>Brugere og rettigheder</translation>
     </message>
 </context>
 <context>
@@ -8804,6 +9311,18 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>Copy the Answer</source>
         <translation>Kopiér svaret</translation>
     </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuller</translation>
+    </message>
+    <message>
+        <source>Do not wait for the answer (Esc)</source>
+        <translation>Vent ikke på svaret (Esc)</translation>
+    </message>
+    <message>
+        <source>Cancelled: there is no answer.</source>
+        <translation>Annulleret: der er intet svar.</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::AlarmEditor</name>
@@ -9188,6 +9707,113 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>Arrange over array</source>
         <translation>Arrangér over et array</translation>
     </message>
+    <message>
+        <source>Fix All Issues</source>
+        <translation>Ret alle fund</translation>
+    </message>
+    <message>
+        <source>Fix Issue</source>
+        <translation>Ret fund</translation>
+    </message>
+    <message>
+        <source>Explain Issue</source>
+        <translation>Forklar fund</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::PeopleEditor</name>
+    <message>
+        <source>User</source>
+        <translation>Bruger</translation>
+    </message>
+    <message>
+        <source>Roles</source>
+        <translation>Roller</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprog</translation>
+    </message>
+    <message>
+        <source>Start panel</source>
+        <translation>Startpanel</translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation>Adgangskode</translation>
+    </message>
+    <message>
+        <source>Users</source>
+        <translation>Brugere</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Rolle</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>Add a User</source>
+        <translation>Tilføj en bruger</translation>
+    </message>
+    <message>
+        <source>Set Password…</source>
+        <translation>Angiv adgangskode …</translation>
+    </message>
+    <message>
+        <source>Remove User</source>
+        <translation>Fjern bruger</translation>
+    </message>
+    <message>
+        <source>Add a Role</source>
+        <translation>Tilføj en rolle</translation>
+    </message>
+    <message>
+        <source>Remove Role</source>
+        <translation>Fjern rolle</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>aldrig</translation>
+    </message>
+    <message>
+        <source>Logged out after</source>
+        <translation>Logget af efter</translation>
+    </message>
+    <message>
+        <source>Logged out after </source>
+        <translation>Logget af efter </translation>
+    </message>
+    <message>
+        <source>Logged Out After</source>
+        <translation>Logget af efter</translation>
+    </message>
+    <message>
+        <source>Set Password</source>
+        <translation>Angiv adgangskode</translation>
+    </message>
+    <message>
+        <source>Password of %1:</source>
+        <translation>Adgangskode for %1:</translation>
+    </message>
+    <message>
+        <source>none: cannot log in</source>
+        <translation>ingen: kan ikke logge på</translation>
+    </message>
+    <message>
+        <source>set</source>
+        <translation>angivet</translation>
+    </message>
+    <message>
+        <source>Without users, everybody may do everything.</source>
+        <translation>Uden brugere må alle alt.</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::PropertySheet</name>
@@ -9205,6 +9831,97 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
             <numerusform>%n element</numerusform>
             <numerusform>%n elementer</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::RecipeEditor</name>
+    <message>
+        <source>Add a Recipe</source>
+        <translation>Tilføj en opskrift</translation>
+    </message>
+    <message>
+        <source>Add a Variable</source>
+        <translation>Tilføj en variabel</translation>
+    </message>
+    <message>
+        <source>Add a Set</source>
+        <translation>Tilføj et sæt</translation>
+    </message>
+    <message>
+        <source>Remove Row or Set</source>
+        <translation>Fjern række eller sæt</translation>
+    </message>
+    <message>
+        <source>Remove Recipe</source>
+        <translation>Fjern opskrift</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabeller (*.csv)</translation>
+    </message>
+    <message>
+        <source>Import CSV</source>
+        <translation>Importér CSV</translation>
+    </message>
+    <message>
+        <source>Export CSV</source>
+        <translation>Eksportér CSV</translation>
+    </message>
+    <message>
+        <source>Recipes</source>
+        <translation>Opskrifter</translation>
+    </message>
+    <message>
+        <source>Variables and sets of the recipe</source>
+        <translation>Opskriftens variabler og sæt</translation>
+    </message>
+    <message>
+        <source>Rename Recipe</source>
+        <translation>Omdøb opskrift</translation>
+    </message>
+    <message>
+        <source>Rename Set</source>
+        <translation>Omdøb sæt</translation>
+    </message>
+    <message>
+        <source>Name:</source>
+        <translation>Navn:</translation>
+    </message>
+    <message>
+        <source>Remove Set</source>
+        <translation>Fjern sæt</translation>
+    </message>
+    <message>
+        <source>Remove Row</source>
+        <translation>Fjern række</translation>
+    </message>
+    <message>
+        <source>Add a recipe, then its variables, then a set for each product.</source>
+        <translation>Tilføj en opskrift, derefter dens variabler, derefter et sæt for hvert produkt.</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variabel</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Enhed</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Maksimum</translation>
     </message>
 </context>
 <context>

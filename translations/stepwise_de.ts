@@ -2,6 +2,277 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>Devices</name>
+    <message>
+        <source>This is not valid JSON; check the commas and quotes in front of this line</source>
+        <translation>Das ist kein gültiges JSON; prüfen Sie Kommas und Anführungszeichen vor dieser Zeile</translation>
+    </message>
+    <message>
+        <source>The file must be an object with a list named &quot;devices&quot;</source>
+        <translation>Die Datei muss ein Objekt mit einer Liste namens „devices“ sein</translation>
+    </message>
+    <message>
+        <source>Each entry of &quot;{0}&quot; must be an object in braces</source>
+        <translation>Jeder Eintrag von „{0}“ muss ein Objekt in geschweiften Klammern sein</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; is missing</source>
+        <translation>„{0}“ fehlt</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be a text in quotes</source>
+        <translation>„{0}“ muss ein Text in Anführungszeichen sein</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be true or false</source>
+        <translation>„{0}“ muss true oder false sein</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be a number</source>
+        <translation>„{0}“ muss eine Zahl sein</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be a whole number from {1} to {2}</source>
+        <translation>„{0}“ muss eine ganze Zahl von {1} bis {2} sein</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be a time such as &quot;100ms&quot; or &quot;2s&quot;, at least {1} ms and at most an hour</source>
+        <translation>„{0}“ muss eine Zeit wie „100ms“ oder „2s“ sein, mindestens {1} ms und höchstens eine Stunde</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; cannot be {1}; choose one of: {2}</source>
+        <translation>„{0}“ kann nicht {1} sein; zulässig sind: {2}</translation>
+    </message>
+    <message>
+        <source>There is no field &quot;{0}&quot;; it is kept but has no effect</source>
+        <translation>Es gibt kein Feld „{0}“; es bleibt erhalten, hat aber keine Wirkung</translation>
+    </message>
+    <message>
+        <source>There is no field &quot;{0}&quot;; did you mean &quot;{1}&quot;?</source>
+        <translation>Es gibt kein Feld „{0}“; war „{1}“ gemeint?</translation>
+    </message>
+    <message>
+        <source>There are two devices named {0}; rename one</source>
+        <translation>Zwei Geräte heißen {0}; bitte eines umbenennen</translation>
+    </message>
+    <message>
+        <source>{0} has two channels named {1}; rename one</source>
+        <translation>{0} hat zwei Kanäle namens {1}; bitte einen umbenennen</translation>
+    </message>
+    <message>
+        <source>{0} is not a name; use letters, digits and underscores, and begin with a letter</source>
+        <translation>{0} ist kein Name; verwenden Sie Buchstaben, Ziffern und Unterstriche, am Anfang einen Buchstaben</translation>
+    </message>
+    <message>
+        <source>{0} is neither a host name nor an address, for example plc1.local or 192.168.0.10</source>
+        <translation>{0} ist weder ein Rechnername noch eine Adresse, zum Beispiel plc1.local oder 192.168.0.10</translation>
+    </message>
+    <message>
+        <source>{0} is not a serial port; write its path, for example /dev/ttyUSB0</source>
+        <translation>{0} ist keine serielle Schnittstelle; schreiben Sie ihren Pfad, zum Beispiel /dev/ttyUSB0</translation>
+    </message>
+    <message>
+        <source>{0} and {1} are both unit {2} of {3}</source>
+        <translation>{0} und {1} sind beide Einheit {2} von {3}</translation>
+    </message>
+    <message>
+        <source>{0} and {1} use {2} with different baud rates, parities or bits</source>
+        <translation>{0} und {1} verwenden {2} mit verschiedenen Baudraten, Paritäten oder Bits</translation>
+    </message>
+    <message>
+        <source>{0} and {1} both listen at port {2}; give one another port</source>
+        <translation>{0} und {1} warten beide an Port {2}; geben Sie einem einen anderen Port</translation>
+    </message>
+    <message>
+        <source>Ports below 1024 need special rights; a port such as 1502 does not</source>
+        <translation>Ports unter 1024 brauchen besondere Rechte; ein Port wie 1502 nicht</translation>
+    </message>
+    <message>
+        <source>{0} has no channels, so nothing is exchanged</source>
+        <translation>{0} hat keine Kanäle, es wird also nichts ausgetauscht</translation>
+    </message>
+    <message>
+        <source>A channel of an MQTT device needs a &quot;topic&quot;</source>
+        <translation>Ein Kanal eines MQTT-Geräts braucht ein „topic“</translation>
+    </message>
+    <message>
+        <source>{0}: a channel has one topic, without the wildcards + and #</source>
+        <translation>{0}: ein Kanal hat ein Topic, ohne die Platzhalterzeichen + und #</translation>
+    </message>
+    <message>
+        <source>{0} is not a path into JSON; write for example /sensor/temperature</source>
+        <translation>{0} ist kein Pfad in JSON; schreiben Sie zum Beispiel /sensor/temperature</translation>
+    </message>
+    <message>
+        <source>A device does not let others write its table &quot;{0}&quot;; use &quot;coil&quot; or &quot;holding&quot;, or the direction &quot;in&quot;</source>
+        <translation>Ein Gerät lässt seine Tabelle „{0}“ nicht von anderen schreiben; verwenden Sie „coil“ oder „holding“ oder die Richtung „in“</translation>
+    </message>
+    <message>
+        <source>Clients cannot write the table &quot;{0}&quot; of a server; use &quot;coil&quot; or &quot;holding&quot;, or the direction &quot;out&quot;</source>
+        <translation>Clients können die Tabelle „{0}“ eines Servers nicht schreiben; verwenden Sie „coil“ oder „holding“ oder die Richtung „out“</translation>
+    </message>
+    <message>
+        <source>{0} needs {1} {1:register|registers} from {2}, but 65535 is the last</source>
+        <translation>{0} braucht {1} Register ab {2}, das letzte ist jedoch 65535</translation>
+    </message>
+    <message>
+        <source>&quot;bit&quot; selects one bit of a register; the type must then be BOOL</source>
+        <translation>„bit“ wählt ein Bit eines Registers; der Typ muss dann BOOL sein</translation>
+    </message>
+    <message>
+        <source>The table &quot;{0}&quot; holds bits; the type must be BOOL</source>
+        <translation>Die Tabelle „{0}“ enthält Bits; der Typ muss BOOL sein</translation>
+    </message>
+    <message>
+        <source>A BOOL in a register needs &quot;bit&quot;, from 0 to 15</source>
+        <translation>Ein BOOL in einem Register braucht „bit“, von 0 bis 15</translation>
+    </message>
+    <message>
+        <source>Only an MQTT channel can be of type STRING</source>
+        <translation>Nur ein MQTT-Kanal kann vom Typ STRING sein</translation>
+    </message>
+    <message>
+        <source>&quot;scale&quot; must not be 0</source>
+        <translation>„scale“ darf nicht 0 sein</translation>
+    </message>
+    <message>
+        <source>A {0} has no &quot;scale&quot; and &quot;offset&quot;</source>
+        <translation>{0} hat weder „scale“ noch „offset“</translation>
+    </message>
+    <message>
+        <source>{0}: {1}</source>
+        <translation>{0}: {1}</translation>
+    </message>
+    <message>
+        <source>{0} has no variable yet; name one, or let the addresses be proposed (stepwise devices PROJECT --propose)</source>
+        <translation>{0} hat noch keine Variable; nennen Sie eine oder lassen Sie Adressen vorschlagen (stepwise devices PROJECT --propose)</translation>
+    </message>
+    <message>
+        <source>{0} is of type {1} and cannot hold a {2}</source>
+        <translation>{0} ist vom Typ {1} und kann kein {2} aufnehmen</translation>
+    </message>
+    <message>
+        <source>A {0} may not fit into {1} of type {2}; a value that does not fit leaves the variable as it is and makes the channel bad</source>
+        <translation>Ein {0} passt eventuell nicht in {1} vom Typ {2}; ein zu großer Wert lässt die Variable unverändert und macht den Kanal ungültig</translation>
+    </message>
+    <message>
+        <source>{0} is an output of the program; an input channel needs %I or a variable</source>
+        <translation>{0} ist ein Ausgang des Programms; ein Eingangskanal braucht %I oder eine Variable</translation>
+    </message>
+    <message>
+        <source>{0} is an input of the program; an output channel needs %Q or a variable</source>
+        <translation>{0} ist ein Eingang des Programms; ein Ausgangskanal braucht %Q oder eine Variable</translation>
+    </message>
+    <message>
+        <source>{0} is a constant and cannot be written</source>
+        <translation>{0} ist eine Konstante und kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>{0} and {1} write the same bytes: {2}</source>
+        <translation>{0} und {1} schreiben dieselben Bytes: {2}</translation>
+    </message>
+    <message>
+        <source>{0} and {1} both set {2} {3}</source>
+        <translation>{0} und {1} setzen beide {2} {3}</translation>
+    </message>
+    <message>
+        <source>{0} says whether the channel is good and must be a BOOL or an integer</source>
+        <translation>{0} sagt, ob der Kanal gut ist, und muss BOOL oder eine Ganzzahl sein</translation>
+    </message>
+    <message>
+        <source>{0} says whether the device answers and must be a BOOL</source>
+        <translation>{0} sagt, ob das Gerät antwortet, und muss BOOL sein</translation>
+    </message>
+    <message>
+        <source>&quot;onLoss&quot;: &quot;safe&quot; needs the value in &quot;safe&quot;</source>
+        <translation>„onLoss“: „safe“ braucht den Wert in „safe“</translation>
+    </message>
+    <message>
+        <source>{0} cannot be read; it holds the password in its first line</source>
+        <translation>{0} kann nicht gelesen werden; die erste Zeile enthält das Passwort</translation>
+    </message>
+    <message>
+        <source>{0} cannot be read; it holds the certificates of the authority (PEM)</source>
+        <translation>{0} kann nicht gelesen werden; die Datei enthält die Zertifikate der Zertifizierungsstelle (PEM)</translation>
+    </message>
+    <message>
+        <source>There is no free address left for {0}</source>
+        <translation>Für {0} ist keine Adresse mehr frei</translation>
+    </message>
+    <message>
+        <source>no answer within {0} ms</source>
+        <translation>keine Antwort innerhalb von {0} ms</translation>
+    </message>
+    <message>
+        <source>cannot connect to {0}: {1}</source>
+        <translation>keine Verbindung zu {0}: {1}</translation>
+    </message>
+    <message>
+        <source>the connection ended: {0}</source>
+        <translation>die Verbindung endete: {0}</translation>
+    </message>
+    <message>
+        <source>the answer does not match the request</source>
+        <translation>die Antwort passt nicht zur Anfrage</translation>
+    </message>
+    <message>
+        <source>the device refuses {0} {1}: {2}</source>
+        <translation>das Gerät lehnt {0} {1} ab: {2}</translation>
+    </message>
+    <message>
+        <source>it does not know the function</source>
+        <translation>es kennt die Funktion nicht</translation>
+    </message>
+    <message>
+        <source>it has no such address</source>
+        <translation>es hat keine solche Adresse</translation>
+    </message>
+    <message>
+        <source>it does not take the value</source>
+        <translation>es nimmt den Wert nicht an</translation>
+    </message>
+    <message>
+        <source>it failed</source>
+        <translation>es ist gestört</translation>
+    </message>
+    <message>
+        <source>it is busy</source>
+        <translation>es ist beschäftigt</translation>
+    </message>
+    <message>
+        <source>the gateway does not reach it</source>
+        <translation>das Gateway erreicht es nicht</translation>
+    </message>
+    <message>
+        <source>cannot listen at {0}: {1}</source>
+        <translation>kann an {0} nicht auf Verbindungen warten: {1}</translation>
+    </message>
+    <message>
+        <source>{0}: the message holds no value that can be read</source>
+        <translation>{0}: die Nachricht enthält keinen lesbaren Wert</translation>
+    </message>
+    <message>
+        <source>{0}: a value does not fit into the variable</source>
+        <translation>{0}: ein Wert passt nicht in die Variable</translation>
+    </message>
+    <message>
+        <source>no client wrote for {0} ms</source>
+        <translation>seit {0} ms hat kein Client geschrieben</translation>
+    </message>
+    <message>
+        <source>the broker refuses the connection: {0}</source>
+        <translation>der Broker lehnt die Verbindung ab: {0}</translation>
+    </message>
+    <message>
+        <source>the input {0} of the device {1} was lost</source>
+        <translation>der Eingang {0} des Geräts {1} ist ausgefallen</translation>
+    </message>
+    <message>
+        <source>the input {0} of the device {1} was lost: {2}</source>
+        <translation>der Eingang {0} des Geräts {1} ist ausgefallen: {2}</translation>
+    </message>
+</context>
+<context>
     <name>Diagnostics</name>
     <message>
         <source>Unterminated comment; close it with *)</source>
@@ -328,10 +599,6 @@
         <translation>Ein Index muss eine Ganzzahl sein, nicht {0}</translation>
     </message>
     <message>
-        <source>A block with a task of its own is not supported; call {0} in a program of the task {1}</source>
-        <translation>Ein Baustein mit eigener Task wird nicht unterstützt; {0} in einem Programm der Task {1} aufrufen</translation>
-    </message>
-    <message>
         <source>{0}</source>
         <translation>{0}</translation>
     </message>
@@ -510,6 +777,14 @@
     <message>
         <source>The parenthesis of this instruction is not closed; add an instruction ) after its operands</source>
         <translation>Die Klammer dieser Anweisung ist nicht geschlossen; nach ihren Operanden eine Anweisung ) hinzufügen</translation>
+    </message>
+    <message>
+        <source>{0} needs memory that the project does not set aside; write &quot;memoryForNew&quot;: 65536 into project.json</source>
+        <translation>{0} braucht Speicher, den das Projekt nicht vorsieht; &quot;memoryForNew&quot;: 65536 in project.json eintragen</translation>
+    </message>
+    <message>
+        <source>{0} is not a block of this program; only a block can have a task of its own</source>
+        <translation>{0} ist kein Baustein dieses Programms; nur ein Funktionsbaustein kann eine eigene Task haben</translation>
     </message>
 </context>
 <context>
@@ -2192,6 +2467,198 @@
         <source>Who Set This?</source>
         <translation>Wer hat das gesetzt?</translation>
     </message>
+    <message>
+        <source>There is no rule {0}; &quot;stepwise panel --rules&quot; lists them</source>
+        <translation>Es gibt keine Regel {0}; „stepwise panel --rules“ führt alle auf</translation>
+    </message>
+    <message>
+        <source>There is no rule {0}; did you mean {1}?</source>
+        <translation>Es gibt keine Regel {0}; war {1} gemeint?</translation>
+    </message>
+    <message>
+        <source>The rule stays on until a text says why it is off</source>
+        <translation>Die Regel bleibt an, bis ein Text sagt, warum sie aus ist</translation>
+    </message>
+    <message>
+        <source>The value must be a list of texts in quotes</source>
+        <translation>Der Wert muss eine Liste von Texten in Anführungszeichen sein</translation>
+    </message>
+    <message>
+        <source>The value must be an object with the reason for each rule</source>
+        <translation>Der Wert muss ein Objekt mit der Begründung für jede Regel sein</translation>
+    </message>
+    <message>
+        <source>The value must be an object with a level, the distance, and rules that are off</source>
+        <translation>Der Wert muss ein Objekt mit Stufe, Abstand und ausgeschalteten Regeln sein</translation>
+    </message>
+    <message>
+        <source>The colour {0} is seen all the time, whatever happens; use {1}</source>
+        <translation>Die Farbe {0} ist immer zu sehen, was auch geschieht; verwenden Sie {1}</translation>
+    </message>
+    <message>
+        <source>{0} is a colour of alarms, but it is seen when all is normal; use {1}</source>
+        <translation>{0} ist eine Alarmfarbe, ist aber zu sehen, wenn alles normal ist; verwenden Sie {1}</translation>
+    </message>
+    <message>
+        <source>Only the hue tells {0} from {1}; choose one that is brighter, or add a text or blinking</source>
+        <translation>Nur der Farbton unterscheidet {0} von {1}; wählen Sie eine hellere Farbe oder ergänzen Sie einen Text oder Blinken</translation>
+    </message>
+    <message>
+        <source>Nothing says what the lamp means; give it a label, or place a text beside it</source>
+        <translation>Nichts sagt, was die Lampe bedeutet; geben Sie ihr eine Beschriftung oder stellen Sie einen Text daneben</translation>
+    </message>
+    <message>
+        <source>{0} on {1} has a contrast of {2} to 1 in the theme {3}; {4} to 1 is needed</source>
+        <translation>{0} auf {1} hat im Farbschema {3} einen Kontrast von {2} zu 1; nötig ist {4} zu 1</translation>
+    </message>
+    <message>
+        <source>A font of {0} px cannot be read from {2} mm; use at least {1} px</source>
+        <translation>Eine Schrift von {0} px ist aus {2} mm nicht lesbar; verwenden Sie mindestens {1} px</translation>
+    </message>
+    <message>
+        <source>The faceplate is so small here that its smallest font has {0} px; from {2} mm, {1} px are needed</source>
+        <translation>Das Faceplate ist hier so klein, dass seine kleinste Schrift {0} px hat; aus {2} mm sind {1} px nötig</translation>
+    </message>
+    <message>
+        <source>The faceplate is so small here that a finger finds only {0} px to press; {1} px are needed</source>
+        <translation>Das Faceplate ist hier so klein, dass ein Finger nur {0} px zum Drücken findet; nötig sind {1} px</translation>
+    </message>
+    <message>
+        <source>{0} x {1} px are too small for a finger beside its neighbours; {2} px are needed in both directions</source>
+        <translation>{0} × {1} px sind neben den Nachbarn zu klein für einen Finger; nötig sind {2} px in beiden Richtungen</translation>
+    </message>
+    <message>
+        <source>The panel shows {0} things to read or press; at its size, {1} can be taken in</source>
+        <translation>Auf dem Panel werden {0} Dinge zum Lesen oder Drücken angezeigt; bei seiner Größe lassen sich {1} überblicken</translation>
+    </message>
+    <message>
+        <source>{0} covers a part of it</source>
+        <translation>{0} verdeckt einen Teil davon</translation>
+    </message>
+    <message>
+        <source>No button, navigation bar or alarm leads to the panel {0}</source>
+        <translation>Keine Schaltfläche, Navigationsleiste und kein Alarm führt zum Panel {0}</translation>
+    </message>
+    <message>
+        <source>The panel {0} is {1} presses away from the start panel; {2} should do</source>
+        <translation>Das Panel {0} ist {1} Tastendrücke vom Startpanel entfernt; {2} sollten reichen</translation>
+    </message>
+    <message>
+        <source>Nothing on the panel {0} leads back; add a button with the action back or home, or a navigation bar</source>
+        <translation>Nichts auf dem Panel {0} führt zurück; fügen Sie eine Schaltfläche mit der Aktion back oder home oder eine Navigationsleiste hinzu</translation>
+    </message>
+    <message>
+        <source>{0} is at another place on the panel {1}</source>
+        <translation>{0} ist auf dem Panel {1} an einer anderen Stelle</translation>
+    </message>
+    <message>
+        <source>The help of the alarm {0} does not say what to do</source>
+        <translation>Die Hilfe des Alarms {0} sagt nicht, was zu tun ist</translation>
+    </message>
+    <message>
+        <source>{0} of {1} alarms have the highest priority</source>
+        <translation>{0} von {1} Alarmen haben die höchste Priorität</translation>
+    </message>
+    <message>
+        <source>The project has {0} {0:alarm|alarms}, but no panel has an alarm list or banner</source>
+        <translation>Das Projekt hat {0} {0:Alarm|Alarme}, aber kein Panel hat eine Alarmliste oder ein Alarmbanner</translation>
+    </message>
+    <message>
+        <source>Nothing is bound: {0} is empty</source>
+        <translation>Nichts ist verknüpft: {0} ist leer</translation>
+    </message>
+    <message>
+        <source>Any number can be written to {0}; set {1}</source>
+        <translation>In {0} lässt sich jede Zahl schreiben; setzen Sie {1}</translation>
+    </message>
+    <message>
+        <source>{0} is critical after project.json, but one press writes it</source>
+        <translation>{0} ist laut project.json kritisch, doch ein Druck schreibt es</translation>
+    </message>
+    <message>
+        <source>Only {1} may write {0}, but nothing asks for confirmation</source>
+        <translation>Nur {1} darf {0} schreiben, aber nichts fragt nach einer Bestätigung</translation>
+    </message>
+    <message>
+        <source>{0} suppresses alarms, but one press writes it</source>
+        <translation>{0} unterdrückt Alarme, doch ein Druck schreibt es</translation>
+    </message>
+    <message>
+        <source>What is normal is grey, so that the eye finds what is not (ISA-101). Use a role of the theme such as surface, off or running, and give colour only to conditions.</source>
+        <translation>Was normal ist, ist grau, damit das Auge findet, was es nicht ist (ISA-101). Verwenden Sie eine Rolle des Farbschemas wie surface, off oder running und geben Sie nur Zuständen Farbe.</translation>
+    </message>
+    <message>
+        <source>Red, orange and yellow are kept for alarms. An operator who sees them all day long no longer sees them when they matter (ISA-101, ISA-18.2).</source>
+        <translation>Rot, Orange und Gelb sind Alarmen vorbehalten. Wer sie den ganzen Tag sieht, sieht sie nicht mehr, wenn es darauf ankommt (ISA-101, ISA-18.2).</translation>
+    </message>
+    <message>
+        <source>One man in twelve confuses colours, and bright light takes them away. Say the same by a text, a shape, a blinking or at least a different brightness.</source>
+        <translation>Einer von zwölf Männern verwechselt Farben, und grelles Licht nimmt sie weg. Sagen Sie dasselbe durch einen Text, eine Form, Blinken oder wenigstens eine andere Helligkeit.</translation>
+    </message>
+    <message>
+        <source>Text needs a contrast of 4.5 to 1 against its ground, large text 3 to 1 (WCAG 2, ISO 9241-303). Roles of the theme keep it in every theme.</source>
+        <translation>Text braucht gegen seinen Grund einen Kontrast von 4,5 zu 1, großer Text 3 zu 1 (WCAG 2, ISO 9241-303). Rollen des Farbschemas wahren ihn in jedem Farbschema.</translation>
+    </message>
+    <message>
+        <source>A capital letter must be seen at an angle of 16 minutes at least (ISO 9241-303). The distance and the size of a pixel are set in project.json.</source>
+        <translation>Ein Großbuchstabe muss unter einem Winkel von mindestens 16 Bogenminuten zu sehen sein (ISO 9241-303). Abstand und Größe eines Pixels stehen in project.json.</translation>
+    </message>
+    <message>
+        <source>A panel on which everything stands is searched, not read. Move details to a panel of the next level (ISA-101).</source>
+        <translation>Ein Panel, auf dem alles steht, wird abgesucht, nicht gelesen. Verschieben Sie Einzelheiten auf ein Panel der nächsten Ebene (ISA-101).</translation>
+    </message>
+    <message>
+        <source>In an abnormal situation, every panel should be three presses away at most, and there should be a way back from it (ISA-101).</source>
+        <translation>Im Störfall sollte jedes Panel höchstens drei Tastendrücke entfernt sein, und es sollte einen Weg zurück geben (ISA-101).</translation>
+    </message>
+    <message>
+        <source>What is on several panels is found without looking if it is always in the same place. Put it on the frame, or at the same place everywhere.</source>
+        <translation>Was auf mehreren Panels vorkommt, findet man ohne hinzusehen, wenn es immer an derselben Stelle ist. Setzen Sie es auf den Rahmen oder überall an dieselbe Stelle.</translation>
+    </message>
+    <message>
+        <source>A finger, in a glove at that, needs 9 mm in both directions (ISO 9241-411). The size of a pixel is set in project.json.</source>
+        <translation>Ein Finger, gar im Handschuh, braucht 9 mm in beiden Richtungen (ISO 9241-411). Die Größe eines Pixels steht in project.json.</translation>
+    </message>
+    <message>
+        <source>One covers the other, so that a text cannot be read or a press goes to the wrong one.</source>
+        <translation>Eines verdeckt das andere, sodass ein Text nicht lesbar ist oder ein Druck das falsche trifft.</translation>
+    </message>
+    <message>
+        <source>It looks as if it showed or did something. Bind it to a variable, or remove it.</source>
+        <translation>Es sieht aus, als zeigte oder täte es etwas. Verknüpfen Sie es mit einer Variablen oder entfernen Sie es.</translation>
+    </message>
+    <message>
+        <source>A slip of the finger sends 500 for 50. Limits refuse it where it is typed.</source>
+        <translation>Ein Ausrutscher sendet 500 statt 50. Grenzen weisen das bei der Eingabe ab.</translation>
+    </message>
+    <message>
+        <source>What only some may do, or what project.json lists as critical, must not happen by brushing the glass. Set &quot;Writes are confirmed&quot;, or ask a question.</source>
+        <translation>Was nur einige dürfen oder was project.json als kritisch aufführt, darf nicht durch eine Berührung geschehen. Setzen Sie „Schreiben wird bestätigt“ oder stellen Sie eine Frage.</translation>
+    </message>
+    <message>
+        <source>An alarm that nobody sees is none. Put an alarm banner on the frame or an alarm list on a panel (ISA-18.2).</source>
+        <translation>Ein Alarm, den niemand sieht, ist keiner. Setzen Sie ein Alarmbanner auf den Rahmen oder eine Alarmliste auf ein Panel (ISA-18.2).</translation>
+    </message>
+    <message>
+        <source>An alarm asks for an action of the operator. Its help says which, and what happens otherwise (ISA-18.2).</source>
+        <translation>Ein Alarm verlangt eine Handlung des Bedieners. Seine Hilfe sagt, welche, und was sonst geschieht (ISA-18.2).</translation>
+    </message>
+    <message>
+        <source>If everything is urgent, nothing is: about 5 % of the alarms should have the highest priority, 15 % the next (ISA-18.2).</source>
+        <translation>Wenn alles dringend ist, ist es nichts: etwa 5 % der Alarme sollten die höchste Priorität haben, 15 % die nächste (ISA-18.2).</translation>
+    </message>
+    <message>
+        <source>the value {0} is outside the subrange {1}..{2}</source>
+        <translation>der Wert {0} liegt außerhalb des Unterbereichs {1}..{2}</translation>
+    </message>
+    <message>
+        <source>&quot;addressing&quot; in project.json is &quot;byte&quot; or &quot;word&quot;, not &quot;{0}&quot;</source>
+        <translation>„addressing“ in project.json ist „byte“ oder „word“, nicht „{0}“</translation>
+    </message>
+    <message>
+        <source>&quot;memoryForNew&quot; in project.json is a number of bytes from 0 to {0}</source>
+        <translation>„memoryForNew“ in project.json ist eine Anzahl Bytes von 0 bis {0}</translation>
+    </message>
 </context>
 <context>
     <name>Exchange</name>
@@ -2270,10 +2737,6 @@
     <message>
         <source>The task {0} is started by the event {1}, which does not exist here; give it an INTERVAL or a SINGLE</source>
         <translation>Die Task {0} startet mit dem Ereignis {1}, das es hier nicht gibt; geben Sie ihr ein INTERVAL oder ein SINGLE</translation>
-    </message>
-    <message>
-        <source>{0} counts %MW1 in words, here it is counted in bytes; check that the addresses do not overlap</source>
-        <translation>{0} zählt %MW1 in Wörtern, hier zählt es in Bytes; prüfen Sie, dass sich die Adressen nicht überlappen</translation>
     </message>
     <message>
         <source>A comment outside of the elements was left out: {0}</source>
@@ -2366,6 +2829,22 @@
     <message>
         <source>The file is no program source and was left out</source>
         <translation>Die Datei ist kein Programmquelltext und wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>The network &apos;{0}&apos; is commented out in the diagram and was left out of the text</source>
+        <translation>Das Netzwerk „{0}“ ist im Diagramm auskommentiert und fehlt im Text</translation>
+    </message>
+    <message>
+        <source>Types that {0} has by itself are declared here</source>
+        <translation>Typen, die {0} von sich aus hat, sind hier deklariert</translation>
+    </message>
+    <message>
+        <source>{0} counts %MW1 in words; &quot;addressing&quot; in project.json says the same</source>
+        <translation>{0} zählt %MW1 in Wörtern; „addressing“ in project.json sagt dasselbe</translation>
+    </message>
+    <message>
+        <source>The address {0} begins at a byte that other tools, which count in words, cannot name; move it to a multiple of its size</source>
+        <translation>Die Adresse {0} beginnt an einem Byte, das andere Werkzeuge, die in Wörtern zählen, nicht benennen können; verschieben Sie sie auf ein Vielfaches ihrer Größe</translation>
     </message>
 </context>
 <context>
@@ -4370,6 +4849,10 @@
         <source>by this transition, while it is active</source>
         <translation>durch diese Transition, während er aktiv ist</translation>
     </message>
+    <message>
+        <source>comments nest: the next *) closes the one that begins here</source>
+        <translation>Kommentare sind geschachtelt: das nächste *) schließt den, der hier beginnt</translation>
+    </message>
 </context>
 <context>
     <name>Phrases</name>
@@ -6310,6 +6793,14 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>Explain the Problem</source>
         <translation>Problem erklären</translation>
     </message>
+    <message>
+        <source>Recipes</source>
+        <translation>Rezepturen</translation>
+    </message>
+    <message>
+        <source>Users and Rights</source>
+        <translation>Benutzer und Rechte</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MergeDialog</name>
@@ -6538,6 +7029,14 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>Panel %1</source>
         <translation>Panel %1</translation>
     </message>
+    <message>
+        <source>Recipes</source>
+        <translation>Rezepturen</translation>
+    </message>
+    <message>
+        <source>Users and Rights</source>
+        <translation>Benutzer und Rechte</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::ProblemsView</name>
@@ -6683,6 +7182,14 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Files</source>
         <translation>Dateien</translation>
+    </message>
+    <message>
+        <source>Recipes</source>
+        <translation>Rezepturen</translation>
+    </message>
+    <message>
+        <source>Users and Rights</source>
+        <translation>Benutzer und Rechte</translation>
     </message>
 </context>
 <context>
@@ -8804,6 +9311,18 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>Copy the Answer</source>
         <translation>Antwort kopieren</translation>
     </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Do not wait for the answer (Esc)</source>
+        <translation>Nicht auf die Antwort warten (Esc)</translation>
+    </message>
+    <message>
+        <source>Cancelled: there is no answer.</source>
+        <translation>Abgebrochen: es gibt keine Antwort.</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::AlarmEditor</name>
@@ -9188,6 +9707,113 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>Arrange over array</source>
         <translation>Über ein Array anordnen</translation>
     </message>
+    <message>
+        <source>Fix All Issues</source>
+        <translation>Alle Befunde beheben</translation>
+    </message>
+    <message>
+        <source>Fix Issue</source>
+        <translation>Befund beheben</translation>
+    </message>
+    <message>
+        <source>Explain Issue</source>
+        <translation>Befund erklären</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::PeopleEditor</name>
+    <message>
+        <source>User</source>
+        <translation>Benutzer</translation>
+    </message>
+    <message>
+        <source>Roles</source>
+        <translation>Rollen</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>Start panel</source>
+        <translation>Startpanel</translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation>Passwort</translation>
+    </message>
+    <message>
+        <source>Users</source>
+        <translation>Benutzer</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Rolle</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>Add a User</source>
+        <translation>Benutzer hinzufügen</translation>
+    </message>
+    <message>
+        <source>Set Password…</source>
+        <translation>Passwort setzen…</translation>
+    </message>
+    <message>
+        <source>Remove User</source>
+        <translation>Benutzer entfernen</translation>
+    </message>
+    <message>
+        <source>Add a Role</source>
+        <translation>Rolle hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove Role</source>
+        <translation>Rolle entfernen</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>nie</translation>
+    </message>
+    <message>
+        <source>Logged out after</source>
+        <translation>Abgemeldet nach</translation>
+    </message>
+    <message>
+        <source>Logged out after </source>
+        <translation>Abgemeldet nach </translation>
+    </message>
+    <message>
+        <source>Logged Out After</source>
+        <translation>Abgemeldet nach</translation>
+    </message>
+    <message>
+        <source>Set Password</source>
+        <translation>Passwort setzen</translation>
+    </message>
+    <message>
+        <source>Password of %1:</source>
+        <translation>Passwort von %1:</translation>
+    </message>
+    <message>
+        <source>none: cannot log in</source>
+        <translation>keines: Anmelden nicht möglich</translation>
+    </message>
+    <message>
+        <source>set</source>
+        <translation>gesetzt</translation>
+    </message>
+    <message>
+        <source>Without users, everybody may do everything.</source>
+        <translation>Ohne Benutzer darf jeder alles.</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::PropertySheet</name>
@@ -9205,6 +9831,97 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
             <numerusform>%n Element</numerusform>
             <numerusform>%n Elemente</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::RecipeEditor</name>
+    <message>
+        <source>Add a Recipe</source>
+        <translation>Rezeptur hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a Variable</source>
+        <translation>Variable hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a Set</source>
+        <translation>Satz hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove Row or Set</source>
+        <translation>Zeile oder Satz entfernen</translation>
+    </message>
+    <message>
+        <source>Remove Recipe</source>
+        <translation>Rezeptur entfernen</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>Import CSV</source>
+        <translation>CSV importieren</translation>
+    </message>
+    <message>
+        <source>Export CSV</source>
+        <translation>CSV exportieren</translation>
+    </message>
+    <message>
+        <source>Recipes</source>
+        <translation>Rezepturen</translation>
+    </message>
+    <message>
+        <source>Variables and sets of the recipe</source>
+        <translation>Variablen und Sätze der Rezeptur</translation>
+    </message>
+    <message>
+        <source>Rename Recipe</source>
+        <translation>Rezeptur umbenennen</translation>
+    </message>
+    <message>
+        <source>Rename Set</source>
+        <translation>Satz umbenennen</translation>
+    </message>
+    <message>
+        <source>Name:</source>
+        <translation>Name:</translation>
+    </message>
+    <message>
+        <source>Remove Set</source>
+        <translation>Satz entfernen</translation>
+    </message>
+    <message>
+        <source>Remove Row</source>
+        <translation>Zeile entfernen</translation>
+    </message>
+    <message>
+        <source>Add a recipe, then its variables, then a set for each product.</source>
+        <translation>Fügen Sie eine Rezeptur hinzu, dann ihre Variablen, dann einen Satz für jedes Produkt.</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Maximum</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,277 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="es" sourcelanguage="en">
 <context>
+    <name>Devices</name>
+    <message>
+        <source>This is not valid JSON; check the commas and quotes in front of this line</source>
+        <translation>Esto no es JSON válido; compruebe las comas y comillas antes de esta línea</translation>
+    </message>
+    <message>
+        <source>The file must be an object with a list named &quot;devices&quot;</source>
+        <translation>El archivo debe ser un objeto con una lista llamada «devices»</translation>
+    </message>
+    <message>
+        <source>Each entry of &quot;{0}&quot; must be an object in braces</source>
+        <translation>Cada elemento de «{0}» debe ser un objeto entre llaves</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; is missing</source>
+        <translation>Falta «{0}»</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be a text in quotes</source>
+        <translation>«{0}» debe ser un texto entre comillas</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be true or false</source>
+        <translation>«{0}» debe ser true o false</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be a number</source>
+        <translation>«{0}» debe ser un número</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be a whole number from {1} to {2}</source>
+        <translation>«{0}» debe ser un número entero de {1} a {2}</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be a time such as &quot;100ms&quot; or &quot;2s&quot;, at least {1} ms and at most an hour</source>
+        <translation>«{0}» debe ser un tiempo como «100ms» o «2s», de al menos {1} ms y como máximo una hora</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; cannot be {1}; choose one of: {2}</source>
+        <translation>«{0}» no puede ser {1}; elija uno de estos: {2}</translation>
+    </message>
+    <message>
+        <source>There is no field &quot;{0}&quot;; it is kept but has no effect</source>
+        <translation>No existe el campo «{0}»; se conserva, pero no tiene efecto</translation>
+    </message>
+    <message>
+        <source>There is no field &quot;{0}&quot;; did you mean &quot;{1}&quot;?</source>
+        <translation>No existe el campo «{0}»; ¿quería decir «{1}»?</translation>
+    </message>
+    <message>
+        <source>There are two devices named {0}; rename one</source>
+        <translation>Hay dos dispositivos llamados {0}; renombre uno</translation>
+    </message>
+    <message>
+        <source>{0} has two channels named {1}; rename one</source>
+        <translation>{0} tiene dos canales llamados {1}; renombre uno</translation>
+    </message>
+    <message>
+        <source>{0} is not a name; use letters, digits and underscores, and begin with a letter</source>
+        <translation>{0} no es un nombre; use letras, cifras y guiones bajos, y empiece por una letra</translation>
+    </message>
+    <message>
+        <source>{0} is neither a host name nor an address, for example plc1.local or 192.168.0.10</source>
+        <translation>{0} no es un nombre de equipo ni una dirección, por ejemplo plc1.local o 192.168.0.10</translation>
+    </message>
+    <message>
+        <source>{0} is not a serial port; write its path, for example /dev/ttyUSB0</source>
+        <translation>{0} no es un puerto serie; escriba su ruta, por ejemplo /dev/ttyUSB0</translation>
+    </message>
+    <message>
+        <source>{0} and {1} are both unit {2} of {3}</source>
+        <translation>{0} y {1} son ambos la unidad {2} de {3}</translation>
+    </message>
+    <message>
+        <source>{0} and {1} use {2} with different baud rates, parities or bits</source>
+        <translation>{0} y {1} usan {2} con velocidades, paridades o bits distintos</translation>
+    </message>
+    <message>
+        <source>{0} and {1} both listen at port {2}; give one another port</source>
+        <translation>{0} y {1} escuchan ambos en el puerto {2}; asigne otro puerto a uno</translation>
+    </message>
+    <message>
+        <source>Ports below 1024 need special rights; a port such as 1502 does not</source>
+        <translation>Los puertos por debajo de 1024 necesitan permisos especiales; un puerto como 1502, no</translation>
+    </message>
+    <message>
+        <source>{0} has no channels, so nothing is exchanged</source>
+        <translation>{0} no tiene canales, por lo que no se intercambia nada</translation>
+    </message>
+    <message>
+        <source>A channel of an MQTT device needs a &quot;topic&quot;</source>
+        <translation>Un canal de un dispositivo MQTT necesita un «topic»</translation>
+    </message>
+    <message>
+        <source>{0}: a channel has one topic, without the wildcards + and #</source>
+        <translation>{0}: un canal tiene un topic, sin los comodines + y #</translation>
+    </message>
+    <message>
+        <source>{0} is not a path into JSON; write for example /sensor/temperature</source>
+        <translation>{0} no es una ruta en JSON; escriba por ejemplo /sensor/temperature</translation>
+    </message>
+    <message>
+        <source>A device does not let others write its table &quot;{0}&quot;; use &quot;coil&quot; or &quot;holding&quot;, or the direction &quot;in&quot;</source>
+        <translation>Un dispositivo no deja que otros escriban su tabla «{0}»; use «coil» o «holding», o la dirección «in»</translation>
+    </message>
+    <message>
+        <source>Clients cannot write the table &quot;{0}&quot; of a server; use &quot;coil&quot; or &quot;holding&quot;, or the direction &quot;out&quot;</source>
+        <translation>Los clientes no pueden escribir la tabla «{0}» de un servidor; use «coil» o «holding», o la dirección «out»</translation>
+    </message>
+    <message>
+        <source>{0} needs {1} {1:register|registers} from {2}, but 65535 is the last</source>
+        <translation>{0} necesita {1} {1:registro|registros} desde {2}, pero 65535 es el último</translation>
+    </message>
+    <message>
+        <source>&quot;bit&quot; selects one bit of a register; the type must then be BOOL</source>
+        <translation>«bit» elige un bit de un registro; el tipo debe ser entonces BOOL</translation>
+    </message>
+    <message>
+        <source>The table &quot;{0}&quot; holds bits; the type must be BOOL</source>
+        <translation>La tabla «{0}» contiene bits; el tipo debe ser BOOL</translation>
+    </message>
+    <message>
+        <source>A BOOL in a register needs &quot;bit&quot;, from 0 to 15</source>
+        <translation>Un BOOL en un registro necesita «bit», de 0 a 15</translation>
+    </message>
+    <message>
+        <source>Only an MQTT channel can be of type STRING</source>
+        <translation>Solo un canal MQTT puede ser de tipo STRING</translation>
+    </message>
+    <message>
+        <source>&quot;scale&quot; must not be 0</source>
+        <translation>«scale» no debe ser 0</translation>
+    </message>
+    <message>
+        <source>A {0} has no &quot;scale&quot; and &quot;offset&quot;</source>
+        <translation>{0} no tiene «scale» ni «offset»</translation>
+    </message>
+    <message>
+        <source>{0}: {1}</source>
+        <translation>{0}: {1}</translation>
+    </message>
+    <message>
+        <source>{0} has no variable yet; name one, or let the addresses be proposed (stepwise devices PROJECT --propose)</source>
+        <translation>{0} aún no tiene variable; indique una o haga que se propongan las direcciones (stepwise devices PROJECT --propose)</translation>
+    </message>
+    <message>
+        <source>{0} is of type {1} and cannot hold a {2}</source>
+        <translation>{0} es de tipo {1} y no puede contener un {2}</translation>
+    </message>
+    <message>
+        <source>A {0} may not fit into {1} of type {2}; a value that does not fit leaves the variable as it is and makes the channel bad</source>
+        <translation>Un {0} puede no caber en {1} de tipo {2}; un valor que no cabe deja la variable como está e invalida el canal</translation>
+    </message>
+    <message>
+        <source>{0} is an output of the program; an input channel needs %I or a variable</source>
+        <translation>{0} es una salida del programa; un canal de entrada necesita %I o una variable</translation>
+    </message>
+    <message>
+        <source>{0} is an input of the program; an output channel needs %Q or a variable</source>
+        <translation>{0} es una entrada del programa; un canal de salida necesita %Q o una variable</translation>
+    </message>
+    <message>
+        <source>{0} is a constant and cannot be written</source>
+        <translation>{0} es una constante y no se puede escribir</translation>
+    </message>
+    <message>
+        <source>{0} and {1} write the same bytes: {2}</source>
+        <translation>{0} y {1} escriben los mismos bytes: {2}</translation>
+    </message>
+    <message>
+        <source>{0} and {1} both set {2} {3}</source>
+        <translation>{0} y {1} escriben ambos {2} {3}</translation>
+    </message>
+    <message>
+        <source>{0} says whether the channel is good and must be a BOOL or an integer</source>
+        <translation>{0} dice si el canal es bueno y debe ser BOOL o un entero</translation>
+    </message>
+    <message>
+        <source>{0} says whether the device answers and must be a BOOL</source>
+        <translation>{0} dice si el dispositivo responde y debe ser BOOL</translation>
+    </message>
+    <message>
+        <source>&quot;onLoss&quot;: &quot;safe&quot; needs the value in &quot;safe&quot;</source>
+        <translation>«onLoss»: «safe» necesita el valor en «safe»</translation>
+    </message>
+    <message>
+        <source>{0} cannot be read; it holds the password in its first line</source>
+        <translation>{0} no se puede leer; contiene la contraseña en su primera línea</translation>
+    </message>
+    <message>
+        <source>{0} cannot be read; it holds the certificates of the authority (PEM)</source>
+        <translation>{0} no se puede leer; contiene los certificados de la autoridad (PEM)</translation>
+    </message>
+    <message>
+        <source>There is no free address left for {0}</source>
+        <translation>No queda ninguna dirección libre para {0}</translation>
+    </message>
+    <message>
+        <source>no answer within {0} ms</source>
+        <translation>sin respuesta en {0} ms</translation>
+    </message>
+    <message>
+        <source>cannot connect to {0}: {1}</source>
+        <translation>no se puede conectar con {0}: {1}</translation>
+    </message>
+    <message>
+        <source>the connection ended: {0}</source>
+        <translation>la conexión terminó: {0}</translation>
+    </message>
+    <message>
+        <source>the answer does not match the request</source>
+        <translation>la respuesta no corresponde a la petición</translation>
+    </message>
+    <message>
+        <source>the device refuses {0} {1}: {2}</source>
+        <translation>el dispositivo rechaza {0} {1}: {2}</translation>
+    </message>
+    <message>
+        <source>it does not know the function</source>
+        <translation>no conoce la función</translation>
+    </message>
+    <message>
+        <source>it has no such address</source>
+        <translation>no tiene esa dirección</translation>
+    </message>
+    <message>
+        <source>it does not take the value</source>
+        <translation>no acepta el valor</translation>
+    </message>
+    <message>
+        <source>it failed</source>
+        <translation>ha fallado</translation>
+    </message>
+    <message>
+        <source>it is busy</source>
+        <translation>está ocupado</translation>
+    </message>
+    <message>
+        <source>the gateway does not reach it</source>
+        <translation>la pasarela no lo alcanza</translation>
+    </message>
+    <message>
+        <source>cannot listen at {0}: {1}</source>
+        <translation>no se puede escuchar en {0}: {1}</translation>
+    </message>
+    <message>
+        <source>{0}: the message holds no value that can be read</source>
+        <translation>{0}: el mensaje no contiene ningún valor legible</translation>
+    </message>
+    <message>
+        <source>{0}: a value does not fit into the variable</source>
+        <translation>{0}: un valor no cabe en la variable</translation>
+    </message>
+    <message>
+        <source>no client wrote for {0} ms</source>
+        <translation>ningún cliente ha escrito en {0} ms</translation>
+    </message>
+    <message>
+        <source>the broker refuses the connection: {0}</source>
+        <translation>el bróker rechaza la conexión: {0}</translation>
+    </message>
+    <message>
+        <source>the input {0} of the device {1} was lost</source>
+        <translation>se perdió la entrada {0} del dispositivo {1}</translation>
+    </message>
+    <message>
+        <source>the input {0} of the device {1} was lost: {2}</source>
+        <translation>se perdió la entrada {0} del dispositivo {1}: {2}</translation>
+    </message>
+</context>
+<context>
     <name>Diagnostics</name>
     <message>
         <source>Unterminated comment; close it with *)</source>
@@ -328,10 +599,6 @@
         <translation>Un índice debe ser un entero, no {0}</translation>
     </message>
     <message>
-        <source>A block with a task of its own is not supported; call {0} in a program of the task {1}</source>
-        <translation>No se admite un bloque con tarea propia; llame a {0} en un programa de la tarea {1}</translation>
-    </message>
-    <message>
         <source>{0}</source>
         <translation>{0}</translation>
     </message>
@@ -510,6 +777,14 @@
     <message>
         <source>The parenthesis of this instruction is not closed; add an instruction ) after its operands</source>
         <translation>El paréntesis de esta instrucción no está cerrado; añada una instrucción ) después de sus operandos</translation>
+    </message>
+    <message>
+        <source>{0} needs memory that the project does not set aside; write &quot;memoryForNew&quot;: 65536 into project.json</source>
+        <translation>{0} necesita memoria que el proyecto no reserva; escriba &quot;memoryForNew&quot;: 65536 en project.json</translation>
+    </message>
+    <message>
+        <source>{0} is not a block of this program; only a block can have a task of its own</source>
+        <translation>{0} no es un bloque de este programa; solo un bloque puede tener una tarea propia</translation>
     </message>
 </context>
 <context>
@@ -2192,6 +2467,198 @@
         <source>Who Set This?</source>
         <translation>¿Quién lo asignó?</translation>
     </message>
+    <message>
+        <source>There is no rule {0}; &quot;stepwise panel --rules&quot; lists them</source>
+        <translation>No existe la regla {0}; «stepwise panel --rules» las muestra todas</translation>
+    </message>
+    <message>
+        <source>There is no rule {0}; did you mean {1}?</source>
+        <translation>No existe la regla {0}; ¿quería decir {1}?</translation>
+    </message>
+    <message>
+        <source>The rule stays on until a text says why it is off</source>
+        <translation>La regla sigue activa hasta que un texto diga por qué está desactivada</translation>
+    </message>
+    <message>
+        <source>The value must be a list of texts in quotes</source>
+        <translation>El valor debe ser una lista de textos entre comillas</translation>
+    </message>
+    <message>
+        <source>The value must be an object with the reason for each rule</source>
+        <translation>El valor debe ser un objeto con el motivo de cada regla</translation>
+    </message>
+    <message>
+        <source>The value must be an object with a level, the distance, and rules that are off</source>
+        <translation>El valor debe ser un objeto con un nivel, la distancia y las reglas desactivadas</translation>
+    </message>
+    <message>
+        <source>The colour {0} is seen all the time, whatever happens; use {1}</source>
+        <translation>El color {0} se ve siempre, pase lo que pase; use {1}</translation>
+    </message>
+    <message>
+        <source>{0} is a colour of alarms, but it is seen when all is normal; use {1}</source>
+        <translation>{0} es un color de alarma, pero se ve cuando todo es normal; use {1}</translation>
+    </message>
+    <message>
+        <source>Only the hue tells {0} from {1}; choose one that is brighter, or add a text or blinking</source>
+        <translation>Solo el tono distingue {0} de {1}; elija uno más claro o añada un texto o un parpadeo</translation>
+    </message>
+    <message>
+        <source>Nothing says what the lamp means; give it a label, or place a text beside it</source>
+        <translation>Nada dice qué significa el piloto; póngale un rótulo o coloque un texto al lado</translation>
+    </message>
+    <message>
+        <source>{0} on {1} has a contrast of {2} to 1 in the theme {3}; {4} to 1 is needed</source>
+        <translation>{0} sobre {1} tiene un contraste de {2} a 1 en el tema {3}; se necesita {4} a 1</translation>
+    </message>
+    <message>
+        <source>A font of {0} px cannot be read from {2} mm; use at least {1} px</source>
+        <translation>Una fuente de {0} px no se puede leer a {2} mm; use al menos {1} px</translation>
+    </message>
+    <message>
+        <source>The faceplate is so small here that its smallest font has {0} px; from {2} mm, {1} px are needed</source>
+        <translation>El faceplate es tan pequeño aquí que su fuente más pequeña tiene {0} px; a {2} mm se necesitan {1} px</translation>
+    </message>
+    <message>
+        <source>The faceplate is so small here that a finger finds only {0} px to press; {1} px are needed</source>
+        <translation>El faceplate es tan pequeño aquí que un dedo solo encuentra {0} px que pulsar; se necesitan {1} px</translation>
+    </message>
+    <message>
+        <source>{0} x {1} px are too small for a finger beside its neighbours; {2} px are needed in both directions</source>
+        <translation>{0} × {1} px son demasiado pequeños para un dedo junto a sus vecinos; se necesitan {2} px en ambas direcciones</translation>
+    </message>
+    <message>
+        <source>The panel shows {0} things to read or press; at its size, {1} can be taken in</source>
+        <translation>El panel muestra {0} cosas que leer o pulsar; con su tamaño se abarcan {1}</translation>
+    </message>
+    <message>
+        <source>{0} covers a part of it</source>
+        <translation>{0} cubre una parte</translation>
+    </message>
+    <message>
+        <source>No button, navigation bar or alarm leads to the panel {0}</source>
+        <translation>Ningún botón, barra de navegación ni alarma lleva al panel {0}</translation>
+    </message>
+    <message>
+        <source>The panel {0} is {1} presses away from the start panel; {2} should do</source>
+        <translation>El panel {0} está a {1} pulsaciones del panel inicial; deberían bastar {2}</translation>
+    </message>
+    <message>
+        <source>Nothing on the panel {0} leads back; add a button with the action back or home, or a navigation bar</source>
+        <translation>Nada en el panel {0} lleva atrás; añada un botón con la acción back o home, o una barra de navegación</translation>
+    </message>
+    <message>
+        <source>{0} is at another place on the panel {1}</source>
+        <translation>{0} está en otro lugar en el panel {1}</translation>
+    </message>
+    <message>
+        <source>The help of the alarm {0} does not say what to do</source>
+        <translation>La ayuda de la alarma {0} no dice qué hacer</translation>
+    </message>
+    <message>
+        <source>{0} of {1} alarms have the highest priority</source>
+        <translation>{0} de {1} alarmas tienen la prioridad más alta</translation>
+    </message>
+    <message>
+        <source>The project has {0} {0:alarm|alarms}, but no panel has an alarm list or banner</source>
+        <translation>El proyecto tiene {0} {0:alarma|alarmas}, pero ningún panel tiene una lista ni un banner de alarmas</translation>
+    </message>
+    <message>
+        <source>Nothing is bound: {0} is empty</source>
+        <translation>No hay nada vinculado: {0} está vacío</translation>
+    </message>
+    <message>
+        <source>Any number can be written to {0}; set {1}</source>
+        <translation>Se puede escribir cualquier número en {0}; defina {1}</translation>
+    </message>
+    <message>
+        <source>{0} is critical after project.json, but one press writes it</source>
+        <translation>{0} es crítico según project.json, pero una sola pulsación lo escribe</translation>
+    </message>
+    <message>
+        <source>Only {1} may write {0}, but nothing asks for confirmation</source>
+        <translation>Solo {1} puede escribir {0}, pero nada pide confirmación</translation>
+    </message>
+    <message>
+        <source>{0} suppresses alarms, but one press writes it</source>
+        <translation>{0} suprime alarmas, pero una sola pulsación lo escribe</translation>
+    </message>
+    <message>
+        <source>What is normal is grey, so that the eye finds what is not (ISA-101). Use a role of the theme such as surface, off or running, and give colour only to conditions.</source>
+        <translation>Lo normal es gris, para que el ojo encuentre lo que no lo es (ISA-101). Use un papel del tema como surface, off o running, y dé color solo a los estados.</translation>
+    </message>
+    <message>
+        <source>Red, orange and yellow are kept for alarms. An operator who sees them all day long no longer sees them when they matter (ISA-101, ISA-18.2).</source>
+        <translation>El rojo, el naranja y el amarillo se reservan para las alarmas. Un operador que los ve todo el día deja de verlos cuando importan (ISA-101, ISA-18.2).</translation>
+    </message>
+    <message>
+        <source>One man in twelve confuses colours, and bright light takes them away. Say the same by a text, a shape, a blinking or at least a different brightness.</source>
+        <translation>Un hombre de cada doce confunde colores, y la luz intensa los borra. Diga lo mismo con un texto, una forma, un parpadeo o al menos otro brillo.</translation>
+    </message>
+    <message>
+        <source>Text needs a contrast of 4.5 to 1 against its ground, large text 3 to 1 (WCAG 2, ISO 9241-303). Roles of the theme keep it in every theme.</source>
+        <translation>El texto necesita un contraste de 4,5 a 1 con su fondo; el texto grande, de 3 a 1 (WCAG 2, ISO 9241-303). Los papeles del tema lo conservan en todos los temas.</translation>
+    </message>
+    <message>
+        <source>A capital letter must be seen at an angle of 16 minutes at least (ISO 9241-303). The distance and the size of a pixel are set in project.json.</source>
+        <translation>Una mayúscula debe verse bajo un ángulo de al menos 16 minutos (ISO 9241-303). La distancia y el tamaño de un píxel se definen en project.json.</translation>
+    </message>
+    <message>
+        <source>A panel on which everything stands is searched, not read. Move details to a panel of the next level (ISA-101).</source>
+        <translation>Un panel en el que está todo se rebusca, no se lee. Mueva los detalles a un panel del nivel siguiente (ISA-101).</translation>
+    </message>
+    <message>
+        <source>In an abnormal situation, every panel should be three presses away at most, and there should be a way back from it (ISA-101).</source>
+        <translation>En una situación anómala, cada panel debería estar a tres pulsaciones como máximo, y debería haber un camino de vuelta (ISA-101).</translation>
+    </message>
+    <message>
+        <source>What is on several panels is found without looking if it is always in the same place. Put it on the frame, or at the same place everywhere.</source>
+        <translation>Lo que está en varios paneles se encuentra sin mirar si siempre está en el mismo lugar. Póngalo en el marco o en el mismo lugar en todas partes.</translation>
+    </message>
+    <message>
+        <source>A finger, in a glove at that, needs 9 mm in both directions (ISO 9241-411). The size of a pixel is set in project.json.</source>
+        <translation>Un dedo, y más con guante, necesita 9 mm en ambas direcciones (ISO 9241-411). El tamaño de un píxel se define en project.json.</translation>
+    </message>
+    <message>
+        <source>One covers the other, so that a text cannot be read or a press goes to the wrong one.</source>
+        <translation>Uno cubre al otro, de modo que un texto no se puede leer o una pulsación va al elemento equivocado.</translation>
+    </message>
+    <message>
+        <source>It looks as if it showed or did something. Bind it to a variable, or remove it.</source>
+        <translation>Parece que muestra o hace algo. Vincúlelo a una variable o elimínelo.</translation>
+    </message>
+    <message>
+        <source>A slip of the finger sends 500 for 50. Limits refuse it where it is typed.</source>
+        <translation>Un desliz del dedo envía 500 en vez de 50. Los límites lo rechazan al teclearlo.</translation>
+    </message>
+    <message>
+        <source>What only some may do, or what project.json lists as critical, must not happen by brushing the glass. Set &quot;Writes are confirmed&quot;, or ask a question.</source>
+        <translation>Lo que solo algunos pueden hacer, o lo que project.json declara crítico, no debe ocurrir al rozar el cristal. Active «Las escrituras se confirman» o haga una pregunta.</translation>
+    </message>
+    <message>
+        <source>An alarm that nobody sees is none. Put an alarm banner on the frame or an alarm list on a panel (ISA-18.2).</source>
+        <translation>Una alarma que nadie ve no lo es. Ponga un banner de alarmas en el marco o una lista de alarmas en un panel (ISA-18.2).</translation>
+    </message>
+    <message>
+        <source>An alarm asks for an action of the operator. Its help says which, and what happens otherwise (ISA-18.2).</source>
+        <translation>Una alarma pide una acción del operador. Su ayuda dice cuál y qué ocurre si no se hace (ISA-18.2).</translation>
+    </message>
+    <message>
+        <source>If everything is urgent, nothing is: about 5 % of the alarms should have the highest priority, 15 % the next (ISA-18.2).</source>
+        <translation>Si todo es urgente, nada lo es: alrededor del 5 % de las alarmas debería tener la prioridad más alta, y el 15 % la siguiente (ISA-18.2).</translation>
+    </message>
+    <message>
+        <source>the value {0} is outside the subrange {1}..{2}</source>
+        <translation>el valor {0} está fuera del subrango {1}..{2}</translation>
+    </message>
+    <message>
+        <source>&quot;addressing&quot; in project.json is &quot;byte&quot; or &quot;word&quot;, not &quot;{0}&quot;</source>
+        <translation>«addressing» en project.json es «byte» o «word», no «{0}»</translation>
+    </message>
+    <message>
+        <source>&quot;memoryForNew&quot; in project.json is a number of bytes from 0 to {0}</source>
+        <translation>«memoryForNew» en project.json es un número de bytes de 0 a {0}</translation>
+    </message>
 </context>
 <context>
     <name>Exchange</name>
@@ -2270,10 +2737,6 @@
     <message>
         <source>The task {0} is started by the event {1}, which does not exist here; give it an INTERVAL or a SINGLE</source>
         <translation>La tarea {0} la inicia el evento {1}, que aquí no existe; asígnele un INTERVAL o un SINGLE</translation>
-    </message>
-    <message>
-        <source>{0} counts %MW1 in words, here it is counted in bytes; check that the addresses do not overlap</source>
-        <translation>{0} cuenta %MW1 en palabras, aquí se cuenta en bytes; compruebe que las direcciones no se solapen</translation>
     </message>
     <message>
         <source>A comment outside of the elements was left out: {0}</source>
@@ -2366,6 +2829,22 @@
     <message>
         <source>The file is no program source and was left out</source>
         <translation>El archivo no es código fuente y se ha omitido</translation>
+    </message>
+    <message>
+        <source>The network &apos;{0}&apos; is commented out in the diagram and was left out of the text</source>
+        <translation>El segmento «{0}» está comentado en el diagrama y se ha omitido del texto</translation>
+    </message>
+    <message>
+        <source>Types that {0} has by itself are declared here</source>
+        <translation>Los tipos que {0} tiene de por sí se declaran aquí</translation>
+    </message>
+    <message>
+        <source>{0} counts %MW1 in words; &quot;addressing&quot; in project.json says the same</source>
+        <translation>{0} cuenta %MW1 en palabras; «addressing» en project.json dice lo mismo</translation>
+    </message>
+    <message>
+        <source>The address {0} begins at a byte that other tools, which count in words, cannot name; move it to a multiple of its size</source>
+        <translation>La dirección {0} empieza en un byte que otras herramientas, que cuentan en palabras, no pueden nombrar; muévala a un múltiplo de su tamaño</translation>
     </message>
 </context>
 <context>
@@ -4370,6 +4849,10 @@
         <source>by this transition, while it is active</source>
         <translation>por esta transición, mientras está activa</translation>
     </message>
+    <message>
+        <source>comments nest: the next *) closes the one that begins here</source>
+        <translation>los comentarios se anidan: el siguiente *) cierra el que empieza aquí</translation>
+    </message>
 </context>
 <context>
     <name>Phrases</name>
@@ -6310,6 +6793,14 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <source>Explain the Problem</source>
         <translation>Explicar el problema</translation>
     </message>
+    <message>
+        <source>Recipes</source>
+        <translation>Recetas</translation>
+    </message>
+    <message>
+        <source>Users and Rights</source>
+        <translation>Usuarios y permisos</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MergeDialog</name>
@@ -6538,6 +7029,14 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <source>Panel %1</source>
         <translation>Panel %1</translation>
     </message>
+    <message>
+        <source>Recipes</source>
+        <translation>Recetas</translation>
+    </message>
+    <message>
+        <source>Users and Rights</source>
+        <translation>Usuarios y permisos</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::ProblemsView</name>
@@ -6683,6 +7182,14 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>Files</source>
         <translation>Archivos</translation>
+    </message>
+    <message>
+        <source>Recipes</source>
+        <translation>Recetas</translation>
+    </message>
+    <message>
+        <source>Users and Rights</source>
+        <translation>Usuarios y permisos</translation>
     </message>
 </context>
 <context>
@@ -8804,6 +9311,18 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <source>Copy the Answer</source>
         <translation>Copiar la respuesta</translation>
     </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Do not wait for the answer (Esc)</source>
+        <translation>No esperar la respuesta (Esc)</translation>
+    </message>
+    <message>
+        <source>Cancelled: there is no answer.</source>
+        <translation>Cancelado: no hay respuesta.</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::AlarmEditor</name>
@@ -9188,6 +9707,113 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <source>Arrange over array</source>
         <translation>Disponer según un array</translation>
     </message>
+    <message>
+        <source>Fix All Issues</source>
+        <translation>Corregir todos los avisos</translation>
+    </message>
+    <message>
+        <source>Fix Issue</source>
+        <translation>Corregir el aviso</translation>
+    </message>
+    <message>
+        <source>Explain Issue</source>
+        <translation>Explicar el aviso</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::PeopleEditor</name>
+    <message>
+        <source>User</source>
+        <translation>Usuario</translation>
+    </message>
+    <message>
+        <source>Roles</source>
+        <translation>Roles</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Idioma</translation>
+    </message>
+    <message>
+        <source>Start panel</source>
+        <translation>Panel inicial</translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation>Contraseña</translation>
+    </message>
+    <message>
+        <source>Users</source>
+        <translation>Usuarios</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Rol</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Título</translation>
+    </message>
+    <message>
+        <source>Add a User</source>
+        <translation>Añadir un usuario</translation>
+    </message>
+    <message>
+        <source>Set Password…</source>
+        <translation>Establecer contraseña…</translation>
+    </message>
+    <message>
+        <source>Remove User</source>
+        <translation>Quitar usuario</translation>
+    </message>
+    <message>
+        <source>Add a Role</source>
+        <translation>Añadir un rol</translation>
+    </message>
+    <message>
+        <source>Remove Role</source>
+        <translation>Quitar rol</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>nunca</translation>
+    </message>
+    <message>
+        <source>Logged out after</source>
+        <translation>Sesión cerrada tras</translation>
+    </message>
+    <message>
+        <source>Logged out after </source>
+        <translation>Sesión cerrada tras </translation>
+    </message>
+    <message>
+        <source>Logged Out After</source>
+        <translation>Sesión cerrada tras</translation>
+    </message>
+    <message>
+        <source>Set Password</source>
+        <translation>Establecer contraseña</translation>
+    </message>
+    <message>
+        <source>Password of %1:</source>
+        <translation>Contraseña de %1:</translation>
+    </message>
+    <message>
+        <source>none: cannot log in</source>
+        <translation>ninguna: no puede iniciar sesión</translation>
+    </message>
+    <message>
+        <source>set</source>
+        <translation>establecida</translation>
+    </message>
+    <message>
+        <source>Without users, everybody may do everything.</source>
+        <translation>Sin usuarios, cualquiera puede hacer todo.</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::PropertySheet</name>
@@ -9205,6 +9831,97 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
             <numerusform>%n elemento</numerusform>
             <numerusform>%n elementos</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::RecipeEditor</name>
+    <message>
+        <source>Add a Recipe</source>
+        <translation>Añadir una receta</translation>
+    </message>
+    <message>
+        <source>Add a Variable</source>
+        <translation>Añadir una variable</translation>
+    </message>
+    <message>
+        <source>Add a Set</source>
+        <translation>Añadir un conjunto</translation>
+    </message>
+    <message>
+        <source>Remove Row or Set</source>
+        <translation>Quitar fila o conjunto</translation>
+    </message>
+    <message>
+        <source>Remove Recipe</source>
+        <translation>Quitar receta</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tablas (*.csv)</translation>
+    </message>
+    <message>
+        <source>Import CSV</source>
+        <translation>Importar CSV</translation>
+    </message>
+    <message>
+        <source>Export CSV</source>
+        <translation>Exportar CSV</translation>
+    </message>
+    <message>
+        <source>Recipes</source>
+        <translation>Recetas</translation>
+    </message>
+    <message>
+        <source>Variables and sets of the recipe</source>
+        <translation>Variables y conjuntos de la receta</translation>
+    </message>
+    <message>
+        <source>Rename Recipe</source>
+        <translation>Cambiar el nombre de la receta</translation>
+    </message>
+    <message>
+        <source>Rename Set</source>
+        <translation>Cambiar el nombre del conjunto</translation>
+    </message>
+    <message>
+        <source>Name:</source>
+        <translation>Nombre:</translation>
+    </message>
+    <message>
+        <source>Remove Set</source>
+        <translation>Quitar conjunto</translation>
+    </message>
+    <message>
+        <source>Remove Row</source>
+        <translation>Quitar fila</translation>
+    </message>
+    <message>
+        <source>Add a recipe, then its variables, then a set for each product.</source>
+        <translation>Añada una receta, después sus variables y después un conjunto para cada producto.</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Título</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unidad</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Formato</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>Mínimo</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Máximo</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,277 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="fr" sourcelanguage="en">
 <context>
+    <name>Devices</name>
+    <message>
+        <source>This is not valid JSON; check the commas and quotes in front of this line</source>
+        <translation>Ce n’est pas du JSON valide ; vérifiez les virgules et les guillemets avant cette ligne</translation>
+    </message>
+    <message>
+        <source>The file must be an object with a list named &quot;devices&quot;</source>
+        <translation>Le fichier doit être un objet avec une liste nommée « devices »</translation>
+    </message>
+    <message>
+        <source>Each entry of &quot;{0}&quot; must be an object in braces</source>
+        <translation>Chaque élément de « {0} » doit être un objet entre accolades</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; is missing</source>
+        <translation>« {0} » manque</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be a text in quotes</source>
+        <translation>« {0} » doit être un texte entre guillemets</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be true or false</source>
+        <translation>« {0} » doit être true ou false</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be a number</source>
+        <translation>« {0} » doit être un nombre</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be a whole number from {1} to {2}</source>
+        <translation>« {0} » doit être un entier de {1} à {2}</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be a time such as &quot;100ms&quot; or &quot;2s&quot;, at least {1} ms and at most an hour</source>
+        <translation>« {0} » doit être une durée comme « 100ms » ou « 2s », d’au moins {1} ms et d’une heure au plus</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; cannot be {1}; choose one of: {2}</source>
+        <translation>« {0} » ne peut pas être {1} ; choisissez parmi : {2}</translation>
+    </message>
+    <message>
+        <source>There is no field &quot;{0}&quot;; it is kept but has no effect</source>
+        <translation>Le champ « {0} » n’existe pas ; il est conservé, mais sans effet</translation>
+    </message>
+    <message>
+        <source>There is no field &quot;{0}&quot;; did you mean &quot;{1}&quot;?</source>
+        <translation>Le champ « {0} » n’existe pas ; vouliez-vous dire « {1} » ?</translation>
+    </message>
+    <message>
+        <source>There are two devices named {0}; rename one</source>
+        <translation>Deux appareils se nomment {0} ; renommez l’un d’eux</translation>
+    </message>
+    <message>
+        <source>{0} has two channels named {1}; rename one</source>
+        <translation>{0} a deux voies nommées {1} ; renommez l’une d’elles</translation>
+    </message>
+    <message>
+        <source>{0} is not a name; use letters, digits and underscores, and begin with a letter</source>
+        <translation>{0} n’est pas un nom ; utilisez des lettres, des chiffres et des traits de soulignement, en commençant par une lettre</translation>
+    </message>
+    <message>
+        <source>{0} is neither a host name nor an address, for example plc1.local or 192.168.0.10</source>
+        <translation>{0} n’est ni un nom d’hôte ni une adresse, par exemple plc1.local ou 192.168.0.10</translation>
+    </message>
+    <message>
+        <source>{0} is not a serial port; write its path, for example /dev/ttyUSB0</source>
+        <translation>{0} n’est pas un port série ; écrivez son chemin, par exemple /dev/ttyUSB0</translation>
+    </message>
+    <message>
+        <source>{0} and {1} are both unit {2} of {3}</source>
+        <translation>{0} et {1} sont tous deux l’unité {2} de {3}</translation>
+    </message>
+    <message>
+        <source>{0} and {1} use {2} with different baud rates, parities or bits</source>
+        <translation>{0} et {1} utilisent {2} avec un débit, une parité ou un nombre de bits différents</translation>
+    </message>
+    <message>
+        <source>{0} and {1} both listen at port {2}; give one another port</source>
+        <translation>{0} et {1} écoutent tous deux sur le port {2} ; donnez un autre port à l’un d’eux</translation>
+    </message>
+    <message>
+        <source>Ports below 1024 need special rights; a port such as 1502 does not</source>
+        <translation>Les ports inférieurs à 1024 demandent des droits particuliers ; un port comme 1502, non</translation>
+    </message>
+    <message>
+        <source>{0} has no channels, so nothing is exchanged</source>
+        <translation>{0} n’a pas de voies ; rien n’est donc échangé</translation>
+    </message>
+    <message>
+        <source>A channel of an MQTT device needs a &quot;topic&quot;</source>
+        <translation>Une voie d’un appareil MQTT demande un « topic »</translation>
+    </message>
+    <message>
+        <source>{0}: a channel has one topic, without the wildcards + and #</source>
+        <translation>{0} : une voie a un seul topic, sans les jokers + et #</translation>
+    </message>
+    <message>
+        <source>{0} is not a path into JSON; write for example /sensor/temperature</source>
+        <translation>{0} n’est pas un chemin dans du JSON ; écrivez par exemple /sensor/temperature</translation>
+    </message>
+    <message>
+        <source>A device does not let others write its table &quot;{0}&quot;; use &quot;coil&quot; or &quot;holding&quot;, or the direction &quot;in&quot;</source>
+        <translation>Un appareil ne laisse pas écrire sa table « {0} » ; utilisez « coil » ou « holding », ou la direction « in »</translation>
+    </message>
+    <message>
+        <source>Clients cannot write the table &quot;{0}&quot; of a server; use &quot;coil&quot; or &quot;holding&quot;, or the direction &quot;out&quot;</source>
+        <translation>Les clients ne peuvent pas écrire la table « {0} » d’un serveur ; utilisez « coil » ou « holding », ou la direction « out »</translation>
+    </message>
+    <message>
+        <source>{0} needs {1} {1:register|registers} from {2}, but 65535 is the last</source>
+        <translation>{0} demande {1} {1:registre|registres} à partir de {2}, mais 65535 est le dernier</translation>
+    </message>
+    <message>
+        <source>&quot;bit&quot; selects one bit of a register; the type must then be BOOL</source>
+        <translation>« bit » choisit un bit d’un registre ; le type doit alors être BOOL</translation>
+    </message>
+    <message>
+        <source>The table &quot;{0}&quot; holds bits; the type must be BOOL</source>
+        <translation>La table « {0} » contient des bits ; le type doit être BOOL</translation>
+    </message>
+    <message>
+        <source>A BOOL in a register needs &quot;bit&quot;, from 0 to 15</source>
+        <translation>Un BOOL dans un registre demande « bit », de 0 à 15</translation>
+    </message>
+    <message>
+        <source>Only an MQTT channel can be of type STRING</source>
+        <translation>Seule une voie MQTT peut être de type STRING</translation>
+    </message>
+    <message>
+        <source>&quot;scale&quot; must not be 0</source>
+        <translation>« scale » ne doit pas être 0</translation>
+    </message>
+    <message>
+        <source>A {0} has no &quot;scale&quot; and &quot;offset&quot;</source>
+        <translation>{0} n’a ni « scale » ni « offset »</translation>
+    </message>
+    <message>
+        <source>{0}: {1}</source>
+        <translation>{0} : {1}</translation>
+    </message>
+    <message>
+        <source>{0} has no variable yet; name one, or let the addresses be proposed (stepwise devices PROJECT --propose)</source>
+        <translation>{0} n’a pas encore de variable ; nommez-en une ou faites proposer les adresses (stepwise devices PROJECT --propose)</translation>
+    </message>
+    <message>
+        <source>{0} is of type {1} and cannot hold a {2}</source>
+        <translation>{0} est de type {1} et ne peut pas contenir un {2}</translation>
+    </message>
+    <message>
+        <source>A {0} may not fit into {1} of type {2}; a value that does not fit leaves the variable as it is and makes the channel bad</source>
+        <translation>Un {0} peut ne pas tenir dans {1} de type {2} ; une valeur trop grande laisse la variable telle quelle et invalide la voie</translation>
+    </message>
+    <message>
+        <source>{0} is an output of the program; an input channel needs %I or a variable</source>
+        <translation>{0} est une sortie du programme ; une voie d’entrée demande %I ou une variable</translation>
+    </message>
+    <message>
+        <source>{0} is an input of the program; an output channel needs %Q or a variable</source>
+        <translation>{0} est une entrée du programme ; une voie de sortie demande %Q ou une variable</translation>
+    </message>
+    <message>
+        <source>{0} is a constant and cannot be written</source>
+        <translation>{0} est une constante et ne peut pas être écrite</translation>
+    </message>
+    <message>
+        <source>{0} and {1} write the same bytes: {2}</source>
+        <translation>{0} et {1} écrivent les mêmes octets : {2}</translation>
+    </message>
+    <message>
+        <source>{0} and {1} both set {2} {3}</source>
+        <translation>{0} et {1} écrivent tous deux {2} {3}</translation>
+    </message>
+    <message>
+        <source>{0} says whether the channel is good and must be a BOOL or an integer</source>
+        <translation>{0} dit si la voie est bonne et doit être un BOOL ou un entier</translation>
+    </message>
+    <message>
+        <source>{0} says whether the device answers and must be a BOOL</source>
+        <translation>{0} dit si l’appareil répond et doit être un BOOL</translation>
+    </message>
+    <message>
+        <source>&quot;onLoss&quot;: &quot;safe&quot; needs the value in &quot;safe&quot;</source>
+        <translation>« onLoss » : « safe » demande la valeur dans « safe »</translation>
+    </message>
+    <message>
+        <source>{0} cannot be read; it holds the password in its first line</source>
+        <translation>{0} ne peut pas être lu ; sa première ligne contient le mot de passe</translation>
+    </message>
+    <message>
+        <source>{0} cannot be read; it holds the certificates of the authority (PEM)</source>
+        <translation>{0} ne peut pas être lu ; il contient les certificats de l’autorité (PEM)</translation>
+    </message>
+    <message>
+        <source>There is no free address left for {0}</source>
+        <translation>Il n’y a plus d’adresse libre pour {0}</translation>
+    </message>
+    <message>
+        <source>no answer within {0} ms</source>
+        <translation>pas de réponse en {0} ms</translation>
+    </message>
+    <message>
+        <source>cannot connect to {0}: {1}</source>
+        <translation>connexion impossible à {0} : {1}</translation>
+    </message>
+    <message>
+        <source>the connection ended: {0}</source>
+        <translation>la connexion a été interrompue : {0}</translation>
+    </message>
+    <message>
+        <source>the answer does not match the request</source>
+        <translation>la réponse ne correspond pas à la requête</translation>
+    </message>
+    <message>
+        <source>the device refuses {0} {1}: {2}</source>
+        <translation>l’appareil refuse {0} {1} : {2}</translation>
+    </message>
+    <message>
+        <source>it does not know the function</source>
+        <translation>il ne connaît pas la fonction</translation>
+    </message>
+    <message>
+        <source>it has no such address</source>
+        <translation>il n’a pas cette adresse</translation>
+    </message>
+    <message>
+        <source>it does not take the value</source>
+        <translation>il n’accepte pas la valeur</translation>
+    </message>
+    <message>
+        <source>it failed</source>
+        <translation>il a échoué</translation>
+    </message>
+    <message>
+        <source>it is busy</source>
+        <translation>il est occupé</translation>
+    </message>
+    <message>
+        <source>the gateway does not reach it</source>
+        <translation>la passerelle ne l’atteint pas</translation>
+    </message>
+    <message>
+        <source>cannot listen at {0}: {1}</source>
+        <translation>écoute impossible sur {0} : {1}</translation>
+    </message>
+    <message>
+        <source>{0}: the message holds no value that can be read</source>
+        <translation>{0} : le message ne contient aucune valeur lisible</translation>
+    </message>
+    <message>
+        <source>{0}: a value does not fit into the variable</source>
+        <translation>{0} : une valeur ne tient pas dans la variable</translation>
+    </message>
+    <message>
+        <source>no client wrote for {0} ms</source>
+        <translation>aucun client n’a écrit depuis {0} ms</translation>
+    </message>
+    <message>
+        <source>the broker refuses the connection: {0}</source>
+        <translation>le broker refuse la connexion : {0}</translation>
+    </message>
+    <message>
+        <source>the input {0} of the device {1} was lost</source>
+        <translation>l’entrée {0} de l’appareil {1} a été perdue</translation>
+    </message>
+    <message>
+        <source>the input {0} of the device {1} was lost: {2}</source>
+        <translation>l’entrée {0} de l’appareil {1} a été perdue : {2}</translation>
+    </message>
+</context>
+<context>
     <name>Diagnostics</name>
     <message>
         <source>Unterminated comment; close it with *)</source>
@@ -328,10 +599,6 @@
         <translation>Un indice doit être un entier, et non {0}</translation>
     </message>
     <message>
-        <source>A block with a task of its own is not supported; call {0} in a program of the task {1}</source>
-        <translation>Un bloc doté de sa propre tâche n’est pas pris en charge&#x202f;; appeler {0} dans un programme de la tâche {1}</translation>
-    </message>
-    <message>
         <source>{0}</source>
         <translation>{0}</translation>
     </message>
@@ -510,6 +777,14 @@
     <message>
         <source>The parenthesis of this instruction is not closed; add an instruction ) after its operands</source>
         <translation>La parenthèse de cette instruction n’est pas fermée&#x202f;; ajouter une instruction ) après ses opérandes</translation>
+    </message>
+    <message>
+        <source>{0} needs memory that the project does not set aside; write &quot;memoryForNew&quot;: 65536 into project.json</source>
+        <translation>{0} demande de la mémoire que le projet ne réserve pas ; écrire &quot;memoryForNew&quot;: 65536 dans project.json</translation>
+    </message>
+    <message>
+        <source>{0} is not a block of this program; only a block can have a task of its own</source>
+        <translation>{0} n’est pas un bloc de ce programme ; seul un bloc peut avoir sa propre tâche</translation>
     </message>
 </context>
 <context>
@@ -2192,6 +2467,198 @@
         <source>Who Set This?</source>
         <translation>Qui a écrit cela&#x202f;?</translation>
     </message>
+    <message>
+        <source>There is no rule {0}; &quot;stepwise panel --rules&quot; lists them</source>
+        <translation>La règle {0} n’existe pas ; « stepwise panel --rules » les affiche toutes</translation>
+    </message>
+    <message>
+        <source>There is no rule {0}; did you mean {1}?</source>
+        <translation>La règle {0} n’existe pas ; vouliez-vous dire {1} ?</translation>
+    </message>
+    <message>
+        <source>The rule stays on until a text says why it is off</source>
+        <translation>La règle reste active tant qu’un texte ne dit pas pourquoi elle est désactivée</translation>
+    </message>
+    <message>
+        <source>The value must be a list of texts in quotes</source>
+        <translation>La valeur doit être une liste de textes entre guillemets</translation>
+    </message>
+    <message>
+        <source>The value must be an object with the reason for each rule</source>
+        <translation>La valeur doit être un objet avec la raison de chaque règle</translation>
+    </message>
+    <message>
+        <source>The value must be an object with a level, the distance, and rules that are off</source>
+        <translation>La valeur doit être un objet avec un niveau, la distance et les règles désactivées</translation>
+    </message>
+    <message>
+        <source>The colour {0} is seen all the time, whatever happens; use {1}</source>
+        <translation>La couleur {0} est visible en permanence, quoi qu’il arrive ; utilisez {1}</translation>
+    </message>
+    <message>
+        <source>{0} is a colour of alarms, but it is seen when all is normal; use {1}</source>
+        <translation>{0} est une couleur d’alarme, mais elle est visible quand tout est normal ; utilisez {1}</translation>
+    </message>
+    <message>
+        <source>Only the hue tells {0} from {1}; choose one that is brighter, or add a text or blinking</source>
+        <translation>Seule la teinte distingue {0} de {1} ; choisissez-en une plus claire, ou ajoutez un texte ou un clignotement</translation>
+    </message>
+    <message>
+        <source>Nothing says what the lamp means; give it a label, or place a text beside it</source>
+        <translation>Rien n’indique ce que signifie le voyant ; donnez-lui un libellé ou placez un texte à côté</translation>
+    </message>
+    <message>
+        <source>{0} on {1} has a contrast of {2} to 1 in the theme {3}; {4} to 1 is needed</source>
+        <translation>{0} sur {1} a un contraste de {2} pour 1 dans le thème {3} ; il faut {4} pour 1</translation>
+    </message>
+    <message>
+        <source>A font of {0} px cannot be read from {2} mm; use at least {1} px</source>
+        <translation>Une police de {0} px n’est pas lisible à {2} mm ; utilisez au moins {1} px</translation>
+    </message>
+    <message>
+        <source>The faceplate is so small here that its smallest font has {0} px; from {2} mm, {1} px are needed</source>
+        <translation>La faceplate est si petite ici que sa plus petite police a {0} px ; à {2} mm, il faut {1} px</translation>
+    </message>
+    <message>
+        <source>The faceplate is so small here that a finger finds only {0} px to press; {1} px are needed</source>
+        <translation>La faceplate est si petite ici qu’un doigt ne trouve que {0} px où appuyer ; il faut {1} px</translation>
+    </message>
+    <message>
+        <source>{0} x {1} px are too small for a finger beside its neighbours; {2} px are needed in both directions</source>
+        <translation>{0} × {1} px sont trop petits pour un doigt à côté des éléments voisins ; il faut {2} px dans les deux sens</translation>
+    </message>
+    <message>
+        <source>The panel shows {0} things to read or press; at its size, {1} can be taken in</source>
+        <translation>La vue affiche {0} éléments à lire ou à toucher ; à sa taille, on en embrasse {1}</translation>
+    </message>
+    <message>
+        <source>{0} covers a part of it</source>
+        <translation>{0} en couvre une partie</translation>
+    </message>
+    <message>
+        <source>No button, navigation bar or alarm leads to the panel {0}</source>
+        <translation>Aucun bouton, aucune barre de navigation ni alarme ne mène à la vue {0}</translation>
+    </message>
+    <message>
+        <source>The panel {0} is {1} presses away from the start panel; {2} should do</source>
+        <translation>La vue {0} est à {1} appuis de la vue de départ ; {2} devraient suffire</translation>
+    </message>
+    <message>
+        <source>Nothing on the panel {0} leads back; add a button with the action back or home, or a navigation bar</source>
+        <translation>Rien sur la vue {0} ne ramène en arrière ; ajoutez un bouton avec l’action back ou home, ou une barre de navigation</translation>
+    </message>
+    <message>
+        <source>{0} is at another place on the panel {1}</source>
+        <translation>{0} est à un autre endroit sur la vue {1}</translation>
+    </message>
+    <message>
+        <source>The help of the alarm {0} does not say what to do</source>
+        <translation>L’aide de l’alarme {0} ne dit pas quoi faire</translation>
+    </message>
+    <message>
+        <source>{0} of {1} alarms have the highest priority</source>
+        <translation>{0} alarmes sur {1} ont la plus haute priorité</translation>
+    </message>
+    <message>
+        <source>The project has {0} {0:alarm|alarms}, but no panel has an alarm list or banner</source>
+        <translation>Le projet a {0} {0:alarme|alarmes}, mais aucune vue n’a de liste ni de bandeau d’alarmes</translation>
+    </message>
+    <message>
+        <source>Nothing is bound: {0} is empty</source>
+        <translation>Rien n’est lié : {0} est vide</translation>
+    </message>
+    <message>
+        <source>Any number can be written to {0}; set {1}</source>
+        <translation>On peut écrire n’importe quel nombre dans {0} ; définissez {1}</translation>
+    </message>
+    <message>
+        <source>{0} is critical after project.json, but one press writes it</source>
+        <translation>{0} est critique d’après project.json, mais un seul appui l’écrit</translation>
+    </message>
+    <message>
+        <source>Only {1} may write {0}, but nothing asks for confirmation</source>
+        <translation>Seul {1} peut écrire {0}, mais rien ne demande de confirmation</translation>
+    </message>
+    <message>
+        <source>{0} suppresses alarms, but one press writes it</source>
+        <translation>{0} masque des alarmes, mais un seul appui l’écrit</translation>
+    </message>
+    <message>
+        <source>What is normal is grey, so that the eye finds what is not (ISA-101). Use a role of the theme such as surface, off or running, and give colour only to conditions.</source>
+        <translation>Ce qui est normal est gris, pour que l’œil trouve ce qui ne l’est pas (ISA-101). Utilisez un rôle du thème comme surface, off ou running, et ne donnez de couleur qu’aux états.</translation>
+    </message>
+    <message>
+        <source>Red, orange and yellow are kept for alarms. An operator who sees them all day long no longer sees them when they matter (ISA-101, ISA-18.2).</source>
+        <translation>Le rouge, l’orange et le jaune sont réservés aux alarmes. Un opérateur qui les voit toute la journée ne les voit plus quand elles comptent (ISA-101, ISA-18.2).</translation>
+    </message>
+    <message>
+        <source>One man in twelve confuses colours, and bright light takes them away. Say the same by a text, a shape, a blinking or at least a different brightness.</source>
+        <translation>Un homme sur douze confond les couleurs, et une lumière vive les efface. Dites la même chose par un texte, une forme, un clignotement ou au moins une autre luminosité.</translation>
+    </message>
+    <message>
+        <source>Text needs a contrast of 4.5 to 1 against its ground, large text 3 to 1 (WCAG 2, ISO 9241-303). Roles of the theme keep it in every theme.</source>
+        <translation>Un texte demande un contraste de 4,5 pour 1 avec son fond, un grand texte 3 pour 1 (WCAG 2, ISO 9241-303). Les rôles du thème le garantissent dans tous les thèmes.</translation>
+    </message>
+    <message>
+        <source>A capital letter must be seen at an angle of 16 minutes at least (ISO 9241-303). The distance and the size of a pixel are set in project.json.</source>
+        <translation>Une majuscule doit être vue sous un angle d’au moins 16 minutes (ISO 9241-303). La distance et la taille d’un pixel sont définies dans project.json.</translation>
+    </message>
+    <message>
+        <source>A panel on which everything stands is searched, not read. Move details to a panel of the next level (ISA-101).</source>
+        <translation>Une vue où tout figure se fouille, elle ne se lit pas. Déplacez les détails vers une vue du niveau suivant (ISA-101).</translation>
+    </message>
+    <message>
+        <source>In an abnormal situation, every panel should be three presses away at most, and there should be a way back from it (ISA-101).</source>
+        <translation>En situation anormale, chaque vue devrait être à trois appuis au plus, avec un chemin de retour (ISA-101).</translation>
+    </message>
+    <message>
+        <source>What is on several panels is found without looking if it is always in the same place. Put it on the frame, or at the same place everywhere.</source>
+        <translation>Ce qui figure sur plusieurs vues se trouve sans regarder si sa place ne change pas. Placez-le sur le cadre, ou partout au même endroit.</translation>
+    </message>
+    <message>
+        <source>A finger, in a glove at that, needs 9 mm in both directions (ISO 9241-411). The size of a pixel is set in project.json.</source>
+        <translation>Un doigt, ganté de surcroît, demande 9 mm dans les deux sens (ISO 9241-411). La taille d’un pixel est définie dans project.json.</translation>
+    </message>
+    <message>
+        <source>One covers the other, so that a text cannot be read or a press goes to the wrong one.</source>
+        <translation>L’un couvre l’autre : un texte n’est plus lisible, ou un appui touche le mauvais élément.</translation>
+    </message>
+    <message>
+        <source>It looks as if it showed or did something. Bind it to a variable, or remove it.</source>
+        <translation>On croirait qu’il affiche ou fait quelque chose. Liez-le à une variable ou supprimez-le.</translation>
+    </message>
+    <message>
+        <source>A slip of the finger sends 500 for 50. Limits refuse it where it is typed.</source>
+        <translation>Un doigt qui glisse envoie 500 au lieu de 50. Des limites le refusent à la saisie.</translation>
+    </message>
+    <message>
+        <source>What only some may do, or what project.json lists as critical, must not happen by brushing the glass. Set &quot;Writes are confirmed&quot;, or ask a question.</source>
+        <translation>Ce que seuls certains peuvent faire, ou ce que project.json déclare critique, ne doit pas arriver en effleurant la vitre. Activez « Les écritures sont confirmées » ou posez une question.</translation>
+    </message>
+    <message>
+        <source>An alarm that nobody sees is none. Put an alarm banner on the frame or an alarm list on a panel (ISA-18.2).</source>
+        <translation>Une alarme que personne ne voit n’en est pas une. Placez un bandeau d’alarmes sur le cadre ou une liste d’alarmes sur une vue (ISA-18.2).</translation>
+    </message>
+    <message>
+        <source>An alarm asks for an action of the operator. Its help says which, and what happens otherwise (ISA-18.2).</source>
+        <translation>Une alarme demande une action de l’opérateur. Son aide dit laquelle, et ce qui arrive sinon (ISA-18.2).</translation>
+    </message>
+    <message>
+        <source>If everything is urgent, nothing is: about 5 % of the alarms should have the highest priority, 15 % the next (ISA-18.2).</source>
+        <translation>Si tout est urgent, rien ne l’est : environ 5 % des alarmes devraient avoir la plus haute priorité, 15 % la suivante (ISA-18.2).</translation>
+    </message>
+    <message>
+        <source>the value {0} is outside the subrange {1}..{2}</source>
+        <translation>la valeur {0} est en dehors du sous-intervalle {1}..{2}</translation>
+    </message>
+    <message>
+        <source>&quot;addressing&quot; in project.json is &quot;byte&quot; or &quot;word&quot;, not &quot;{0}&quot;</source>
+        <translation>« addressing » dans project.json est « byte » ou « word », pas « {0} »</translation>
+    </message>
+    <message>
+        <source>&quot;memoryForNew&quot; in project.json is a number of bytes from 0 to {0}</source>
+        <translation>« memoryForNew » dans project.json est un nombre d’octets de 0 à {0}</translation>
+    </message>
 </context>
 <context>
     <name>Exchange</name>
@@ -2270,10 +2737,6 @@
     <message>
         <source>The task {0} is started by the event {1}, which does not exist here; give it an INTERVAL or a SINGLE</source>
         <translation>La tâche {0} est lancée par l’événement {1}, qui n’existe pas ici&#x202f;; donnez-lui un INTERVAL ou un SINGLE</translation>
-    </message>
-    <message>
-        <source>{0} counts %MW1 in words, here it is counted in bytes; check that the addresses do not overlap</source>
-        <translation>{0} compte %MW1 en mots, ici le compte est en octets&#x202f;; vérifiez que les adresses ne se chevauchent pas</translation>
     </message>
     <message>
         <source>A comment outside of the elements was left out: {0}</source>
@@ -2366,6 +2829,22 @@
     <message>
         <source>The file is no program source and was left out</source>
         <translation>Le fichier n’est pas une source de programme et a été omis</translation>
+    </message>
+    <message>
+        <source>The network &apos;{0}&apos; is commented out in the diagram and was left out of the text</source>
+        <translation>Le réseau « {0} » est mis en commentaire dans le diagramme et a été omis du texte</translation>
+    </message>
+    <message>
+        <source>Types that {0} has by itself are declared here</source>
+        <translation>Les types que {0} possède de lui-même sont déclarés ici</translation>
+    </message>
+    <message>
+        <source>{0} counts %MW1 in words; &quot;addressing&quot; in project.json says the same</source>
+        <translation>{0} compte %MW1 en mots ; « addressing » dans project.json dit la même chose</translation>
+    </message>
+    <message>
+        <source>The address {0} begins at a byte that other tools, which count in words, cannot name; move it to a multiple of its size</source>
+        <translation>L’adresse {0} commence à un octet que d’autres outils, qui comptent en mots, ne peuvent pas nommer ; déplacez-la à un multiple de sa taille</translation>
     </message>
 </context>
 <context>
@@ -4370,6 +4849,10 @@
         <source>by this transition, while it is active</source>
         <translation>par cette transition, tant qu’elle est active</translation>
     </message>
+    <message>
+        <source>comments nest: the next *) closes the one that begins here</source>
+        <translation>les commentaires s’imbriquent : le prochain *) ferme celui qui commence ici</translation>
+    </message>
 </context>
 <context>
     <name>Phrases</name>
@@ -6310,6 +6793,14 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <source>Explain the Problem</source>
         <translation>Expliquer le problème</translation>
     </message>
+    <message>
+        <source>Recipes</source>
+        <translation>Recettes</translation>
+    </message>
+    <message>
+        <source>Users and Rights</source>
+        <translation>Utilisateurs et droits</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MergeDialog</name>
@@ -6538,6 +7029,14 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <source>Panel %1</source>
         <translation>Vue %1</translation>
     </message>
+    <message>
+        <source>Recipes</source>
+        <translation>Recettes</translation>
+    </message>
+    <message>
+        <source>Users and Rights</source>
+        <translation>Utilisateurs et droits</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::ProblemsView</name>
@@ -6683,6 +7182,14 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <message>
         <source>Files</source>
         <translation>Fichiers</translation>
+    </message>
+    <message>
+        <source>Recipes</source>
+        <translation>Recettes</translation>
+    </message>
+    <message>
+        <source>Users and Rights</source>
+        <translation>Utilisateurs et droits</translation>
     </message>
 </context>
 <context>
@@ -8804,6 +9311,18 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <source>Copy the Answer</source>
         <translation>Copier la réponse</translation>
     </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Do not wait for the answer (Esc)</source>
+        <translation>Ne pas attendre la réponse (Échap)</translation>
+    </message>
+    <message>
+        <source>Cancelled: there is no answer.</source>
+        <translation>Annulé : il n’y a pas de réponse.</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::AlarmEditor</name>
@@ -9188,6 +9707,113 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <source>Arrange over array</source>
         <translation>Disposer selon un tableau</translation>
     </message>
+    <message>
+        <source>Fix All Issues</source>
+        <translation>Corriger toutes les remarques</translation>
+    </message>
+    <message>
+        <source>Fix Issue</source>
+        <translation>Corriger la remarque</translation>
+    </message>
+    <message>
+        <source>Explain Issue</source>
+        <translation>Expliquer la remarque</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::PeopleEditor</name>
+    <message>
+        <source>User</source>
+        <translation>Utilisateur</translation>
+    </message>
+    <message>
+        <source>Roles</source>
+        <translation>Rôles</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Langue</translation>
+    </message>
+    <message>
+        <source>Start panel</source>
+        <translation>Vue de départ</translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation>Mot de passe</translation>
+    </message>
+    <message>
+        <source>Users</source>
+        <translation>Utilisateurs</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Rôle</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titre</translation>
+    </message>
+    <message>
+        <source>Add a User</source>
+        <translation>Ajouter un utilisateur</translation>
+    </message>
+    <message>
+        <source>Set Password…</source>
+        <translation>Définir le mot de passe…</translation>
+    </message>
+    <message>
+        <source>Remove User</source>
+        <translation>Retirer l’utilisateur</translation>
+    </message>
+    <message>
+        <source>Add a Role</source>
+        <translation>Ajouter un rôle</translation>
+    </message>
+    <message>
+        <source>Remove Role</source>
+        <translation>Retirer le rôle</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>jamais</translation>
+    </message>
+    <message>
+        <source>Logged out after</source>
+        <translation>Déconnecté après</translation>
+    </message>
+    <message>
+        <source>Logged out after </source>
+        <translation>Déconnecté après </translation>
+    </message>
+    <message>
+        <source>Logged Out After</source>
+        <translation>Déconnecté après</translation>
+    </message>
+    <message>
+        <source>Set Password</source>
+        <translation>Définir le mot de passe</translation>
+    </message>
+    <message>
+        <source>Password of %1:</source>
+        <translation>Mot de passe de %1 :</translation>
+    </message>
+    <message>
+        <source>none: cannot log in</source>
+        <translation>aucun : connexion impossible</translation>
+    </message>
+    <message>
+        <source>set</source>
+        <translation>défini</translation>
+    </message>
+    <message>
+        <source>Without users, everybody may do everything.</source>
+        <translation>Sans utilisateurs, chacun peut tout faire.</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::PropertySheet</name>
@@ -9205,6 +9831,97 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
             <numerusform>%n élément</numerusform>
             <numerusform>%n éléments</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::RecipeEditor</name>
+    <message>
+        <source>Add a Recipe</source>
+        <translation>Ajouter une recette</translation>
+    </message>
+    <message>
+        <source>Add a Variable</source>
+        <translation>Ajouter une variable</translation>
+    </message>
+    <message>
+        <source>Add a Set</source>
+        <translation>Ajouter un jeu</translation>
+    </message>
+    <message>
+        <source>Remove Row or Set</source>
+        <translation>Retirer la ligne ou le jeu</translation>
+    </message>
+    <message>
+        <source>Remove Recipe</source>
+        <translation>Retirer la recette</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tableaux (*.csv)</translation>
+    </message>
+    <message>
+        <source>Import CSV</source>
+        <translation>Importer un fichier CSV</translation>
+    </message>
+    <message>
+        <source>Export CSV</source>
+        <translation>Exporter un fichier CSV</translation>
+    </message>
+    <message>
+        <source>Recipes</source>
+        <translation>Recettes</translation>
+    </message>
+    <message>
+        <source>Variables and sets of the recipe</source>
+        <translation>Variables et jeux de la recette</translation>
+    </message>
+    <message>
+        <source>Rename Recipe</source>
+        <translation>Renommer la recette</translation>
+    </message>
+    <message>
+        <source>Rename Set</source>
+        <translation>Renommer le jeu</translation>
+    </message>
+    <message>
+        <source>Name:</source>
+        <translation>Nom :</translation>
+    </message>
+    <message>
+        <source>Remove Set</source>
+        <translation>Retirer le jeu</translation>
+    </message>
+    <message>
+        <source>Remove Row</source>
+        <translation>Retirer la ligne</translation>
+    </message>
+    <message>
+        <source>Add a recipe, then its variables, then a set for each product.</source>
+        <translation>Ajoutez une recette, puis ses variables, puis un jeu pour chaque produit.</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titre</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unité</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Maximum</translation>
     </message>
 </context>
 <context>

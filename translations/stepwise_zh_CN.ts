@@ -2,6 +2,277 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
 <context>
+    <name>Devices</name>
+    <message>
+        <source>This is not valid JSON; check the commas and quotes in front of this line</source>
+        <translation>这不是有效的 JSON；请检查此行之前的逗号和引号</translation>
+    </message>
+    <message>
+        <source>The file must be an object with a list named &quot;devices&quot;</source>
+        <translation>文件必须是一个对象，其中有名为“devices”的列表</translation>
+    </message>
+    <message>
+        <source>Each entry of &quot;{0}&quot; must be an object in braces</source>
+        <translation>“{0}”的每一项必须是花括号中的对象</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; is missing</source>
+        <translation>缺少“{0}”</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be a text in quotes</source>
+        <translation>“{0}”必须是带引号的文本</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be true or false</source>
+        <translation>“{0}”必须是 true 或 false</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be a number</source>
+        <translation>“{0}”必须是数字</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be a whole number from {1} to {2}</source>
+        <translation>“{0}”必须是 {1} 到 {2} 的整数</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be a time such as &quot;100ms&quot; or &quot;2s&quot;, at least {1} ms and at most an hour</source>
+        <translation>“{0}”必须是“100ms”或“2s”这样的时间，至少 {1} ms，最多一小时</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; cannot be {1}; choose one of: {2}</source>
+        <translation>“{0}”不能是 {1}；请从以下选项中选择：{2}</translation>
+    </message>
+    <message>
+        <source>There is no field &quot;{0}&quot;; it is kept but has no effect</source>
+        <translation>没有字段“{0}”；它会保留，但不起作用</translation>
+    </message>
+    <message>
+        <source>There is no field &quot;{0}&quot;; did you mean &quot;{1}&quot;?</source>
+        <translation>没有字段“{0}”；您是指“{1}”吗？</translation>
+    </message>
+    <message>
+        <source>There are two devices named {0}; rename one</source>
+        <translation>有两个设备都名为 {0}；请重命名其中一个</translation>
+    </message>
+    <message>
+        <source>{0} has two channels named {1}; rename one</source>
+        <translation>{0} 有两个名为 {1} 的通道；请重命名其中一个</translation>
+    </message>
+    <message>
+        <source>{0} is not a name; use letters, digits and underscores, and begin with a letter</source>
+        <translation>{0} 不是名称；请使用字母、数字和下划线，并以字母开头</translation>
+    </message>
+    <message>
+        <source>{0} is neither a host name nor an address, for example plc1.local or 192.168.0.10</source>
+        <translation>{0} 既不是主机名也不是地址，例如 plc1.local 或 192.168.0.10</translation>
+    </message>
+    <message>
+        <source>{0} is not a serial port; write its path, for example /dev/ttyUSB0</source>
+        <translation>{0} 不是串口；请写其路径，例如 /dev/ttyUSB0</translation>
+    </message>
+    <message>
+        <source>{0} and {1} are both unit {2} of {3}</source>
+        <translation>{0} 和 {1} 都是 {3} 的单位 {2}</translation>
+    </message>
+    <message>
+        <source>{0} and {1} use {2} with different baud rates, parities or bits</source>
+        <translation>{0} 和 {1} 使用 {2} 时的波特率、校验或位数不同</translation>
+    </message>
+    <message>
+        <source>{0} and {1} both listen at port {2}; give one another port</source>
+        <translation>{0} 和 {1} 都监听端口 {2}；请为其中一个改用其他端口</translation>
+    </message>
+    <message>
+        <source>Ports below 1024 need special rights; a port such as 1502 does not</source>
+        <translation>1024 以下的端口需要特殊权限；1502 这样的端口不需要</translation>
+    </message>
+    <message>
+        <source>{0} has no channels, so nothing is exchanged</source>
+        <translation>{0} 没有通道，因此不交换任何数据</translation>
+    </message>
+    <message>
+        <source>A channel of an MQTT device needs a &quot;topic&quot;</source>
+        <translation>MQTT 设备的通道需要“topic”</translation>
+    </message>
+    <message>
+        <source>{0}: a channel has one topic, without the wildcards + and #</source>
+        <translation>{0}：一个通道有一个主题，不含通配符 + 和 #</translation>
+    </message>
+    <message>
+        <source>{0} is not a path into JSON; write for example /sensor/temperature</source>
+        <translation>{0} 不是 JSON 中的路径；例如请写 /sensor/temperature</translation>
+    </message>
+    <message>
+        <source>A device does not let others write its table &quot;{0}&quot;; use &quot;coil&quot; or &quot;holding&quot;, or the direction &quot;in&quot;</source>
+        <translation>设备不允许他人写入其表“{0}”；请使用“coil”或“holding”，或方向“in”</translation>
+    </message>
+    <message>
+        <source>Clients cannot write the table &quot;{0}&quot; of a server; use &quot;coil&quot; or &quot;holding&quot;, or the direction &quot;out&quot;</source>
+        <translation>客户端不能写入服务器的表“{0}”；请使用“coil”或“holding”，或方向“out”</translation>
+    </message>
+    <message>
+        <source>{0} needs {1} {1:register|registers} from {2}, but 65535 is the last</source>
+        <translation>{0} 需要从 {2} 开始的 {1} 个寄存器，但 65535 是最后一个</translation>
+    </message>
+    <message>
+        <source>&quot;bit&quot; selects one bit of a register; the type must then be BOOL</source>
+        <translation>“bit”选择寄存器的一位；此时类型必须是 BOOL</translation>
+    </message>
+    <message>
+        <source>The table &quot;{0}&quot; holds bits; the type must be BOOL</source>
+        <translation>表“{0}”保存位；类型必须是 BOOL</translation>
+    </message>
+    <message>
+        <source>A BOOL in a register needs &quot;bit&quot;, from 0 to 15</source>
+        <translation>寄存器中的 BOOL 需要“bit”，范围 0 到 15</translation>
+    </message>
+    <message>
+        <source>Only an MQTT channel can be of type STRING</source>
+        <translation>只有 MQTT 通道可以是 STRING 类型</translation>
+    </message>
+    <message>
+        <source>&quot;scale&quot; must not be 0</source>
+        <translation>“scale”不能为 0</translation>
+    </message>
+    <message>
+        <source>A {0} has no &quot;scale&quot; and &quot;offset&quot;</source>
+        <translation>{0} 没有“scale”和“offset”</translation>
+    </message>
+    <message>
+        <source>{0}: {1}</source>
+        <translation>{0}：{1}</translation>
+    </message>
+    <message>
+        <source>{0} has no variable yet; name one, or let the addresses be proposed (stepwise devices PROJECT --propose)</source>
+        <translation>{0} 尚无变量；请指定一个，或让程序建议地址（stepwise devices PROJECT --propose）</translation>
+    </message>
+    <message>
+        <source>{0} is of type {1} and cannot hold a {2}</source>
+        <translation>{0} 的类型是 {1}，不能容纳 {2}</translation>
+    </message>
+    <message>
+        <source>A {0} may not fit into {1} of type {2}; a value that does not fit leaves the variable as it is and makes the channel bad</source>
+        <translation>{0} 可能放不进类型为 {2} 的 {1}；放不下的值不会改变变量，并使通道变为不良</translation>
+    </message>
+    <message>
+        <source>{0} is an output of the program; an input channel needs %I or a variable</source>
+        <translation>{0} 是程序的输出；输入通道需要 %I 或变量</translation>
+    </message>
+    <message>
+        <source>{0} is an input of the program; an output channel needs %Q or a variable</source>
+        <translation>{0} 是程序的输入；输出通道需要 %Q 或变量</translation>
+    </message>
+    <message>
+        <source>{0} is a constant and cannot be written</source>
+        <translation>{0} 是常量，不能写入</translation>
+    </message>
+    <message>
+        <source>{0} and {1} write the same bytes: {2}</source>
+        <translation>{0} 和 {1} 写入相同的字节：{2}</translation>
+    </message>
+    <message>
+        <source>{0} and {1} both set {2} {3}</source>
+        <translation>{0} 和 {1} 都设置 {2} {3}</translation>
+    </message>
+    <message>
+        <source>{0} says whether the channel is good and must be a BOOL or an integer</source>
+        <translation>{0} 表示通道是否良好，必须是 BOOL 或整数</translation>
+    </message>
+    <message>
+        <source>{0} says whether the device answers and must be a BOOL</source>
+        <translation>{0} 表示设备是否应答，必须是 BOOL</translation>
+    </message>
+    <message>
+        <source>&quot;onLoss&quot;: &quot;safe&quot; needs the value in &quot;safe&quot;</source>
+        <translation>“onLoss”：“safe”需要在“safe”中给出值</translation>
+    </message>
+    <message>
+        <source>{0} cannot be read; it holds the password in its first line</source>
+        <translation>无法读取 {0}；其第一行是密码</translation>
+    </message>
+    <message>
+        <source>{0} cannot be read; it holds the certificates of the authority (PEM)</source>
+        <translation>无法读取 {0}；其中包含证书颁发机构的证书 (PEM)</translation>
+    </message>
+    <message>
+        <source>There is no free address left for {0}</source>
+        <translation>没有可供 {0} 使用的空闲地址</translation>
+    </message>
+    <message>
+        <source>no answer within {0} ms</source>
+        <translation>{0} ms 内没有应答</translation>
+    </message>
+    <message>
+        <source>cannot connect to {0}: {1}</source>
+        <translation>无法连接到 {0}：{1}</translation>
+    </message>
+    <message>
+        <source>the connection ended: {0}</source>
+        <translation>连接已断开：{0}</translation>
+    </message>
+    <message>
+        <source>the answer does not match the request</source>
+        <translation>应答与请求不匹配</translation>
+    </message>
+    <message>
+        <source>the device refuses {0} {1}: {2}</source>
+        <translation>设备拒绝 {0} {1}：{2}</translation>
+    </message>
+    <message>
+        <source>it does not know the function</source>
+        <translation>它不支持该功能</translation>
+    </message>
+    <message>
+        <source>it has no such address</source>
+        <translation>它没有该地址</translation>
+    </message>
+    <message>
+        <source>it does not take the value</source>
+        <translation>它不接受该值</translation>
+    </message>
+    <message>
+        <source>it failed</source>
+        <translation>它发生故障</translation>
+    </message>
+    <message>
+        <source>it is busy</source>
+        <translation>它正忙</translation>
+    </message>
+    <message>
+        <source>the gateway does not reach it</source>
+        <translation>网关无法访问它</translation>
+    </message>
+    <message>
+        <source>cannot listen at {0}: {1}</source>
+        <translation>无法监听 {0}：{1}</translation>
+    </message>
+    <message>
+        <source>{0}: the message holds no value that can be read</source>
+        <translation>{0}：消息中没有可读取的值</translation>
+    </message>
+    <message>
+        <source>{0}: a value does not fit into the variable</source>
+        <translation>{0}：有一个值放不进变量</translation>
+    </message>
+    <message>
+        <source>no client wrote for {0} ms</source>
+        <translation>已有 {0} ms 没有客户端写入</translation>
+    </message>
+    <message>
+        <source>the broker refuses the connection: {0}</source>
+        <translation>代理拒绝连接：{0}</translation>
+    </message>
+    <message>
+        <source>the input {0} of the device {1} was lost</source>
+        <translation>设备 {1} 的输入 {0} 已丢失</translation>
+    </message>
+    <message>
+        <source>the input {0} of the device {1} was lost: {2}</source>
+        <translation>设备 {1} 的输入 {0} 已丢失：{2}</translation>
+    </message>
+</context>
+<context>
     <name>Diagnostics</name>
     <message>
         <source>Unterminated comment; close it with *)</source>
@@ -328,10 +599,6 @@
         <translation>下标必须是整数，而不是 {0}</translation>
     </message>
     <message>
-        <source>A block with a task of its own is not supported; call {0} in a program of the task {1}</source>
-        <translation>不支持拥有独立任务的块；请在任务 {1} 的程序中调用 {0}</translation>
-    </message>
-    <message>
         <source>{0}</source>
         <translation>{0}</translation>
     </message>
@@ -510,6 +777,14 @@
     <message>
         <source>The parenthesis of this instruction is not closed; add an instruction ) after its operands</source>
         <translation>此指令的括号未闭合；请在其操作数之后添加一条 ) 指令</translation>
+    </message>
+    <message>
+        <source>{0} needs memory that the project does not set aside; write &quot;memoryForNew&quot;: 65536 into project.json</source>
+        <translation>{0} 需要项目未预留的内存；请在 project.json 中写入 &quot;memoryForNew&quot;: 65536</translation>
+    </message>
+    <message>
+        <source>{0} is not a block of this program; only a block can have a task of its own</source>
+        <translation>{0} 不是此程序的功能块；只有功能块可以有自己的任务</translation>
     </message>
 </context>
 <context>
@@ -2192,6 +2467,198 @@
         <source>Who Set This?</source>
         <translation>谁设置了它？</translation>
     </message>
+    <message>
+        <source>There is no rule {0}; &quot;stepwise panel --rules&quot; lists them</source>
+        <translation>没有规则 {0}；“stepwise panel --rules”会列出所有规则</translation>
+    </message>
+    <message>
+        <source>There is no rule {0}; did you mean {1}?</source>
+        <translation>没有规则 {0}；您是指 {1} 吗？</translation>
+    </message>
+    <message>
+        <source>The rule stays on until a text says why it is off</source>
+        <translation>在写明关闭理由之前，该规则保持启用</translation>
+    </message>
+    <message>
+        <source>The value must be a list of texts in quotes</source>
+        <translation>该值必须是带引号文本的列表</translation>
+    </message>
+    <message>
+        <source>The value must be an object with the reason for each rule</source>
+        <translation>该值必须是一个对象，其中写明每条规则的理由</translation>
+    </message>
+    <message>
+        <source>The value must be an object with a level, the distance, and rules that are off</source>
+        <translation>该值必须是一个对象，包含级别、距离和已关闭的规则</translation>
+    </message>
+    <message>
+        <source>The colour {0} is seen all the time, whatever happens; use {1}</source>
+        <translation>颜色 {0} 无论发生什么都一直可见；请使用 {1}</translation>
+    </message>
+    <message>
+        <source>{0} is a colour of alarms, but it is seen when all is normal; use {1}</source>
+        <translation>{0} 是报警颜色，但在一切正常时也可见；请使用 {1}</translation>
+    </message>
+    <message>
+        <source>Only the hue tells {0} from {1}; choose one that is brighter, or add a text or blinking</source>
+        <translation>{0} 与 {1} 仅靠色相区分；请选择更亮的颜色，或添加文本或闪烁</translation>
+    </message>
+    <message>
+        <source>Nothing says what the lamp means; give it a label, or place a text beside it</source>
+        <translation>没有说明该指示灯的含义；请为其添加标签，或在旁边放置文本</translation>
+    </message>
+    <message>
+        <source>{0} on {1} has a contrast of {2} to 1 in the theme {3}; {4} to 1 is needed</source>
+        <translation>在主题 {3} 中，{0} 在 {1} 上的对比度为 {2} 比 1；需要 {4} 比 1</translation>
+    </message>
+    <message>
+        <source>A font of {0} px cannot be read from {2} mm; use at least {1} px</source>
+        <translation>{0} px 的字体在 {2} mm 处无法看清；请至少使用 {1} px</translation>
+    </message>
+    <message>
+        <source>The faceplate is so small here that its smallest font has {0} px; from {2} mm, {1} px are needed</source>
+        <translation>此处面板太小，其最小字体只有 {0} px；在 {2} mm 处需要 {1} px</translation>
+    </message>
+    <message>
+        <source>The faceplate is so small here that a finger finds only {0} px to press; {1} px are needed</source>
+        <translation>此处面板太小，手指只有 {0} px 可按；需要 {1} px</translation>
+    </message>
+    <message>
+        <source>{0} x {1} px are too small for a finger beside its neighbours; {2} px are needed in both directions</source>
+        <translation>{0} × {1} px 与相邻元素并排时对手指来说太小；两个方向都需要 {2} px</translation>
+    </message>
+    <message>
+        <source>The panel shows {0} things to read or press; at its size, {1} can be taken in</source>
+        <translation>画面显示了 {0} 项要读取或按下的内容；按其大小，可接受 {1} 项</translation>
+    </message>
+    <message>
+        <source>{0} covers a part of it</source>
+        <translation>{0} 遮住了它的一部分</translation>
+    </message>
+    <message>
+        <source>No button, navigation bar or alarm leads to the panel {0}</source>
+        <translation>没有按钮、导航栏或报警通向画面 {0}</translation>
+    </message>
+    <message>
+        <source>The panel {0} is {1} presses away from the start panel; {2} should do</source>
+        <translation>画面 {0} 距起始画面需按 {1} 次；{2} 次应足够</translation>
+    </message>
+    <message>
+        <source>Nothing on the panel {0} leads back; add a button with the action back or home, or a navigation bar</source>
+        <translation>画面 {0} 上没有返回的途径；请添加带 back 或 home 动作的按钮，或导航栏</translation>
+    </message>
+    <message>
+        <source>{0} is at another place on the panel {1}</source>
+        <translation>{0} 在画面 {1} 上处于不同位置</translation>
+    </message>
+    <message>
+        <source>The help of the alarm {0} does not say what to do</source>
+        <translation>报警 {0} 的帮助没有说明该怎么做</translation>
+    </message>
+    <message>
+        <source>{0} of {1} alarms have the highest priority</source>
+        <translation>{1} 个报警中有 {0} 个为最高优先级</translation>
+    </message>
+    <message>
+        <source>The project has {0} {0:alarm|alarms}, but no panel has an alarm list or banner</source>
+        <translation>项目有 {0} 个报警，但没有任何画面带有报警列表或报警横幅</translation>
+    </message>
+    <message>
+        <source>Nothing is bound: {0} is empty</source>
+        <translation>没有绑定：{0} 为空</translation>
+    </message>
+    <message>
+        <source>Any number can be written to {0}; set {1}</source>
+        <translation>可以向 {0} 写入任意数字；请设置 {1}</translation>
+    </message>
+    <message>
+        <source>{0} is critical after project.json, but one press writes it</source>
+        <translation>project.json 将 {0} 列为关键变量，但按一下即可写入</translation>
+    </message>
+    <message>
+        <source>Only {1} may write {0}, but nothing asks for confirmation</source>
+        <translation>只有 {1} 可以写 {0}，但没有要求确认</translation>
+    </message>
+    <message>
+        <source>{0} suppresses alarms, but one press writes it</source>
+        <translation>{0} 会抑制报警，但按一下即可写入</translation>
+    </message>
+    <message>
+        <source>What is normal is grey, so that the eye finds what is not (ISA-101). Use a role of the theme such as surface, off or running, and give colour only to conditions.</source>
+        <translation>正常状态为灰色，使眼睛能发现异常 (ISA-101)。请使用主题中的角色，如 surface、off 或 running，只为状态着色。</translation>
+    </message>
+    <message>
+        <source>Red, orange and yellow are kept for alarms. An operator who sees them all day long no longer sees them when they matter (ISA-101, ISA-18.2).</source>
+        <translation>红色、橙色和黄色留给报警。操作员若整天看到它们，在关键时刻就会视而不见 (ISA-101, ISA-18.2)。</translation>
+    </message>
+    <message>
+        <source>One man in twelve confuses colours, and bright light takes them away. Say the same by a text, a shape, a blinking or at least a different brightness.</source>
+        <translation>每十二名男性中就有一人混淆颜色，强光下颜色也会消失。请同时用文本、形状、闪烁或至少不同的亮度表达。</translation>
+    </message>
+    <message>
+        <source>Text needs a contrast of 4.5 to 1 against its ground, large text 3 to 1 (WCAG 2, ISO 9241-303). Roles of the theme keep it in every theme.</source>
+        <translation>文本与背景的对比度需达到 4.5 比 1，大号文本为 3 比 1 (WCAG 2, ISO 9241-303)。主题角色在每个主题中都能保证这一点。</translation>
+    </message>
+    <message>
+        <source>A capital letter must be seen at an angle of 16 minutes at least (ISO 9241-303). The distance and the size of a pixel are set in project.json.</source>
+        <translation>大写字母的视角至少应为 16 角分 (ISO 9241-303)。距离和像素大小在 project.json 中设置。</translation>
+    </message>
+    <message>
+        <source>A panel on which everything stands is searched, not read. Move details to a panel of the next level (ISA-101).</source>
+        <translation>什么都放的画面只能搜索，无法阅读。请把细节移到下一级画面 (ISA-101)。</translation>
+    </message>
+    <message>
+        <source>In an abnormal situation, every panel should be three presses away at most, and there should be a way back from it (ISA-101).</source>
+        <translation>在异常情况下，每个画面最多应按三次即可到达，并且应能返回 (ISA-101)。</translation>
+    </message>
+    <message>
+        <source>What is on several panels is found without looking if it is always in the same place. Put it on the frame, or at the same place everywhere.</source>
+        <translation>多个画面上的同一内容若总在同一位置，不看也能找到。请放在框架上，或在各处放在同一位置。</translation>
+    </message>
+    <message>
+        <source>A finger, in a glove at that, needs 9 mm in both directions (ISO 9241-411). The size of a pixel is set in project.json.</source>
+        <translation>手指（何况戴着手套）在两个方向上都需要 9 mm (ISO 9241-411)。像素大小在 project.json 中设置。</translation>
+    </message>
+    <message>
+        <source>One covers the other, so that a text cannot be read or a press goes to the wrong one.</source>
+        <translation>一个元素遮住另一个，导致文本无法阅读或按错元素。</translation>
+    </message>
+    <message>
+        <source>It looks as if it showed or did something. Bind it to a variable, or remove it.</source>
+        <translation>它看起来像在显示或执行什么。请绑定变量或删除它。</translation>
+    </message>
+    <message>
+        <source>A slip of the finger sends 500 for 50. Limits refuse it where it is typed.</source>
+        <translation>手指一滑就可能把 50 输成 500。限值会在输入时拒绝它。</translation>
+    </message>
+    <message>
+        <source>What only some may do, or what project.json lists as critical, must not happen by brushing the glass. Set &quot;Writes are confirmed&quot;, or ask a question.</source>
+        <translation>只有部分人可以做的操作，或 project.json 列为关键的操作，不应因误触而发生。请设置“写入需确认”，或提出询问。</translation>
+    </message>
+    <message>
+        <source>An alarm that nobody sees is none. Put an alarm banner on the frame or an alarm list on a panel (ISA-18.2).</source>
+        <translation>没人看到的报警等于没有报警。请在框架上放置报警横幅，或在画面上放置报警列表 (ISA-18.2)。</translation>
+    </message>
+    <message>
+        <source>An alarm asks for an action of the operator. Its help says which, and what happens otherwise (ISA-18.2).</source>
+        <translation>报警要求操作员采取动作。其帮助应说明是哪一个动作，以及否则会发生什么 (ISA-18.2)。</translation>
+    </message>
+    <message>
+        <source>If everything is urgent, nothing is: about 5 % of the alarms should have the highest priority, 15 % the next (ISA-18.2).</source>
+        <translation>如果一切都紧急，就没有什么紧急：约 5 % 的报警应为最高优先级，15 % 为次高 (ISA-18.2)。</translation>
+    </message>
+    <message>
+        <source>the value {0} is outside the subrange {1}..{2}</source>
+        <translation>值 {0} 超出子范围 {1}..{2}</translation>
+    </message>
+    <message>
+        <source>&quot;addressing&quot; in project.json is &quot;byte&quot; or &quot;word&quot;, not &quot;{0}&quot;</source>
+        <translation>project.json 中的“addressing”是“byte”或“word”，而不是“{0}”</translation>
+    </message>
+    <message>
+        <source>&quot;memoryForNew&quot; in project.json is a number of bytes from 0 to {0}</source>
+        <translation>project.json 中的“memoryForNew”是 0 到 {0} 的字节数</translation>
+    </message>
 </context>
 <context>
     <name>Exchange</name>
@@ -2270,10 +2737,6 @@
     <message>
         <source>The task {0} is started by the event {1}, which does not exist here; give it an INTERVAL or a SINGLE</source>
         <translation>任务 {0} 由事件 {1} 启动，但此处没有该事件；请为其指定 INTERVAL 或 SINGLE</translation>
-    </message>
-    <message>
-        <source>{0} counts %MW1 in words, here it is counted in bytes; check that the addresses do not overlap</source>
-        <translation>{0} 按字计算 %MW1，此处按字节计算；请检查地址是否重叠</translation>
     </message>
     <message>
         <source>A comment outside of the elements was left out: {0}</source>
@@ -2366,6 +2829,22 @@
     <message>
         <source>The file is no program source and was left out</source>
         <translation>文件不是程序源，已略去</translation>
+    </message>
+    <message>
+        <source>The network &apos;{0}&apos; is commented out in the diagram and was left out of the text</source>
+        <translation>程序段“{0}”在图中被注释掉，未写入文本</translation>
+    </message>
+    <message>
+        <source>Types that {0} has by itself are declared here</source>
+        <translation>{0} 自带的类型在此处声明</translation>
+    </message>
+    <message>
+        <source>{0} counts %MW1 in words; &quot;addressing&quot; in project.json says the same</source>
+        <translation>{0} 按字计算 %MW1；project.json 中的“addressing”与此一致</translation>
+    </message>
+    <message>
+        <source>The address {0} begins at a byte that other tools, which count in words, cannot name; move it to a multiple of its size</source>
+        <translation>地址 {0} 起始于按字计数的其他工具无法表示的字节；请移到其大小的整数倍</translation>
     </message>
 </context>
 <context>
@@ -4369,6 +4848,10 @@
         <source>by this transition, while it is active</source>
         <translation>经由此转换，在其激活期间</translation>
     </message>
+    <message>
+        <source>comments nest: the next *) closes the one that begins here</source>
+        <translation>注释可以嵌套：下一个 *) 结束此处开始的注释</translation>
+    </message>
 </context>
 <context>
     <name>Phrases</name>
@@ -6304,6 +6787,14 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <source>Explain the Problem</source>
         <translation>解释问题</translation>
     </message>
+    <message>
+        <source>Recipes</source>
+        <translation>配方</translation>
+    </message>
+    <message>
+        <source>Users and Rights</source>
+        <translation>用户和权限</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MergeDialog</name>
@@ -6532,6 +7023,14 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <source>Panel %1</source>
         <translation>画面 %1</translation>
     </message>
+    <message>
+        <source>Recipes</source>
+        <translation>配方</translation>
+    </message>
+    <message>
+        <source>Users and Rights</source>
+        <translation>用户和权限</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::ProblemsView</name>
@@ -6677,6 +7176,14 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Files</source>
         <translation>文件</translation>
+    </message>
+    <message>
+        <source>Recipes</source>
+        <translation>配方</translation>
+    </message>
+    <message>
+        <source>Users and Rights</source>
+        <translation>用户和权限</translation>
     </message>
 </context>
 <context>
@@ -8790,6 +9297,18 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <source>Copy the Answer</source>
         <translation>复制答案</translation>
     </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Do not wait for the answer (Esc)</source>
+        <translation>不再等待答案 (Esc)</translation>
+    </message>
+    <message>
+        <source>Cancelled: there is no answer.</source>
+        <translation>已取消：没有答案。</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::AlarmEditor</name>
@@ -9174,6 +9693,113 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <source>Arrange over array</source>
         <translation>按数组排列</translation>
     </message>
+    <message>
+        <source>Fix All Issues</source>
+        <translation>修复所有问题</translation>
+    </message>
+    <message>
+        <source>Fix Issue</source>
+        <translation>修复问题</translation>
+    </message>
+    <message>
+        <source>Explain Issue</source>
+        <translation>解释问题</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::PeopleEditor</name>
+    <message>
+        <source>User</source>
+        <translation>用户</translation>
+    </message>
+    <message>
+        <source>Roles</source>
+        <translation>角色</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>语言</translation>
+    </message>
+    <message>
+        <source>Start panel</source>
+        <translation>起始画面</translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation>密码</translation>
+    </message>
+    <message>
+        <source>Users</source>
+        <translation>用户</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>角色</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>标题</translation>
+    </message>
+    <message>
+        <source>Add a User</source>
+        <translation>添加用户</translation>
+    </message>
+    <message>
+        <source>Set Password…</source>
+        <translation>设置密码…</translation>
+    </message>
+    <message>
+        <source>Remove User</source>
+        <translation>移除用户</translation>
+    </message>
+    <message>
+        <source>Add a Role</source>
+        <translation>添加角色</translation>
+    </message>
+    <message>
+        <source>Remove Role</source>
+        <translation>移除角色</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>从不</translation>
+    </message>
+    <message>
+        <source>Logged out after</source>
+        <translation>注销时间</translation>
+    </message>
+    <message>
+        <source>Logged out after </source>
+        <translation>注销时间 </translation>
+    </message>
+    <message>
+        <source>Logged Out After</source>
+        <translation>注销时间</translation>
+    </message>
+    <message>
+        <source>Set Password</source>
+        <translation>设置密码</translation>
+    </message>
+    <message>
+        <source>Password of %1:</source>
+        <translation>%1 的密码：</translation>
+    </message>
+    <message>
+        <source>none: cannot log in</source>
+        <translation>无：无法登录</translation>
+    </message>
+    <message>
+        <source>set</source>
+        <translation>已设置</translation>
+    </message>
+    <message>
+        <source>Without users, everybody may do everything.</source>
+        <translation>没有用户时，任何人都可以执行所有操作。</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::PropertySheet</name>
@@ -9190,6 +9816,97 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>
             <numerusform>%n 个元素</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::RecipeEditor</name>
+    <message>
+        <source>Add a Recipe</source>
+        <translation>添加配方</translation>
+    </message>
+    <message>
+        <source>Add a Variable</source>
+        <translation>添加变量</translation>
+    </message>
+    <message>
+        <source>Add a Set</source>
+        <translation>添加数据组</translation>
+    </message>
+    <message>
+        <source>Remove Row or Set</source>
+        <translation>移除行或数据组</translation>
+    </message>
+    <message>
+        <source>Remove Recipe</source>
+        <translation>移除配方</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>表格 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Import CSV</source>
+        <translation>导入 CSV</translation>
+    </message>
+    <message>
+        <source>Export CSV</source>
+        <translation>导出 CSV</translation>
+    </message>
+    <message>
+        <source>Recipes</source>
+        <translation>配方</translation>
+    </message>
+    <message>
+        <source>Variables and sets of the recipe</source>
+        <translation>配方的变量和数据组</translation>
+    </message>
+    <message>
+        <source>Rename Recipe</source>
+        <translation>重命名配方</translation>
+    </message>
+    <message>
+        <source>Rename Set</source>
+        <translation>重命名数据组</translation>
+    </message>
+    <message>
+        <source>Name:</source>
+        <translation>名称：</translation>
+    </message>
+    <message>
+        <source>Remove Set</source>
+        <translation>移除数据组</translation>
+    </message>
+    <message>
+        <source>Remove Row</source>
+        <translation>移除行</translation>
+    </message>
+    <message>
+        <source>Add a recipe, then its variables, then a set for each product.</source>
+        <translation>请添加配方，然后添加其变量，再为每种产品添加一个数据组。</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>变量</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>标题</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>格式</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>最小值</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>最大值</translation>
     </message>
 </context>
 <context>
