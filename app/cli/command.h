@@ -40,6 +40,7 @@ int runCommandLine(const std::vector<std::string>& words);
 [[nodiscard]] Command recipeCommand();
 [[nodiscard]] Command peopleCommand();
 [[nodiscard]] Command alarmsCommand();
+[[nodiscard]] Command buildCommand();
 
 // --- shared by the commands
 /// Whether several programs without a CONFIGURATION are an error: nothing runs them, but each can be checked.
