@@ -19,6 +19,8 @@
 #include "editor/kit/work_strip.h"
 #include "projects/storage/project_file.h"
 
+#include "stepwise_version.h"
+
 #include <QCheckBox>
 #include <QDialogButtonBox>
 #include <QDir>
@@ -414,8 +416,9 @@ void MainWindow::saveRecording() {
 
 void MainWindow::about() {
     QMessageBox::about(this, tr("About Stepwise"),
-                       tr("<h3>Stepwise 0.1</h3><p>An open PLC studio: IEC 61131-3 programs as native code, every scan "
-                          "recorded, operator panels in many languages.</p><p>Licence: GPL-3.0</p>"));
+                       tr("<h3>Stepwise %1</h3><p>An open PLC studio: IEC 61131-3 programs as native code, every scan "
+                          "recorded, operator panels in many languages.</p><p>Licence: GPL-3.0</p>")
+                           .arg(STEPWISE_VERSION));
 }
 
 void MainWindow::openBeside() {
