@@ -141,7 +141,7 @@ SideBars::SideBars(QMainWindow& window) : QObject(&window), m_window(window), m_
     window.installEventFilter(this);
     connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
         const bool isElsewhere = m_revealed && now && now->window() == &m_window && !m_frame->isAncestorOf(now) &&
-                                 !qobject_cast<EdgeButton*>(now);
+                                 !dynamic_cast<EdgeButton*>(now);
         if (isElsewhere) conceal();
     });
 }
