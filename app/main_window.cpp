@@ -157,6 +157,7 @@ void MainWindow::makeDocks() {
     roomForTuning->setFrameShape(QFrame::NoFrame);
     roomForTuning->setWidgetResizable(true);
     roomForTuning->setWidget(tuning);
+    roomForTuning->setAccessibleName(tr("Tuning"));
     tabifyDockWidget(tests, addDock("tuning", tr("Tuning"), i(Icon::Fit), roomForTuning, Qt::BottomDockWidgetArea));
     tabifyDockWidget(tests, why);
     tabifyDockWidget(why, slow);

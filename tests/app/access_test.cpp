@@ -34,6 +34,8 @@ QChar letterOf(QString text) {
     return at < 0 || at + 1 >= text.size() ? QChar() : text[at + 1].toUpper();
 }
 
+bool isLatin(QChar c) { return c.isDigit() || (c.toUpper() >= u'A' && c.toUpper() <= u'Z'); }
+
 TEST_P(LetterTest, EveryEntryOfAMenuHasItsOwn) {
     installTranslation(*qApp, GetParam());
     open();
@@ -42,7 +44,7 @@ TEST_P(LetterTest, EveryEntryOfAMenuHasItsOwn) {
         std::map<QChar, QString> taken;
         QStringList without;
         for (const QAction* action : shown.actions()) {
-            if (action->isSeparator() || action->text().isEmpty()) continue;
+            if (action->isSeparator() || action->text().isEmpty() || !action->isEnabled()) continue;
             ++seen;
             const QChar letter = letterOf(action->text());
             if (letter.isNull())
@@ -51,8 +53,12 @@ TEST_P(LetterTest, EveryEntryOfAMenuHasItsOwn) {
                 ADD_FAILURE() << GetParam() << ", " << name.toStdString() << ": “" << action->text().toStdString()
                               << "” and “" << other->second.toStdString() << "” have the same letter";
         }
-        EXPECT_TRUE(without.isEmpty() || taken.size() > 21)
-            << GetParam() << ", " << name.toStdString() << ": " << without.join(", ").toStdString();
+        // More entries than letters: then all letters of those without one are taken.
+        for (const QString& text : without)
+            for (const QChar c : text)
+                EXPECT_FALSE(isLatin(c) && !taken.contains(c.toUpper()))
+                    << GetParam() << ", " << name.toStdString() << ": “" << text.toStdString() << "” could have "
+                    << QString(c).toStdString();
     };
     lookAtAllMenus(*window, look);
     EXPECT_GT(seen, 120);
@@ -137,6 +143,8 @@ TEST_F(AllWindowsTest, EveryPlaceThatTakesTheFocusHasANameAndARole) {
             if (qobject_cast<QAbstractScrollArea*>(parent)) continue; // a viewport, a header
             if (qobject_cast<QAbstractSpinBox*>(parent) || qobject_cast<QComboBox*>(parent)) continue; // its field
             if (widget->isWindow()) continue;
+            if (auto* label = qobject_cast<QLabel*>(widget); label && label->text().isEmpty())
+                continue; // nothing to say
             ++seen;
             QAccessibleInterface* access = QAccessible::queryAccessibleInterface(widget);
             const bool isNamed =

@@ -64,6 +64,13 @@ QStringList cellsOf(const QAbstractItemModel& model, const QModelIndex& parent =
     return out;
 }
 
+/// Lists whose texts come from files: the examples' README, the comments of libraries, values, the panel's own texts.
+bool isOfTheProject(const QWidget& widget) {
+    for (const QWidget* each = &widget; each; each = each->parentWidget())
+        if (each->inherits("plc::app::StartPage") || each->inherits("plc::app::ProjectTree")) return true;
+    return widget.inherits("plc::hmi::Outline");
+}
+
 /// What a widget shows or says of itself, without what was typed.
 QStringList textsOf(const QWidget& widget) {
     QStringList out;
@@ -77,6 +84,7 @@ QStringList textsOf(const QWidget& widget) {
         for (int i = 0; i < combo->count(); ++i) add(out, combo->itemText(i));
     if (auto* bar = qobject_cast<const QTabBar*>(&widget))
         for (int i = 0; i < bar->count(); ++i) add(out, bar->tabText(i)), add(out, bar->tabToolTip(i));
+    if (isOfTheProject(widget)) return out;
     if (auto* view = qobject_cast<const QAbstractItemView*>(&widget); view && view->model()) {
         out << cellsOf(*view->model());
         for (int i = 0; i < view->model()->columnCount(); ++i)
@@ -89,20 +97,29 @@ QStringList textsOf(const QWidget& widget) {
 /// Names of the project, words of the languages, units and keys: the same in every language.
 bool isData(const QString& word) {
     static const std::set<QString> words{
-        "Stepwise", "English",  "Deutsch", "Dansk", "Main",  "Motor", "Steps", "Rungs", "counter", "limit", "done",
-        "pulse",    "motor",    "run",     "turns", "drive", "Ready", "Work",  "Turn",  "first",   "Test",  "main",
-        "steps",    "rungs",    "project", "src",   "tests", "hmi",   "all",   "Fault", "Hot",     "State", "fault",
-        "hot",      "standard", "st",      "rec",   "json",  "csv",   "png",   "jpg",   "svg",     "pdf",   "trace",
-        "panel",    "xml",      "px",      "ms",    "ns",    "MB",    "kB",    "bit",   "Ctrl",    "Shift", "Alt"};
+        "Stepwise", "English", "Deutsch", "Dansk", "Main",     "Motor",  "Steps", "Rungs",   "counter", "limit",
+        "done",     "pulse",   "motor",   "run",   "turns",    "drive",  "Ready", "Work",    "Turn",    "first",
+        "Test",     "main",    "steps",   "rungs", "project",  "src",    "tests", "hmi",     "all",     "Fault",
+        "Hot",      "State",   "fault",   "hot",   "standard", "st",     "rec",   "json",    "csv",     "png",
+        "jpg",      "svg",     "pdf",     "trace", "panel",    "xml",    "px",    "ms",      "ns",      "MB",
+        "kB",       "bit",     "Ctrl",    "Shift", "Alt",      "analog", "plant", "toolbox", "util",    "workshop",
+        "library",  "Aa",      "en",      "go",    "on",       "off",    "Off",   "begin",   "running", "text",
+        "pou",      "Button",  "Option",  "Text",  "qps",      "ploc",   "red",   "yellow",  "green"};
     if (words.contains(word)) return true;
     static const QRegularExpression capitals(QStringLiteral("^[A-Z]+[0-9]*$")); // TON, BOOL, RUN
     return capitals.match(word).hasMatch();
 }
 
+/// Quoted texts are the operators', a path holds names of folders.
+QString withoutData(QString text) {
+    static const QRegularExpression data(QStringLiteral("\"[^\"]*\"|\\S*/\\S*|test_app\\S*"));
+    return text.remove(data);
+}
+
 QStringList plainWordsIn(const QString& text) {
     static const QRegularExpression word(QStringLiteral("(?<![\\p{L}\\d_/.#@])[A-Za-z]{2,}(?![\\p{L}\\d_])"));
     QStringList out;
-    for (auto hit = word.globalMatch(kit::withoutMnemonic(text)); hit.hasNext();)
+    for (auto hit = word.globalMatch(withoutData(kit::withoutMnemonic(text))); hit.hasNext();)
         if (const QString found = hit.next().captured(); !isData(found)) out << found;
     return out;
 }
