@@ -100,6 +100,7 @@ TEST_P(FitTest, NoTextIsCut) {
     const QRect screen(QPoint(), windowSize());
     lookAtAll([&](QWidget& shown, const QString& name) {
         QTest::qWait(20);
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest); // of values that changed just now
         keepPicture(shown, name);
         if (shown.isWindow() && (shown.width() > screen.width() || shown.height() > screen.height()))
             cut.insert(name + QString(": %1 × %2").arg(shown.width()).arg(shown.height()));
