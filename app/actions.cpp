@@ -1,5 +1,6 @@
 // The table of actions: shortcuts as CODESYS has them (F5 run, F8 step in, F10 over, F9 breakpoint, F11 build), all
 // editable.
+#include "app/devices_view.h"
 #include "app/editor_tabs.h"
 #include "app/exchange_dialogs.h"
 #include "app/explanation_dialog.h"
@@ -9,6 +10,7 @@
 #include "app/perspectives.h"
 #include "app/problems_view.h"
 #include "app/search_view.h"
+#include "app/side_bars.h"
 #include "editor/debug/watch_view.h"
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
@@ -130,6 +132,7 @@ const std::vector<ActionSpec> kActions = {
     {"run.write", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Write Prepared Values"), "Ctrl+F7", drawn(Icon::Write), [](MainWindow& w) { w.watch().writePrepared(); }},
     {"run.force", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Force Prepared Values"), "F7", drawn(Icon::Force), [](MainWindow& w) { w.watch().forcePrepared(); }},
     {"run.releaseAll", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Release All Forces"), "Alt+F7", drawn(Icon::Unforce), [](MainWindow& w) { if (w.control().session()) w.control().session()->unforceAll(); }},
+    {"run.devices", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Connect or Disconnect the Devices"), "", drawn(Icon::Link), [](MainWindow& w) { DevicesView::of(w).toggleConnection(); }},
     {"run.tests", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run the Tests"), "Ctrl+T", drawn(Icon::Test), [](MainWindow& w) { w.runTests(); }},
 
     {"time.back", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Time"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "One Scan Back"), "Ctrl+Alt+Left", drawn(Icon::StepBack), [](MainWindow& w) { w.control().stepView(-1); }},
@@ -175,6 +178,7 @@ const std::vector<ActionSpec> kActions = {
     {"view.debugging", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Arrange for Debugging"), "Ctrl+Alt+2", none, [](MainWindow& w) { if (w.workspace().isOpen()) w.perspectives().show(Perspective::Debugging); }},
     {"view.panelDesign", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Arrange for Drawing Panels"), "Ctrl+Alt+3", none, [](MainWindow& w) { if (w.workspace().isOpen()) w.perspectives().show(Perspective::PanelDesign); }},
     {"view.maximise", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Maximise the Editor"), "Ctrl+Alt+M", none, [](MainWindow& w) { if (w.workspace().isOpen()) w.perspectives().toggleMaximised(); }},
+    {"view.hideDock", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Hide Dock Automatically"), "Ctrl+Alt+D", none, [](MainWindow& w) { w.sideBars().toggleFocused(); }},
     {"view.reset", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Reset the Layout"), "", none, [](MainWindow& w) { w.resetLayout(); }},
 
     {"help.explain", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Help"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Explain the Problem"), "F1", drawn(Icon::Question), [](MainWindow& w) { explainProblem(w); }},

@@ -6,6 +6,8 @@
 #include "runtime/compiler/jit/jit.h"
 #include "runtime/controller/controller.h"
 
+#include "stepwise_version.h"
+
 #include <QApplication>
 #include <QDir>
 #include <QFileInfo>
@@ -16,14 +18,20 @@
 
 namespace {
 
+/// A double click on a recording opens it.
+bool isRecording(const QFileInfo& path) {
+    return path.isFile() && (path.suffix() == "rec" || path.suffix() == "swrec");
+}
+
 bool isCommandLine(const std::vector<std::string>& words) {
     if (words.empty()) return false;
     const auto& commands = plc::cli::commands();
     if (std::any_of(commands.begin(), commands.end(), [&](const auto& c) { return c.spec.name == words[0]; }))
         return true;
-    // A folder or project file opens the studio; anything else is a mistyped command and gets the help's answer.
+    // A folder, project file or recording opens the studio; anything else is a mistyped command and gets the help's
+    // answer.
     const QFileInfo path(QString::fromStdString(words[0]));
-    return !path.isDir() && path.fileName() != "project.json";
+    return !path.isDir() && path.fileName() != "project.json" && !isRecording(path);
 }
 
 int openStudio(int argc, char** argv, const std::vector<std::string>& words) {
@@ -37,20 +45,24 @@ int openStudio(int argc, char** argv, const std::vector<std::string>& words) {
     QApplication application(argc, argv);
     QApplication::setApplicationName("Stepwise");
     QApplication::setOrganizationName("Stepwise");
-    QApplication::setApplicationVersion("0.1.0");
+    QApplication::setApplicationVersion(STEPWISE_VERSION);
     plc::jit::setRuntimeSymbols(plc::controller::runtimeSymbols());
     plc::app::Settings settings;
     plc::kit::Theme::install(application, settings.theme());
-    QString folder;
+    QString folder, recording;
     if (!words.empty()) {
         const QFileInfo path(QString::fromStdString(words[0]));
-        folder = path.isDir() ? path.absoluteFilePath() : path.absolutePath();
+        if (isRecording(path))
+            recording = path.absoluteFilePath();
+        else
+            folder = path.isDir() ? path.absoluteFilePath() : path.absolutePath();
     }
     plc::app::installTranslation(application, settings.language());
     auto window = std::make_unique<plc::app::MainWindow>();
     if (const QByteArray geometry = settings.windowGeometry(); !geometry.isEmpty()) window->restoreGeometry(geometry);
     window->show();
     if (!folder.isEmpty()) window->openProject(folder);
+    if (!recording.isEmpty()) window->showRecording(recording);
     if (!settings.sawTour()) QTimer::singleShot(400, window.get(), &plc::app::MainWindow::startTour);
     for (;;) { // once, and again for each change of the language
         bool changesLanguage = false;

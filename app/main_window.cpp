@@ -1,6 +1,8 @@
 #include "app/main_window.h"
 
 #include "app/design_findings.h"
+#include "app/device_connections.h"
+#include "app/devices_view.h"
 #include "app/editor_tabs.h"
 #include "app/guide_view.h"
 #include "app/inside_views.h"
@@ -12,6 +14,7 @@
 #include "app/project_tree.h"
 #include "app/runs_menu.h"
 #include "app/search_view.h"
+#include "app/side_bars.h"
 #include "app/start_page.h"
 #include "app/test_runner.h"
 #include "app/test_view.h"
@@ -72,6 +75,7 @@ void MainWindow::build() {
     m_tabs = new EditorTabs(*m_workspace, *m_control, m_settings, m_stack);
     m_live = new LiveViews(*m_workspace, *m_control, this);
     m_perspectives = new Perspectives(*this);
+    m_sideBars = new SideBars(*this);
     takeRecordingSettings();
     for (QWidget* page : {static_cast<QWidget*>(m_startPage), static_cast<QWidget*>(m_tabs)})
         page->setMinimumSize(240, 120); // the page in the back does not keep docks small
@@ -102,6 +106,7 @@ QDockWidget* MainWindow::addDock(const QString& name, const QString& title, int 
     dock->setObjectName(name);
     dock->setWidget(widget);
     dock->setWindowIcon(kit::icon(static_cast<kit::Icon>(icon)));
+    m_sideBars->add(*dock);
     addDockWidget(area, dock);
     return dock;
 }
@@ -159,6 +164,10 @@ void MainWindow::makeDocks() {
     roomForTuning->setWidget(tuning);
     roomForTuning->setAccessibleName(tr("Tuning"));
     tabifyDockWidget(tests, addDock("tuning", tr("Tuning"), i(Icon::Fit), roomForTuning, Qt::BottomDockWidgetArea));
+    auto* devices = new DevicesView(DeviceConnections::of(*m_control, *m_workspace), *m_workspace);
+    connect(devices, &DevicesView::message, this, &MainWindow::say);
+    connect(devices, &DevicesView::problemsChanged, m_problems, &ProblemsView::setDeviceProblems);
+    tabifyDockWidget(tests, addDock("devices", tr("Devices"), i(Icon::Link), devices, Qt::BottomDockWidgetArea));
     tabifyDockWidget(tests, why);
     tabifyDockWidget(why, slow);
     watch->raise();
@@ -193,10 +202,11 @@ void MainWindow::makeDocks() {
 QDockWidget* MainWindow::dock(const QString& name) const { return findChild<QDockWidget*>(name); }
 
 void MainWindow::showDock(const QString& name) {
-    if (QDockWidget* shown = dock(name)) {
-        shown->show();
-        shown->raise();
-    }
+    QDockWidget* shown = dock(name);
+    if (!shown) return;
+    if (m_sideBars->hidesItself(*shown)) return m_sideBars->reveal(*shown);
+    shown->show();
+    shown->raise();
 }
 
 void MainWindow::makeActions() {
@@ -344,6 +354,7 @@ void MainWindow::connectParts() {
     connect(m_tree, &ProjectTree::alarmsRequested, this, &MainWindow::openAlarms);
     connect(m_tree, &ProjectTree::recipesRequested, this, &MainWindow::openRecipes);
     connect(m_tree, &ProjectTree::peopleRequested, this, &MainWindow::openPeople);
+    connect(m_tree, &ProjectTree::devicesRequested, this, [this] { showDock("devices"); });
     connect(m_live, &LiveViews::designsMustClose, this, [this] {
         for (int i = m_tabs->count() - 1; i >= 0; --i) {
             QWidget* page = m_tabs->widget(i);
@@ -607,6 +618,7 @@ void MainWindow::openPalette() { m_palette->open(); }
 
 void MainWindow::resetLayout() {
     m_perspectives->leaveMaximised();
+    m_sideBars->restore({});
     restoreState(m_defaultLayout);
     for (QDockWidget* each : findChildren<QDockWidget*>()) each->setVisible(m_workspace->isOpen());
     findChild<QToolBar*>("timeToolBar")->setVisible(m_workspace->isOpen());

@@ -41,6 +41,7 @@ class InsideViews;
 class LiveViews;
 class PanelFiles;
 class Perspectives;
+class SideBars;
 struct Living;
 class ProblemsView;
 class ProjectTree;
@@ -85,6 +86,7 @@ public:
     [[nodiscard]] editor::WatchView& watch() { return *m_watch; }
     [[nodiscard]] editor::EventLog& log() { return *m_log; }
     [[nodiscard]] Perspectives& perspectives() { return *m_perspectives; }
+    [[nodiscard]] SideBars& sideBars() { return *m_sideBars; }
     [[nodiscard]] PanelFiles& panelFiles() { return *m_files; }
     [[nodiscard]] TestView& tests() { return *m_tests; }
     [[nodiscard]] LiveViews& live() { return *m_live; }
@@ -237,6 +239,7 @@ private:
     DesignFindings* m_findings = nullptr;
     PanelFiles* m_files = nullptr;
     Perspectives* m_perspectives = nullptr;
+    SideBars* m_sideBars = nullptr;
     bool m_changesLanguage = false; // when the tests have ended
     TestRunner* m_testRunner = nullptr;
     GuideView* m_guide;

@@ -1,5 +1,6 @@
 // What the main window's actions do with the project's documents: panels, texts, alarms, traces.
 #include "app/design_findings.h"
+#include "app/devices_view.h"
 #include "app/editor_tabs.h"
 #include "app/live_views.h"
 #include "app/main_window.h"
@@ -289,6 +290,10 @@ void MainWindow::saveLanguages() {
 }
 
 void MainWindow::openDesignPlace(const QString& file, const QString& element) {
+    if (file == "devices.json") {
+        showDock("devices");
+        return DevicesView::of(*this).select(element);
+    }
     if (file.endsWith(".csv")) return openTexts();
     if (!file.endsWith(".panel.json")) return openAlarms();
     const QString panel = QFileInfo(file).fileName().chopped(QString(".panel.json").size());

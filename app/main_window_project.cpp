@@ -9,6 +9,7 @@
 #include "app/project_tree.h"
 #include "app/search_view.h"
 #include "app/settings_dialog.h"
+#include "app/side_bars.h"
 #include "app/start_page.h"
 #include "app/test_view.h"
 #include "app/tour.h"
@@ -18,6 +19,8 @@
 #include "editor/kit/mnemonics.h"
 #include "editor/kit/work_strip.h"
 #include "projects/storage/project_file.h"
+
+#include "stepwise_version.h"
 
 #include <QCheckBox>
 #include <QDialogButtonBox>
@@ -84,6 +87,7 @@ void MainWindow::closeProject() {
     if (!mayLeaveProject()) return;
     m_workspace->discardRecovery();
     m_workspace->close();
+    m_sideBars->restore({}); // they are the project's
     for (QDockWidget* each : findChildren<QDockWidget*>()) each->hide();
     findChild<QToolBar*>("timeToolBar")->hide();
     m_startPage->reload();
@@ -109,6 +113,7 @@ void MainWindow::saveProjectState() {
     m_settings.setProjectValue(folder, "watchLists", m_watch->stored());
     m_perspectives->leaveMaximised();
     m_settings.setProjectValue(folder, "layout", saveState());
+    m_settings.setProjectValue(folder, "docksThatHide", m_sideBars->stored());
     QStringList breakpoints;
     for (const editor::EditorBreakpoint& b : m_control->breakpoints())
         breakpoints << QStringList{b.file,     QString::number(b.line), b.condition, QString::number(b.hitCount),
@@ -125,6 +130,7 @@ void MainWindow::restoreProjectState() {
         restoreState(m_defaultLayout);
         arrangeAtFirst();
     }
+    m_sideBars->restore(m_settings.projectValue(folder, "docksThatHide").toStringList());
     const QStringList pages = m_settings.projectValue(folder, "pages").toStringList();
     QStringList tabs;
     for (const QString& page : pages) {
@@ -412,8 +418,9 @@ void MainWindow::saveRecording() {
 
 void MainWindow::about() {
     QMessageBox::about(this, tr("About Stepwise"),
-                       tr("<h3>Stepwise 0.1</h3><p>An open PLC studio: IEC 61131-3 programs as native code, every scan "
-                          "recorded, operator panels in many languages.</p><p>Licence: GPL-3.0</p>"));
+                       tr("<h3>Stepwise %1</h3><p>An open PLC studio: IEC 61131-3 programs as native code, every scan "
+                          "recorded, operator panels in many languages.</p><p>Licence: GPL-3.0</p>")
+                           .arg(STEPWISE_VERSION));
 }
 
 void MainWindow::openBeside() {

@@ -31,7 +31,8 @@ void Perspectives::show(Perspective wanted) {
     }
     const QStringList wantedDocks = docksOf(wanted);
     const auto docks = m_window.findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly);
-    for (QDockWidget* dock : docks) dock->setVisible(wantedDocks.contains(dock->objectName()));
+    for (QDockWidget* dock : docks)
+        if (!dock->property("hidesItself").toBool()) dock->setVisible(wantedDocks.contains(dock->objectName()));
     for (qsizetype i = wantedDocks.size(); i-- > 0;) // the first is raised last
         if (auto* dock = m_window.findChild<QDockWidget*>(wantedDocks[i])) dock->raise();
     if (wanted == Perspective::Editing) // problems are a few lines

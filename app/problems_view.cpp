@@ -71,6 +71,11 @@ void ProblemsView::setOtherProblems(std::vector<OtherProblem> problems) {
     reload();
 }
 
+void ProblemsView::setDeviceProblems(std::vector<OtherProblem> problems) {
+    m_devices = std::move(problems);
+    reload();
+}
+
 void ProblemsView::reload() {
     m_list->clear();
     m_errors = m_warnings = 0;
@@ -113,13 +118,14 @@ void ProblemsView::reload() {
                 if (m_list->topLevelItemCount() > 2000) break;
             }
     }
-    for (const OtherProblem& other : m_others)
-        if (QTreeWidgetItem* item =
-                add(other.isError ? Severity::Error : Severity::Warning, other.message, other.code, other.place)) {
-            item->setData(1, Qt::UserRole, other.panel);
-            item->setData(2, Qt::UserRole, other.element);
-            item->setToolTip(0, other.why);
-        }
+    for (const std::vector<OtherProblem>* list : {&m_others, &m_devices})
+        for (const OtherProblem& other : *list)
+            if (QTreeWidgetItem* item =
+                    add(other.isError ? Severity::Error : Severity::Warning, other.message, other.code, other.place)) {
+                item->setData(1, Qt::UserRole, other.panel);
+                item->setData(2, Qt::UserRole, other.element);
+                item->setToolTip(0, other.why);
+            }
     m_showErrors->setText(QString::number(m_errors));
     m_showWarnings->setText(QString::number(m_warnings));
     m_showInfos->setText(QString::number(infos));

@@ -24,6 +24,7 @@ class ProblemsView : public QWidget {
 public:
     explicit ProblemsView(editor::Workspace& workspace, QWidget* parent = nullptr);
     void setOtherProblems(std::vector<OtherProblem> problems);
+    void setDeviceProblems(std::vector<OtherProblem> problems); // of devices.json
     void goToNext(int direction);
     [[nodiscard]] int errorCount() const { return m_errors; }
     [[nodiscard]] int warningCount() const { return m_warnings; }
@@ -42,7 +43,7 @@ private:
     QTreeWidget* m_list;
     QLineEdit* m_filter;
     QToolButton *m_showErrors, *m_showWarnings, *m_showInfos;
-    std::vector<OtherProblem> m_others;
+    std::vector<OtherProblem> m_others, m_devices;
     int m_errors = 0, m_warnings = 0;
 };
 

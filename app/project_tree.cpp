@@ -346,6 +346,9 @@ void ProjectTree::reload() {
     auto* people = new QTreeWidgetItem(m_tree, {tr("Users and Rights")});
     people->setIcon(0, kit::icon(Icon::User));
     people->setData(0, Kind, "people");
+    auto* devices = new QTreeWidgetItem(m_tree, {tr("Devices")});
+    devices->setIcon(0, kit::icon(Icon::Link));
+    devices->setData(0, Kind, "devices");
     names(group(tr("Traces"), static_cast<int>(Icon::Trace), "traces"), project.traces, "trace", Icon::Trace,
           ".trace.json");
     QTreeWidgetItem* tests = group(tr("Tests"), static_cast<int>(Icon::Test), "tests");
@@ -439,6 +442,8 @@ void ProjectTree::activate(QTreeWidgetItem* item) {
         emit recipesRequested();
     else if (kind == "people")
         emit peopleRequested();
+    else if (kind == "devices")
+        emit devicesRequested();
     else if (kind == "library")
         emit librariesRequested();
 }

@@ -32,6 +32,7 @@ signals:
     void alarmsRequested();
     void recipesRequested();
     void peopleRequested();
+    void devicesRequested();
     void testsRequested();
     void chartRequested(const QString& file, const QString& pou);
     /// Preset in the dialog: a template ("block") and a file; both may be empty.

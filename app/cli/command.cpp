@@ -8,6 +8,8 @@
 #include "runtime/compiler/jit/jit.h"
 #include "runtime/controller/controller.h"
 
+#include "stepwise_version.h"
+
 #include <QApplication>
 
 #include <algorithm>
@@ -43,10 +45,11 @@ std::string overview() {
 
 const std::vector<Command>& commands() {
     static const std::vector<Command> all = {
-        checkCommand(),  runCommand(),     formatCommand(),  testCommand(),   traceCommand(),  replayCommand(),
-        panelCommand(),  docCommand(),     convertCommand(), importCommand(), exportCommand(), ladderCommand(),
-        whyCommand(),    tuneCommand(),    serveCommand(),   textsCommand(),  recipeCommand(), peopleCommand(),
-        alarmsCommand(), devicesCommand(), lspCommand(),     dapCommand(),    mcpCommand(),    explainCommand()};
+        checkCommand(),  runCommand(),    formatCommand(), testCommand(),    traceCommand(),
+        replayCommand(), panelCommand(),  docCommand(),    convertCommand(), importCommand(),
+        exportCommand(), ladderCommand(), whyCommand(),    tuneCommand(),    serveCommand(),
+        textsCommand(),  recipeCommand(), peopleCommand(), alarmsCommand(),  devicesCommand(),
+        lspCommand(),    dapCommand(),    mcpCommand(),    explainCommand(), buildCommand()};
     return all;
 }
 
@@ -61,7 +64,7 @@ int runCommandLine(const std::vector<std::string>& words) {
         return kGood;
     }
     if (words[0] == "--version") {
-        std::cout << "Stepwise 0.1.0\n";
+        std::cout << "Stepwise " STEPWISE_VERSION "\n";
         return kGood;
     }
     const auto& all = commands();

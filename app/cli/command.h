@@ -45,6 +45,7 @@ int runCommandLine(const std::vector<std::string>& words);
 [[nodiscard]] Command lspCommand();
 [[nodiscard]] Command dapCommand();
 [[nodiscard]] Command mcpCommand();
+[[nodiscard]] Command buildCommand();
 
 // --- shared by the commands
 /// Whether several programs without a CONFIGURATION are an error: nothing runs them, but each can be checked.

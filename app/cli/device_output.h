@@ -1,4 +1,5 @@
-// What the command line says of devices: their findings, and how they do. One thread.
+// What the command line says of devices: their findings, and how they do; and how it gets the engine that connects
+// them. One thread.
 #pragma once
 #include "projects/devices/device_check.h"
 #include "projects/devices/engine.h"

@@ -395,7 +395,7 @@ void Workspace::startCheck() {
 void Workspace::takeAnswer(Answer answer) {
     if (!m_project || answer.model->revision() < m_revision) return; // overtaken
     m_model = std::move(answer.model);
-    m_project->companions = answer.companions;
+    if (!m_project->folder.empty()) m_project->companions = std::move(answer.companions);
     emit analysed(m_model);
 }
 

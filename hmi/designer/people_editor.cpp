@@ -218,9 +218,12 @@ void PeopleEditor::commitRole(int row, int column, const QString& typed) {
         rebuild();
         return tell(text.isEmpty() ? errors::RoleWithoutName() : errors::RoleTwice(toUtf8(text)));
     }
-    kit::MacroScope macro(m_undo, m_roles->horizontalHeaderItem(column)->text());
-    const QString title =
-        column == RoleTitle ? m_context.storeText(before.title, text, QStringLiteral("role"), m_undo) : QString();
+    std::optional<kit::MacroScope> macro;
+    QString title;
+    if (column == RoleTitle) { // the text goes into the table of texts: one step with its key
+        macro.emplace(m_undo, m_roles->horizontalHeaderItem(column)->text());
+        title = m_context.storeText(before.title, text, QStringLiteral("role"), m_undo);
+    }
     edit(m_roles->horizontalHeaderItem(column)->text(), [&](PeopleFile& file) {
         Role& role = file.roles()[static_cast<size_t>(row)];
         if (column == RoleTitle) role.title = title;
@@ -237,7 +240,10 @@ void PeopleEditor::rebuild() {
     const PeopleFile& people = m_context.project().people;
     const QSignalBlocker quietUsers(m_users), quietRoles(m_roles), quietTimeout(m_timeout);
     const auto fill = [](QTableWidget& table, int row, const QStringList& cells) {
-        for (int k = 0; k < cells.size(); ++k) table.setItem(row, k, new QTableWidgetItem(cells[k]));
+        for (int k = 0; k < cells.size(); ++k) { // the items stay: one of them may be what is being edited
+            if (!table.item(row, k)) table.setItem(row, k, new QTableWidgetItem);
+            table.item(row, k)->setText(cells[k]);
+        }
     };
     m_users->setRowCount(static_cast<int>(people.users().size()));
     for (int row = 0; row < m_users->rowCount(); ++row) {

@@ -211,9 +211,10 @@ void RecipeEditor::commit(int row, int column, const QString& typed) {
     const QString title = m_table->horizontalHeaderItem(column)->text();
     const auto limit = limitOf(text);
     if ((column == Minimum || column == Maximum) && !limit) return rebuild(); // what is no number is not taken
-    kit::MacroScope macro(m_undo, title);
+    std::optional<kit::MacroScope> macro;
     QString stored = text;
-    if (column == Title) {
+    if (column == Title) { // the text goes into the table of texts: one step with its key
+        macro.emplace(m_undo, title);
         const QString now = recipe->variables[static_cast<size_t>(row)].title;
         stored = m_context.storeText(now, text, QStringLiteral("recipe"), m_undo);
     }
@@ -255,11 +256,14 @@ void RecipeEditor::rebuild() {
     const RecipeFile& file = m_context.project().recipes;
     if (!file.find(m_current)) m_current = file.recipes().empty() ? QString() : file.recipes().front().name;
     const QSignalBlocker quietList(m_list), quietTable(m_table);
-    m_list->clear();
-    for (const Recipe& recipe : file.recipes()) {
-        auto* item = new QListWidgetItem(recipe.name, m_list);
-        item->setFlags(item->flags() | Qt::ItemIsEditable);
-        if (recipe.name == m_current) m_list->setCurrentItem(item);
+    // The items stay: one of them may be what is being edited.
+    while (m_list->count() > static_cast<int>(file.recipes().size())) delete m_list->takeItem(m_list->count() - 1);
+    for (int row = 0; row < static_cast<int>(file.recipes().size()); ++row) {
+        const QString& name = file.recipes()[static_cast<size_t>(row)].name;
+        if (row == m_list->count()) m_list->addItem(name);
+        m_list->item(row)->setText(name);
+        m_list->item(row)->setFlags(m_list->item(row)->flags() | Qt::ItemIsEditable);
+        if (name == m_current) m_list->setCurrentRow(row);
     }
     m_problems->setText(file.recipes().empty() ? tr("Add a recipe, then its variables, then a set for each product.")
                                                : QString());
@@ -286,7 +290,12 @@ void RecipeEditor::fillTable(const Recipe& recipe) {
         QStringList cells{one.variable, m_context.shownText(one.title), one.unit,
                           one.format,   shownLimit(one.minimum),        shownLimit(one.maximum)};
         for (const RecipeSet& set : recipe.sets) cells += set.values.value(one.variable);
-        for (int k = 0; k < cells.size(); ++k) m_table->setItem(i, k, new QTableWidgetItem(cells[k]));
+        for (int k = 0; k < cells.size(); ++k) {
+            if (!m_table->item(i, k)) m_table->setItem(i, k, new QTableWidgetItem);
+            m_table->item(i, k)->setText(cells[k]);
+            m_table->item(i, k)->setToolTip({});
+            m_table->item(i, k)->setIcon({});
+        }
     }
     m_table->resizeColumnsToContents();
     if (row >= 0 && row < m_table->rowCount()) m_table->setCurrentCell(row, std::max(0, column));

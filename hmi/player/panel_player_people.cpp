@@ -151,7 +151,9 @@ LogIn::Answer PanelPlayer::logIn(const QString& user, const QString& password) {
     LogIn::Answer answer = m_door ? m_door(user, password) : m_logIn.logIn(user, password, now);
     if (m_door && answer == LogIn::Answer::Good && !m_logIn.enter(user, now)) answer = LogIn::Answer::Wrong;
     if (answer != LogIn::Answer::Good) {
-        record(QStringLiteral("log in refused"), user, {}, {}, m_panelName);
+        // Who is shut out by a server goes on asking: that must not fill the disk.
+        if (!m_door || answer != LogIn::Answer::Blocked)
+            record(QStringLiteral("log in refused"), user, {}, {}, m_panelName);
         refuse(passwordRefusal(answer));
         return answer;
     }

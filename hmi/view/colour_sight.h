@@ -1,4 +1,5 @@
-// How colours are seen: brightness, contrast, how loud one is, which belong to alarms. Pure functions, any thread.
+// How colours are seen: brightness, contrast, how loud one is, which belong to alarms. For the theme and the check of
+// panels. Pure functions, any thread.
 #pragma once
 #include <QColor>
 

@@ -1,5 +1,7 @@
 #include "hmi/view/panel_theme.h"
 
+#include "hmi/view/colour_sight.h"
+
 #include <array>
 
 namespace plc::hmi {
@@ -61,8 +63,8 @@ QColor PanelTheme::color(const QString& name) const {
 }
 
 QColor PanelTheme::inkOn(const QColor& ground) {
-    const double light = 0.299 * ground.redF() + 0.587 * ground.greenF() + 0.114 * ground.blueF();
-    return light > 0.55 ? QColor(0x15, 0x1A, 0x1F) : QColor(0xFF, 0xFF, 0xFF);
+    const QColor dark(0x15, 0x1A, 0x1F), light(0xFF, 0xFF, 0xFF);
+    return contrast(dark, ground) >= contrast(light, ground) ? dark : light;
 }
 
 QColor PanelTheme::priority(int priority) const {

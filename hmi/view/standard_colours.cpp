@@ -113,7 +113,9 @@ private:
         const auto text = [](const Json& row, const char* field) {
             return row.is_object() && row.contains(field) ? toQString(row[field]) : QString();
         };
-        const auto blinks = [](const Json& row) { return row.is_object() && row.value("blink", false); };
+        const auto blinks = [](const Json& row) {
+            return row.is_object() && row.contains("blink") && row["blink"] == true;
+        };
         for (size_t b = 1; b < rows.size() && b < kMostRows; ++b)
             for (size_t a = 0; a < b; ++a) {
                 const QString one = text(rows[a], "color"), other = text(rows[b], "color");

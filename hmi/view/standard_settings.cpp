@@ -175,8 +175,8 @@ double StandardSettings::smallestFont() const {
 }
 
 double StandardSettings::smallestTarget() const {
-    constexpr double Finger = 9; // mm
-    return std::round(Finger / pixelPitch);
+    constexpr double Finger = 7, Glove = 9; // mm
+    return std::round((level >= CheckLevel::Strict ? Glove : Finger) / pixelPitch);
 }
 
 } // namespace plc::hmi

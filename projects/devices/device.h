@@ -94,7 +94,7 @@ struct Device {
     Milliseconds poll{100};
     Milliseconds timeout{
         500}; // of an answer; of a server: without a request for so long its inputs are lost, 0 = never
-    Milliseconds retry{10'000}; // longest pause between attempts to connect
+    Milliseconds retry{5'000}; // longest pause between attempts to connect
     std::string clientId, user, passwordFile, caFile;
     bool tls = false;
     std::string online; // BOOL variable: the device answers; may be empty

@@ -258,6 +258,16 @@ int DeviceFile::lineOf(size_t device, std::optional<size_t> channel, std::string
     return line == m_lines.end() ? 0 : line->second;
 }
 
+std::string DeviceFile::field(size_t device, std::optional<size_t> channel, const std::string& name) const {
+    if (!m_isGood || device >= m_devices.size()) return {};
+    const Json* object = &m_json["devices"][m_deviceIndex[device]];
+    if (channel && *channel >= m_channelIndex[device].size()) return {};
+    if (channel) object = &(*object)["channels"][m_channelIndex[device][*channel]];
+    const auto it = object->find(name);
+    if (it == object->end()) return {};
+    return it->is_string() ? it->get<std::string>() : it->dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 // ---------------------------------------------------------------- edits
 
 void DeviceFile::readAgain() { *this = parse(text()); }

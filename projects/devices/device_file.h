@@ -28,6 +28,9 @@ public:
     /// The line of a device, of one of its channels, or of a field of either; as read.
     [[nodiscard]] int lineOf(size_t device, std::optional<size_t> channel = {}, std::string_view field = {}) const;
 
+    /// A field as a person writes it; "" when it is not there.
+    [[nodiscard]] std::string field(size_t device, std::optional<size_t> channel, const std::string& name) const;
+
     // Edits; the devices are read again from the result.
     void addDevice(Protocol protocol, const std::string& name);
     void removeDevice(size_t device);

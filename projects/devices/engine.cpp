@@ -129,10 +129,14 @@ void Engine::bind(BoundDevice& device, const image::CompiledProgram& program) {
 void Engine::beforeScan(controller::EdgeWriter& writer) {
     m_plcRuns = writer.plcRuns();
     for (BoundDevice& device : m_bound) {
-        if (const uint64_t version = device.port->inputVersion(); version != device.seenInputs) {
+        const uint64_t version = device.port->inputVersion();
+        if (version == 0) continue; // never connected: a simulation may set its variables
+        const bool isNew = version != device.seenInputs;
+        if (isNew) {
             device.seenInputs = version;
             refresh(device);
         }
+        if (!isNew && device.port->state() == LinkState::Off) continue; // not any more: they are free again
         for (const BoundInput& input : device.inputs)
             if (input.hasBytes) write(writer, input.target, input.bytes, device.origin);
         for (const BoundState& state : device.states) write(writer, state.target, state.bytes, device.origin);

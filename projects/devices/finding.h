@@ -1,4 +1,5 @@
-// What is wrong in devices.json, with its place and, in the sentence, the remedy. A value, any thread.
+// What is wrong in devices.json, with its place and, in the sentence, the remedy. Made by the reader and the checks. A
+// value, any thread.
 #pragma once
 #include "runtime/base/message.h"
 

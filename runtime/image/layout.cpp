@@ -71,7 +71,7 @@ Result<FoundRoot> findRoot(const Layout& layout, const std::vector<PathPart>& pa
     for (const Root& root : layout.roots) {
         for (size_t k = 0; k < qualifiers.size(); ++k) {
             if (!same(root.name, parts[k].name) || !isQualifiedBy(root, qualifiers[k])) continue;
-            if (k == 0 && root.area == Area::Program) {
+            if (k == 0 && root.area == Area::Program && root.list.empty()) {
                 program = &root;
                 continue;
             }

@@ -47,5 +47,21 @@ TEST(TestStatements, RefuseWhatIsNoTimeOrNumber) {
     }
 }
 
+TEST(TestStatements, ReadAndWriteAPropertyAndCallFunctionsNamedAsStandardOnes) {
+    const Report report = runOf(
+        "FUNCTION TRIM : STRING\nVAR_INPUT s : STRING; END_VAR\nTRIM := s;\nEND_FUNCTION\n"
+        "FUNCTION ROUND : REAL\nVAR_INPUT r : REAL; n : INT; END_VAR\nROUND := r + INT_TO_REAL(n);\nEND_FUNCTION\n"
+        "FUNCTION_BLOCK Drive\nVAR v : INT; END_VAR\nPROPERTY PUBLIC Speed : INT\nGET\nSpeed := v * 2;\nEND_GET\n"
+        "SET\nv := Speed;\nEND_SET\nEND_PROPERTY\nEND_FUNCTION_BLOCK\n"
+        "PROGRAM Main\nVAR d : Drive; END_VAR\nd();\nEND_PROGRAM\n",
+        "TEST 'property'\nMain.d.Speed := 4;\nASSERT Main.d.Speed = 8;\nASSERT Main.d.v = 4;\n"
+        "ASSERT TRIM(' a') = ' a';\nASSERT ROUND(1.0, 2) = 3.0;\nEND_TEST\n"
+        "TEST 'wrong'\nASSERT Main.d.Speed = 1;\nEND_TEST\n");
+    ASSERT_EQ(report.results.size(), 2u);
+    for (const Failure& failure : report.results[0].failures)
+        ADD_FAILURE() << failure.line << ": " << failure.message << " " << failure.detail;
+    EXPECT_EQ(report.results[1].failures.size(), 1u);
+}
+
 } // namespace
 } // namespace plc::testing

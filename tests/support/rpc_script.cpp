@@ -1,6 +1,8 @@
 #include "tests/support/rpc_script.h"
 
+#include <fstream>
 #include <sstream>
+#include <unistd.h>
 
 namespace plc {
 
@@ -45,6 +47,23 @@ std::vector<std::string> messagesOf(const std::string& script, const std::map<st
     for (std::string line; std::getline(lines, line);)
         if (line.starts_with("> ")) out.push_back(withValues(line.substr(2), names));
     return out;
+}
+
+std::string contentOf(const std::filesystem::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file, std::ios::binary).rdbuf();
+    return text.str();
+}
+
+FolderCopy::FolderCopy(const std::filesystem::path& from, const std::string& nameOfTest)
+    : m_root(std::filesystem::temp_directory_path() / (nameOfTest + "." + std::to_string(::getpid()))) {
+    std::filesystem::create_directories(m_root);
+    std::filesystem::copy(from, m_root / from.filename(), std::filesystem::copy_options::recursive);
+}
+
+FolderCopy::~FolderCopy() {
+    std::error_code ignored;
+    std::filesystem::remove_all(m_root, ignored);
 }
 
 } // namespace plc

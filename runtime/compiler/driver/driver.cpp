@@ -7,6 +7,7 @@
 #include "runtime/compiler/driver/keeps_analysis.h"
 #include "runtime/compiler/facts/debug_map.h"
 #include "runtime/compiler/jit/jit.h"
+#include "runtime/image/portable_program.h"
 #include "runtime/library/sources.h"
 
 #include <algorithm>
@@ -57,20 +58,6 @@ uint64_t versionOf(const BuildInput& input) {
     return hash;
 }
 
-/// Values of pointers, references and interfaces are shown by the path of what they point to. The table may outlive the
-/// program: then the number is left.
-void nameReferences(const std::shared_ptr<image::CompiledProgram>& program) {
-    const std::weak_ptr<const image::CompiledProgram> weak = program;
-    types::TypeTable& types = *program->layout.types;
-    types.referenceText = [weak](types::TypeId type, int64_t offset) -> std::string {
-        const auto owner = weak.lock();
-        if (!owner || offset < int64_t(sizeof(image::ImageHeader)) || offset >= owner->layout.dataEnd) return {};
-        const types::Type& shown = (*owner->layout.types)[owner->layout.types->storage(type)];
-        const types::TypeId wanted = shown.kind == types::TypeKind::Interface ? type : shown.element;
-        return owner->layout.pathAt(static_cast<uint32_t>(offset), wanted);
-    };
-}
-
 std::shared_ptr<image::CompiledProgram> assemble(const Checked& checked, facts::DebugMap&& debug, uint64_t version) {
     const tree::Program& tree = *checked.analysis->program;
     const std::shared_ptr<image::CompiledProgram> program(new image::CompiledProgram, KeepsAnalysis{checked.analysis});
@@ -83,7 +70,7 @@ std::shared_ptr<image::CompiledProgram> assemble(const Checked& checked, facts::
     program->sites = std::move(debug.sites);
     program->sources = *checked.sources;
     program->version = version;
-    nameReferences(program);
+    image::nameReferences(program);
     return program;
 }
 

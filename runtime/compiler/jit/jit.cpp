@@ -2,8 +2,10 @@
 #include "runtime/base/messages.h"
 
 #include "runtime/compiler/facts/program_facts.h"
+#include "runtime/compiler/jit/object_file.h"
 #include "runtime/compiler/jit/stack_use.h"
 #include "runtime/compiler/jit/write_marks.h"
+#include "runtime/image/written_pages.h"
 #include "runtime/library/text_runtime.h"
 
 #include <llvm/ExecutionEngine/Orc/CompileUtils.h>
@@ -85,6 +87,17 @@ void initialiseTargets() {
         llvm::InitializeNativeTarget();
         llvm::InitializeNativeTargetAsmPrinter();
         llvm::InitializeNativeTargetAsmParser();
+        // Of those that `stepwise build` makes code for.
+        LLVMInitializeX86TargetInfo();
+        LLVMInitializeX86Target();
+        LLVMInitializeX86TargetMC();
+        LLVMInitializeX86AsmPrinter();
+        LLVMInitializeX86AsmParser();
+        LLVMInitializeAArch64TargetInfo();
+        LLVMInitializeAArch64Target();
+        LLVMInitializeAArch64TargetMC();
+        LLVMInitializeAArch64AsmPrinter();
+        LLVMInitializeAArch64AsmParser();
         preferBranches();
     });
 }
@@ -103,7 +116,7 @@ llvm::orc::SymbolMap runtimeSymbols(llvm::orc::LLJIT& jit) {
     add("roundeven", addressOf(&roundEven));
     add("roundevenf", addressOf(&roundEvenSingle));
     add("plc_compare_bytes", addressOf(&compareBytes));
-    add("plc_mark_written", addressOf(&markWritten));
+    add("plc_mark_written", addressOf(&image::markWritten));
     add("plc_fault", addressOf(g_symbols.fault));
     add("plc_budget_used_up", addressOf(g_symbols.budgetUsedUp));
     add("plc_at_site", addressOf(g_symbols.atSite));
@@ -216,6 +229,37 @@ llvm::Expected<llvm::orc::JITTargetMachineBuilder> machineFor(bool isQuick) {
     return builder;
 }
 
+using Machine = std::unique_ptr<llvm::TargetMachine>;
+
+llvm::Expected<Machine> machineHere(bool isQuick) {
+    auto builder = machineFor(isQuick);
+    if (!builder) return builder.takeError();
+    return builder->createTargetMachine();
+}
+
+/// For a program that is linked once, without a loader.
+llvm::Expected<Machine> machineThere(const ObjectFor& wanted) {
+    llvm::orc::JITTargetMachineBuilder builder{llvm::Triple(wanted.triple)};
+    builder.setCPU(wanted.cpu);
+    builder.setCodeGenOptLevel(llvm::CodeGenOptLevel::Default);
+    builder.setRelocationModel(llvm::Reloc::Static);
+    builder.setCodeModel(llvm::CodeModel::Small);
+    builder.getOptions().AllowFPOpFusion = llvm::FPOpFusion::Strict;
+    return builder.createTargetMachine();
+}
+
+/// The bytes that an object file carries beside the code.
+void addData(llvm::Module& module, const ObjectFor& wanted) {
+    const auto add = [&](const std::string& name, llvm::Constant* value) {
+        auto* global = llvm::cast<llvm::GlobalVariable>(module.getOrInsertGlobal(name, value->getType()));
+        global->setInitializer(value);
+        global->setConstant(true);
+    };
+    add(wanted.dataName, llvm::ConstantDataArray::getString(module.getContext(), wanted.data, false));
+    add(wanted.dataName + "_size",
+        llvm::ConstantInt::get(llvm::Type::getInt64Ty(module.getContext()), wanted.data.size()));
+}
+
 /// "plc.f.7", "plc.entry.7" → the name of function 7.
 std::string functionName(const tree::Program& program, const std::string& symbol) {
     const size_t number = std::strtoul(symbol.c_str() + symbol.rfind('.') + 1, nullptr, 10);
@@ -224,12 +268,11 @@ std::string functionName(const tree::Program& program, const std::string& symbol
 
 /// Tree → object file, on any thread: nothing is shared but the tree and what is known about it.
 Result<Object> compilePart(const tree::Program& program, const facts::ProgramFacts& facts,
-                           const codegen::Options& options, codegen::Part part, Steps& steps) {
+                           const codegen::Options& options, codegen::Part part, Steps& steps,
+                           const ObjectFor* elsewhere = nullptr) {
     const Error cancelled{errors::Cancelled(), ""};
     const bool isQuick = options.tier == codegen::Tier::Quick;
-    auto builder = machineFor(isQuick);
-    if (!builder) return failed(builder.takeError());
-    auto machine = builder->createTargetMachine();
+    auto machine = elsewhere ? machineThere(*elsewhere) : machineHere(isQuick);
     if (!machine) return failed(machine.takeError());
     llvm::LLVMContext context;
     context.setDiscardValueNames(isQuick);
@@ -253,6 +296,7 @@ Result<Object> compilePart(const tree::Program& program, const facts::ProgramFac
     if (steps.isCancelled()) return cancelled;
     if (marks) markWrites(*module, program.layout.imageSize);
     if (!isQuick) dump(*module, "optimised");
+    if (elsewhere) addData(*module, *elsewhere);
     auto object = llvm::orc::SimpleCompiler(**machine)(*module);
     if (!object) return failed(object.takeError());
     (void)steps.done(kObjectSteps);
@@ -265,7 +309,7 @@ Result<Object> compilePart(const tree::Program& program, const facts::ProgramFac
     if (!isBounded && !options.guardsEveryStack) { // inlining made a large frame: the same again, with more questions
         codegen::Options careful = options;
         careful.guardsEveryStack = true;
-        return compilePart(program, facts, careful, part, steps);
+        return compilePart(program, facts, careful, part, steps, elsewhere);
     }
     return std::move(*object);
 }
@@ -389,6 +433,18 @@ Result<std::shared_ptr<const image::Code>> compileWatched(const tree::Program& p
     options.only = &only;
     options.progress = progress;
     return compileOver(program, options, quick);
+}
+
+Result<std::string> compileObject(const tree::Program& program, const ObjectFor& wanted) {
+    initialiseTargets();
+    codegen::Options options;
+    options.tier = codegen::Tier::Optimised;
+    const facts::ProgramFacts facts(program, options.tier);
+    if (auto fits = facts.fits(); !fits) return fits.error();
+    Steps steps(options, kEmitSteps + kOptimiseSteps + kObjectSteps);
+    auto object = compilePart(program, facts, options, {}, steps, &wanted);
+    if (!object) return object.error();
+    return (*object)->getBuffer().str();
 }
 
 } // namespace plc::jit

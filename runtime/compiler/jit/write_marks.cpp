@@ -15,14 +15,6 @@
 
 namespace plc::jit {
 
-void markWritten(uint8_t* dirtyPages, int64_t offset, int64_t length, int64_t pages) {
-    if (length <= 0) return;
-    const auto page = [&](int64_t at) {
-        return std::min<uint64_t>(static_cast<uint64_t>(at) / image::kDirtyPage, static_cast<uint64_t>(pages));
-    };
-    for (uint64_t p = page(offset), last = page(offset + length - 1); p <= last; ++p) dirtyPages[p] = 1;
-}
-
 namespace {
 
 constexpr const char* kKeeper = "# context and image";

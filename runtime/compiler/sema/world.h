@@ -70,6 +70,7 @@ struct Instance {
     const syntax::ResourceDecl* resource = nullptr;
     Scope scope;
     uint32_t root = 0;
+    std::string resourceName; // where another RESOURCE has an instance of the same name: R1.A
 };
 
 struct Located { // an open address that VAR_CONFIG completes, copied at the scan's borders when it lies in a block

@@ -107,13 +107,14 @@ TEST_F(ServedPeople, AUserLogsInByNameAndPasswordAndHasTheirOwnRights) {
     EXPECT_EQ(served.number("Main.start"), 0) << "nobody is logged in";
     ASSERT_TRUE(anna.logIn("anna", kPassword));
     ASSERT_TRUE(waitUntil([&] { return anna.panel["operator"].toString() == "anna"; }));
-    anna.press(230); // for the service only
-    anna.say(R"({"t":"up","x":60,"y":230})");
     anna.press(50);
     EXPECT_TRUE(waitUntil([&] { return served.number("Main.start") == 1; }));
-    EXPECT_EQ(served.number("Main.stop"), 0);
+    anna.say(R"({"t":"up","x":60,"y":50})");
+    anna.press(230); // for the service only
+    anna.say(R"({"t":"up","x":60,"y":230})");
     anna.say(R"({"t":"logout"})");
     EXPECT_TRUE(waitUntil([&] { return anna.panel["operator"].toString().isEmpty(); }));
+    EXPECT_EQ(served.number("Main.stop"), 0);
 }
 
 TEST_F(ServedPeople, SeveralBrowsersWriteOneUnbrokenTrail) {

@@ -9,9 +9,7 @@
 
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <thread>
-#include <unistd.h>
 
 namespace fs = std::filesystem;
 
@@ -22,22 +20,10 @@ bool updates = false;
 
 std::string folderOfTests() { return sourceDir() + "/tests/projects/debug_adapter"; }
 
-std::string contentOf(const fs::path& file) {
-    std::ostringstream text;
-    text << std::ifstream(file, std::ios::binary).rdbuf();
-    return text.str();
-}
-
 /// A copy of the project, and an adapter that has not been asked anything yet.
 class DebugAdapter : public ::testing::Test {
 protected:
-    DebugAdapter()
-        : root(fs::temp_directory_path() / ("dap" + std::to_string(::getpid()) + "." +
-                                            ::testing::UnitTest::GetInstance()->current_test_info()->name())) {
-        fs::copy(folderOfTests() + "/plant", root / "plant", fs::copy_options::recursive);
-        names["${ROOT}"] = root.string();
-    }
-    ~DebugAdapter() override { fs::remove_all(root); }
+    DebugAdapter() { names["${ROOT}"] = root.string(); }
 
     std::vector<std::string> exchange(const std::string& message) {
         m_sent.clear();
@@ -85,7 +71,8 @@ protected:
     }
     int line() { return request("stackTrace", {{"threadId", 1}})["stackFrames"].front()["line"].get<int>(); }
 
-    fs::path root;
+    FolderCopy m_copy{folderOfTests() + "/plant", ::testing::UnitTest::GetInstance()->current_test_info()->name()};
+    const fs::path& root = m_copy.root();
     std::map<std::string, std::string> names;
     std::vector<std::string> m_sent;
     int m_sequence = 0;

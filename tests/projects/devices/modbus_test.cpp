@@ -236,6 +236,21 @@ TEST(ModbusTcp, AForcedInputStaysForced) {
     EXPECT_GT(run.replaysExactly(), 0u);
 }
 
+TEST(ModbusTcp, VariablesBelongToTheProgramWhileNothingIsConnected) {
+    const uint16_t port = freePort();
+    ModbusPeer peer(port);
+    peer.setRegister(0, 5);
+    LiveRun run(program("    a : INT; good : BOOL;\n", "IF n > 0 THEN a := 100; good := TRUE; END_IF n := n + 1;"),
+                pump(port, R"({"name": "a", "variable": "Main.a", "address": 0, "quality": "Main.good"})"));
+    ASSERT_TRUE(run.scanUntil([&] { return run.status().channels[0].quality == Quality::Good; }));
+    run.engine->disconnect();
+    run.scan();
+    run.scan();
+    EXPECT_EQ(run.value("Main.a"), "100");
+    EXPECT_EQ(run.value("Main.good"), "TRUE");
+    EXPECT_GT(run.replaysExactly(), 0u);
+}
+
 TEST(ModbusTcp, ADeviceThatIsNotThereIsSaid) {
     LiveRun run(program("    a : INT; quality : USINT;\n"),
                 pump(freePort(), R"({"name": "a", "variable": "Main.a", "address": 0, "quality": "Main.quality"})"));

@@ -7,8 +7,6 @@
 
 #include <filesystem>
 #include <fstream>
-#include <sstream>
-#include <unistd.h>
 
 namespace fs = std::filesystem;
 
@@ -19,23 +17,13 @@ bool updates = false;
 
 std::string folderOfTests() { return sourceDir() + "/tests/projects/language_server"; }
 
-std::string contentOf(const fs::path& file) {
-    std::ostringstream text;
-    text << std::ifstream(file, std::ios::binary).rdbuf();
-    return text.str();
-}
-
 /// A copy of the project, and a server that has not been asked anything yet.
 class LanguageServer : public ::testing::Test {
 protected:
-    LanguageServer()
-        : m_root(fs::temp_directory_path() / ("lsp" + std::to_string(::getpid()) + "." +
-                                              ::testing::UnitTest::GetInstance()->current_test_info()->name())) {
+    LanguageServer() {
         ::setenv("XDG_CACHE_HOME", (m_root / "cache").c_str(), 1);
-        fs::copy(folderOfTests() + "/plant", m_root / "plant", fs::copy_options::recursive);
         names["${ROOT}"] = m_root.string();
     }
-    ~LanguageServer() override { fs::remove_all(m_root); }
 
     std::vector<std::string> exchange(const std::string& message) {
         m_sent.clear();
@@ -44,7 +32,8 @@ protected:
         return m_sent;
     }
 
-    fs::path m_root;
+    FolderCopy m_copy{folderOfTests() + "/plant", ::testing::UnitTest::GetInstance()->current_test_info()->name()};
+    const fs::path& m_root = m_copy.root();
     std::map<std::string, std::string> names;
     std::vector<std::string> m_sent;
     Server server{[this](const Json& message) { m_sent.push_back(protocol::toText(message)); }, {}};

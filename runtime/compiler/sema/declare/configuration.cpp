@@ -12,6 +12,8 @@
 
 #include "runtime/base/text.h"
 
+#include <set>
+
 namespace plc::sema {
 
 using syntax::SectionKind;
@@ -27,23 +29,65 @@ void forEachResource(const World& world,
             visit(configuration, *resource);
 }
 
+/// The folded names of a RESOURCE's globals, or of its program instances.
+static std::set<NameId> namesOf(World& world, const syntax::ResourceDecl& resource, bool ofPrograms) {
+    std::set<NameId> out;
+    if (ofPrograms)
+        for (const syntax::ProgramInstance* each : resource.programs) out.insert(world.key(each->name.text));
+    else
+        for (const syntax::VarSection* section : resource.sections)
+            if (section->kind == SectionKind::Global)
+                for (const syntax::VarDecl* declaration : section->declarations)
+                    for (const syntax::Name& name : declaration->names) out.insert(world.key(name.text));
+    return out;
+}
+
+/// Whether another RESOURCE has one of these names: both then belong to their resource, R1.g and R2.g.
+static bool isInAnother(World& world, const Configuration& configuration, const syntax::ResourceDecl& resource,
+                        bool ofPrograms, const std::set<NameId>& names) {
+    for (const syntax::ResourceDecl* other : configuration.declaration->resources) {
+        if (other == &resource) continue;
+        const std::set<NameId> theirs = namesOf(world, *other, ofPrograms);
+        if (std::any_of(names.begin(), names.end(), [&](NameId id) { return theirs.count(id) != 0; })) return true;
+    }
+    return false;
+}
+
+Variable* globalOf(World& world, const Variable& external) {
+    Scope outside = external.scope;
+    outside.unit = nullptr;
+    const Found found = lookup(world, outside, external.id);
+    if (found.ambiguous.empty()) return found.entity.variable;
+    std::set<const syntax::ResourceDecl*> resources; // that run the program
+    const Unit* program = external.owner ? external.owner->self() : nullptr;
+    for (const Instance& instance : world.instances)
+        if (instance.variable->program == program && instance.resource) resources.insert(instance.resource);
+    for (const GlobalsList& list : world.lists)
+        if (resources.size() == 1 && equalsIgnoringCase(list.name, (*resources.begin())->name.text))
+            if (const auto it = list.variables.find(external.id); it != list.variables.end()) return it->second;
+    world.emit(external.range, findings::AmbiguousName(external.name, found.ambiguous));
+    return found.entity.variable;
+}
+
 void declareConfigurations(World& world) {
-    const auto sections = [&](const std::vector<syntax::VarSection*>& list, const Configuration& configuration) {
+    const auto sections = [&](const std::vector<syntax::VarSection*>& list, const Configuration& configuration,
+                              std::string_view name) {
         for (syntax::VarSection* section : list) {
             if (section->kind != SectionKind::Global && section->kind != SectionKind::Var) continue;
             auto* globalList = world.arena.make<syntax::GlobalList>();
             globalList->section = section;
-            declareGlobals(world, *globalList, *configuration.space, *configuration.file, {});
+            declareGlobals(world, *globalList, *configuration.space, *configuration.file, name);
         }
     };
     for (const Configuration& configuration : world.configurations)
-        sections(configuration.declaration->sections, configuration);
+        sections(configuration.declaration->sections, configuration, {});
     forEachResource(world, [&](const Configuration& configuration, const syntax::ResourceDecl& resource) {
-        sections(resource.sections, configuration);
+        const bool isShared = isInAnother(world, configuration, resource, false, namesOf(world, resource, false));
+        sections(resource.sections, configuration, isShared ? resource.name.text : std::string_view());
     });
 
     const auto addInstance = [&](Unit& unit, std::string name, const syntax::ProgramInstance* declaration,
-                                 const syntax::ResourceDecl* resource, Scope scope) {
+                                 const syntax::ResourceDecl* resource, Scope scope, std::string_view resourceName) {
         Variable& variable = world.globals.emplace_back();
         variable.name = std::move(name);
         variable.id = world.key(variable.name);
@@ -59,17 +103,18 @@ void declareConfigurations(World& world) {
             declaration ? addSymbol(world, SymbolKind::Variable, variable.name, {}, variable.range) : unit.symbol;
         if (declaration) {
             world.symbols[variable.symbol.index()].type = unit.type;
-            world.symbols[variable.symbol.index()].path = variable.name;
-            if (const auto* known = world.top.find(variable.id);
-                known && std::any_of(known->begin(), known->end(),
-                                     [](const Entity& e) { return e.variable && e.variable->isProgramInstance; }))
+            world.symbols[variable.symbol.index()].path =
+                (resourceName.empty() ? "" : std::string(resourceName) + ".") + variable.name;
+            if (std::any_of(world.instances.begin(), world.instances.end(), [&](const Instance& other) {
+                    return other.variable->id == variable.id && (other.resource == resource || resourceName.empty());
+                }))
                 world.emit(variable.range, findings::DuplicateName(variable.name));
             if (!equalsIgnoringCase(variable.name, unit.name))
                 world.top.entities[variable.id].push_back({&variable, nullptr, nullptr});
         }
         ++unit.instanceCount;
         unit.instance = unit.instanceCount == 1 ? &variable : nullptr;
-        world.instances.push_back({&variable, declaration, resource, scope, 0});
+        world.instances.push_back({&variable, declaration, resource, scope, 0, std::string(resourceName)});
     };
     forEachResource(world, [&](const Configuration& configuration, const syntax::ResourceDecl& resource) {
         const Scope scope{nullptr, configuration.space, configuration.file};
@@ -86,12 +131,14 @@ void declareConfigurations(World& world) {
                 continue;
             }
             refer(world, range, unit->symbol, true, false);
-            addInstance(*unit, std::string(declared->name.text), declared, &resource, scope);
+            const bool isShared = isInAnother(world, configuration, resource, true, {world.key(declared->name.text)});
+            addInstance(*unit, std::string(declared->name.text), declared, &resource, scope,
+                        isShared ? resource.name.text : std::string_view());
         }
     });
     for (Unit& unit : world.units)
         if (unit.kind == UnitKind::Program && !unit.isLibrary() && unit.instanceCount == 0)
-            addInstance(unit, unit.name, nullptr, nullptr, {nullptr, &world.top, unit.file});
+            addInstance(unit, unit.name, nullptr, nullptr, {nullptr, &world.top, unit.file}, {});
 }
 
 void addAccess(World& world, const syntax::VarDecl& declaration, const image::Place& place, std::string list) {

@@ -9,4 +9,7 @@ void forEachResource(const World& world,
 void declareConfigurations(World& world);
 void applyVarConfig(World& world);
 
+/// The global that a VAR_EXTERNAL means: where several RESOURCEs have the name, that of the one its program runs in.
+[[nodiscard]] Variable* globalOf(World& world, const Variable& external);
+
 } // namespace plc::sema

@@ -158,7 +158,7 @@ void layoutGlobals(World& world) {
     next = aligned(next, 64);
     for (Instance& instance : world.instances) {
         Variable& variable = *instance.variable;
-        place(variable, Area::Program, {});
+        place(variable, Area::Program, instance.resourceName);
         image::Root& root = layout.roots.back();
         root.programType = variable.program->name;
         root.isSimulation = variable.program->isSimulation;

@@ -59,7 +59,7 @@ TypeId smallestType(const Context& context, const Operand& flexible) {
 }
 
 /// The type in which two operands are computed: a literal takes the other's when it fits; else the wider one, and
-/// between equally wide ones the signed, which C programmers expect the other way round (D11).
+/// between equally wide ones the signed one (D11).
 TypeId commonType(const Context& context, const Operand& a, const Operand& b) {
     const TypeKind x = context.types.storageKind(a.type()), y = context.types.storageKind(b.type());
     const Family f = types::familyOf(x), g = types::familyOf(y);

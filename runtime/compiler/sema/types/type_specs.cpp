@@ -4,6 +4,7 @@
 
 #include "runtime/compiler/sema/calls/any_inputs.h"
 #include "runtime/compiler/sema/context.h"
+#include "runtime/compiler/sema/declare/configuration.h"
 #include "runtime/compiler/sema/declare/declare.h"
 #include "runtime/compiler/sema/layout/initial_values.h"
 #include "runtime/compiler/sema/layout/relative_addresses.h"
@@ -398,9 +399,7 @@ TypeId typeOf(World& world, Variable& variable) {
     variable.type = anyInputType(world, variable);
     if (!variable.type.isValid()) variable.type = resolveSpec(world, variable.spec, variable.scope, variable.name);
     if (variable.kind == syntax::SectionKind::External) {
-        Scope outside = variable.scope;
-        outside.unit = nullptr;
-        Variable* target = lookup(world, outside, variable.id).entity.variable;
+        Variable* target = globalOf(world, variable);
         if (!target || !sameType(world, typeOf(world, *target), variable.type)) {
             if (world.types.kind(variable.type) != TypeKind::Unknown)
                 world.emit(variable.range, findings::ExternalNotFound(variable.name, world.nameOf(variable.type)));
