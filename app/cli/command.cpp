@@ -161,7 +161,9 @@ void needApplication() {
     static int count = 1;
     static char name[] = "stepwise";
     static char* words[] = {name, nullptr};
-    static QApplication application(count, words);
+    // Never destroyed: at the end of the process what its fonts and plugins hold may be gone before it.
+    static const auto* const application = new QApplication(count, words);
+    (void)application;
     kit::Theme::current();
 }
 
