@@ -4427,6 +4427,90 @@
         <source>Shelved alarms</source>
         <translation>Udsatte alarmer</translation>
     </message>
+    <message>
+        <source>Compressor</source>
+        <translation>Kompressor</translation>
+    </message>
+    <message>
+        <source>Heat exchanger</source>
+        <translation>Varmeveksler</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>Centrifuge</source>
+        <translation>Centrifuge</translation>
+    </message>
+    <message>
+        <source>Control valve</source>
+        <translation>Reguleringsventil</translation>
+    </message>
+    <message>
+        <source>Three-way valve</source>
+        <translation>Trevejsventil</translation>
+    </message>
+    <message>
+        <source>Boiler</source>
+        <translation>Kedel</translation>
+    </message>
+    <message>
+        <source>Cooling tower</source>
+        <translation>Køletårn</translation>
+    </message>
+    <message>
+        <source>Filler</source>
+        <translation>Fyldemaskine</translation>
+    </message>
+    <message>
+        <source>Carton</source>
+        <translation>Karton</translation>
+    </message>
+    <message>
+        <source>Pallet</source>
+        <translation>Palle</translation>
+    </message>
+    <message>
+        <source>Roller conveyor</source>
+        <translation>Rullebane</translation>
+    </message>
+    <message>
+        <source>Bucket elevator</source>
+        <translation>Kopelevator</translation>
+    </message>
+    <message>
+        <source>Screw conveyor</source>
+        <translation>Snegletransportør</translation>
+    </message>
+    <message>
+        <source>Turntable</source>
+        <translation>Drejebord</translation>
+    </message>
+    <message>
+        <source>Gantry</source>
+        <translation>Portal</translation>
+    </message>
+    <message>
+        <source>SCARA robot</source>
+        <translation>SCARA-robot</translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation>Griber</translation>
+    </message>
+    <message>
+        <source>Door</source>
+        <translation>Dør</translation>
+    </message>
+    <message>
+        <source>Damper</source>
+        <translation>Spjæld</translation>
+    </message>
+    <message>
+        <source>Building</source>
+        <translation>Bygning</translation>
+    </message>
 </context>
 <context>
     <name>Inside</name>

@@ -4427,6 +4427,90 @@
         <source>Shelved alarms</source>
         <translation>Zurückgestellte Alarme</translation>
     </message>
+    <message>
+        <source>Compressor</source>
+        <translation>Verdichter</translation>
+    </message>
+    <message>
+        <source>Heat exchanger</source>
+        <translation>Wärmetauscher</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>Centrifuge</source>
+        <translation>Zentrifuge</translation>
+    </message>
+    <message>
+        <source>Control valve</source>
+        <translation>Regelventil</translation>
+    </message>
+    <message>
+        <source>Three-way valve</source>
+        <translation>Dreiwegeventil</translation>
+    </message>
+    <message>
+        <source>Boiler</source>
+        <translation>Kessel</translation>
+    </message>
+    <message>
+        <source>Cooling tower</source>
+        <translation>Kühlturm</translation>
+    </message>
+    <message>
+        <source>Filler</source>
+        <translation>Füller</translation>
+    </message>
+    <message>
+        <source>Carton</source>
+        <translation>Karton</translation>
+    </message>
+    <message>
+        <source>Pallet</source>
+        <translation>Palette</translation>
+    </message>
+    <message>
+        <source>Roller conveyor</source>
+        <translation>Rollenbahn</translation>
+    </message>
+    <message>
+        <source>Bucket elevator</source>
+        <translation>Becherwerk</translation>
+    </message>
+    <message>
+        <source>Screw conveyor</source>
+        <translation>Förderschnecke</translation>
+    </message>
+    <message>
+        <source>Turntable</source>
+        <translation>Drehtisch</translation>
+    </message>
+    <message>
+        <source>Gantry</source>
+        <translation>Portal</translation>
+    </message>
+    <message>
+        <source>SCARA robot</source>
+        <translation>SCARA-Roboter</translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation>Greifer</translation>
+    </message>
+    <message>
+        <source>Door</source>
+        <translation>Tür</translation>
+    </message>
+    <message>
+        <source>Damper</source>
+        <translation>Klappe</translation>
+    </message>
+    <message>
+        <source>Building</source>
+        <translation>Gebäude</translation>
+    </message>
 </context>
 <context>
     <name>Inside</name>

@@ -4427,6 +4427,90 @@
         <source>Shelved alarms</source>
         <translation>Alarmas aplazadas</translation>
     </message>
+    <message>
+        <source>Compressor</source>
+        <translation>Compresor</translation>
+    </message>
+    <message>
+        <source>Heat exchanger</source>
+        <translation>Intercambiador de calor</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filtro</translation>
+    </message>
+    <message>
+        <source>Centrifuge</source>
+        <translation>Centrífuga</translation>
+    </message>
+    <message>
+        <source>Control valve</source>
+        <translation>Válvula de control</translation>
+    </message>
+    <message>
+        <source>Three-way valve</source>
+        <translation>Válvula de tres vías</translation>
+    </message>
+    <message>
+        <source>Boiler</source>
+        <translation>Caldera</translation>
+    </message>
+    <message>
+        <source>Cooling tower</source>
+        <translation>Torre de refrigeración</translation>
+    </message>
+    <message>
+        <source>Filler</source>
+        <translation>Llenadora</translation>
+    </message>
+    <message>
+        <source>Carton</source>
+        <translation>Caja de cartón</translation>
+    </message>
+    <message>
+        <source>Pallet</source>
+        <translation>Palé</translation>
+    </message>
+    <message>
+        <source>Roller conveyor</source>
+        <translation>Transportador de rodillos</translation>
+    </message>
+    <message>
+        <source>Bucket elevator</source>
+        <translation>Elevador de cangilones</translation>
+    </message>
+    <message>
+        <source>Screw conveyor</source>
+        <translation>Transportador de tornillo</translation>
+    </message>
+    <message>
+        <source>Turntable</source>
+        <translation>Mesa giratoria</translation>
+    </message>
+    <message>
+        <source>Gantry</source>
+        <translation>Pórtico</translation>
+    </message>
+    <message>
+        <source>SCARA robot</source>
+        <translation>Robot SCARA</translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation>Pinza</translation>
+    </message>
+    <message>
+        <source>Door</source>
+        <translation>Puerta</translation>
+    </message>
+    <message>
+        <source>Damper</source>
+        <translation>Compuerta</translation>
+    </message>
+    <message>
+        <source>Building</source>
+        <translation>Edificio</translation>
+    </message>
 </context>
 <context>
     <name>Inside</name>
@@ -5720,7 +5804,7 @@
     </message>
     <message>
         <source>%1 requests, %2 errors, %3 ms</source>
-        <translation>%1 peticiones, %2 errores, %3 ms</translation>
+        <translation>%1 peticiones, %2 errores, %3&#xa0;ms</translation>
     </message>
     <message>
         <source>connected</source>

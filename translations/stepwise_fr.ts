@@ -273,19 +273,19 @@
     </message>
     <message>
         <source>Start or build the project first; the devices are connected to its controller</source>
-        <translation>Démarrez ou compilez d’abord le projet ; les appareils sont reliés à son automate</translation>
+        <translation>Démarrez ou compilez d’abord le projet&#x202f;; les appareils sont reliés à son automate</translation>
     </message>
     <message>
         <source>The project had no devices when its controller was built; add them and build again</source>
-        <translation>Le projet n’avait pas d’appareils lors de la compilation de son automate ; ajoutez-les et recompilez</translation>
+        <translation>Le projet n’avait pas d’appareils lors de la compilation de son automate&#x202f;; ajoutez-les et recompilez</translation>
     </message>
     <message>
         <source>The devices had errors when the controller was built; correct them and build again</source>
-        <translation>Les appareils comportaient des erreurs lors de la compilation de l’automate ; corrigez-les et recompilez</translation>
+        <translation>Les appareils comportaient des erreurs lors de la compilation de l’automate&#x202f;; corrigez-les et recompilez</translation>
     </message>
     <message>
         <source>Set the speed to real time first; devices cannot keep up with another one</source>
-        <translation>Réglez d’abord la vitesse sur le temps réel ; les appareils ne peuvent pas en suivre une autre</translation>
+        <translation>Réglez d’abord la vitesse sur le temps réel&#x202f;; les appareils ne peuvent pas en suivre une autre</translation>
     </message>
 </context>
 <context>
@@ -4427,6 +4427,90 @@
         <source>Shelved alarms</source>
         <translation>Alarmes mises de côté</translation>
     </message>
+    <message>
+        <source>Compressor</source>
+        <translation>Compresseur</translation>
+    </message>
+    <message>
+        <source>Heat exchanger</source>
+        <translation>Échangeur de chaleur</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filtre</translation>
+    </message>
+    <message>
+        <source>Centrifuge</source>
+        <translation>Centrifugeuse</translation>
+    </message>
+    <message>
+        <source>Control valve</source>
+        <translation>Vanne de régulation</translation>
+    </message>
+    <message>
+        <source>Three-way valve</source>
+        <translation>Vanne à trois voies</translation>
+    </message>
+    <message>
+        <source>Boiler</source>
+        <translation>Chaudière</translation>
+    </message>
+    <message>
+        <source>Cooling tower</source>
+        <translation>Tour de refroidissement</translation>
+    </message>
+    <message>
+        <source>Filler</source>
+        <translation>Remplisseuse</translation>
+    </message>
+    <message>
+        <source>Carton</source>
+        <translation>Carton</translation>
+    </message>
+    <message>
+        <source>Pallet</source>
+        <translation>Palette</translation>
+    </message>
+    <message>
+        <source>Roller conveyor</source>
+        <translation>Convoyeur à rouleaux</translation>
+    </message>
+    <message>
+        <source>Bucket elevator</source>
+        <translation>Élévateur à godets</translation>
+    </message>
+    <message>
+        <source>Screw conveyor</source>
+        <translation>Convoyeur à vis</translation>
+    </message>
+    <message>
+        <source>Turntable</source>
+        <translation>Table tournante</translation>
+    </message>
+    <message>
+        <source>Gantry</source>
+        <translation>Portique</translation>
+    </message>
+    <message>
+        <source>SCARA robot</source>
+        <translation>Robot SCARA</translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation>Préhenseur</translation>
+    </message>
+    <message>
+        <source>Door</source>
+        <translation>Porte</translation>
+    </message>
+    <message>
+        <source>Damper</source>
+        <translation>Clapet</translation>
+    </message>
+    <message>
+        <source>Building</source>
+        <translation>Bâtiment</translation>
+    </message>
 </context>
 <context>
     <name>Inside</name>
@@ -5720,7 +5804,7 @@
     </message>
     <message>
         <source>%1 requests, %2 errors, %3 ms</source>
-        <translation>%1 requêtes, %2 erreurs, %3 ms</translation>
+        <translation>%1 requêtes, %2 erreurs, %3&#xa0;ms</translation>
     </message>
     <message>
         <source>connected</source>
@@ -6973,7 +7057,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>&lt;h3&gt;Stepwise %1&lt;/h3&gt;&lt;p&gt;An open PLC studio: IEC 61131-3 programs as native code, every scan recorded, operator panels in many languages.&lt;/p&gt;&lt;p&gt;Licence: GPL-3.0&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Stepwise %1&lt;/h3&gt;&lt;p&gt;Un studio API ouvert : programmes CEI 61131-3 en code natif, chaque cycle enregistré, vues d’exploitation en plusieurs langues.&lt;/p&gt;&lt;p&gt;Licence : GPL-3.0&lt;/p&gt;</translation>
+        <translation>&lt;h3&gt;Stepwise %1&lt;/h3&gt;&lt;p&gt;Un studio API ouvert&#xa0;: programmes CEI 61131-3 en code natif, chaque cycle enregistré, vues d’exploitation en plusieurs langues.&lt;/p&gt;&lt;p&gt;Licence&#xa0;: GPL-3.0&lt;/p&gt;</translation>
     </message>
 </context>
 <context>

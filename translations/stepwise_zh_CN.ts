@@ -4427,6 +4427,90 @@
         <source>Shelved alarms</source>
         <translation>搁置的报警</translation>
     </message>
+    <message>
+        <source>Compressor</source>
+        <translation>压缩机</translation>
+    </message>
+    <message>
+        <source>Heat exchanger</source>
+        <translation>换热器</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>过滤器</translation>
+    </message>
+    <message>
+        <source>Centrifuge</source>
+        <translation>离心机</translation>
+    </message>
+    <message>
+        <source>Control valve</source>
+        <translation>调节阀</translation>
+    </message>
+    <message>
+        <source>Three-way valve</source>
+        <translation>三通阀</translation>
+    </message>
+    <message>
+        <source>Boiler</source>
+        <translation>锅炉</translation>
+    </message>
+    <message>
+        <source>Cooling tower</source>
+        <translation>冷却塔</translation>
+    </message>
+    <message>
+        <source>Filler</source>
+        <translation>灌装机</translation>
+    </message>
+    <message>
+        <source>Carton</source>
+        <translation>纸箱</translation>
+    </message>
+    <message>
+        <source>Pallet</source>
+        <translation>托盘</translation>
+    </message>
+    <message>
+        <source>Roller conveyor</source>
+        <translation>辊道输送机</translation>
+    </message>
+    <message>
+        <source>Bucket elevator</source>
+        <translation>斗式提升机</translation>
+    </message>
+    <message>
+        <source>Screw conveyor</source>
+        <translation>螺旋输送机</translation>
+    </message>
+    <message>
+        <source>Turntable</source>
+        <translation>转盘</translation>
+    </message>
+    <message>
+        <source>Gantry</source>
+        <translation>龙门架</translation>
+    </message>
+    <message>
+        <source>SCARA robot</source>
+        <translation>SCARA 机器人</translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation>夹爪</translation>
+    </message>
+    <message>
+        <source>Door</source>
+        <translation>门</translation>
+    </message>
+    <message>
+        <source>Damper</source>
+        <translation>风门</translation>
+    </message>
+    <message>
+        <source>Building</source>
+        <translation>建筑物</translation>
+    </message>
 </context>
 <context>
     <name>Inside</name>
