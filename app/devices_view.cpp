@@ -3,6 +3,7 @@
 #include "app/device_connections.h"
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
+#include "editor/kit/post.h"
 #include "editor/kit/texts.h"
 #include "editor/kit/theme.h"
 #include "projects/devices/proposal.h"
@@ -342,12 +343,9 @@ void DevicesView::setField(int row) {
     const std::string field = m_fields->item(row, 0)->text().toStdString();
     const std::string value = m_fields->item(row, 1)->text().trimmed().toStdString();
     // The table is made again by the edit, after the editor of the cell has closed.
-    QMetaObject::invokeMethod(
-        this,
-        [this, entry, field, value] {
-            edit([&](devices::DeviceFile& file) { file.setField(entry->device, entry->channel, field, value); });
-        },
-        Qt::QueuedConnection);
+    kit::post(this, [this, entry, field, value] {
+        edit([&](devices::DeviceFile& file) { file.setField(entry->device, entry->channel, field, value); });
+    });
 }
 
 // ---------------------------------------------------------------- what is shown

@@ -95,6 +95,7 @@ ImportDialog::ImportDialog(const QString& projectsFolder, QWidget* parent)
     resize(QSize(1000, 680).boundedTo(screen()->availableSize() - QSize(24, 48))); // with its frame
     m_source = new QLineEdit(this);
     m_source->setReadOnly(true);
+    m_source->setAccessibleName(tr("From:"));
     m_source->setPlaceholderText(tr("PLCopen XML, TwinCAT or CODESYS files, structured text"));
     m_target = new QLineEdit(this);
     m_target->setObjectName("target");

@@ -151,6 +151,7 @@ void LiveViews::makePlayer() {
     m_emptyPanel->setVisible(m_panels->panels.empty());
     if (m_panels->panels.empty()) return;
     m_player = new hmi::PanelPlayer(*m_panels, m_control.session(), m_panelArea);
+    m_player->setAccessibleName(tr("Panel"));
     if (m_run.isEmpty()) m_run = QUuid::createUuid().toString();
     m_player->liveAlarms().setRun(m_run);
     keepAlarms();

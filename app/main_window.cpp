@@ -162,6 +162,7 @@ void MainWindow::makeDocks() {
     roomForTuning->setFrameShape(QFrame::NoFrame);
     roomForTuning->setWidgetResizable(true);
     roomForTuning->setWidget(tuning);
+    roomForTuning->setAccessibleName(tr("Tuning"));
     tabifyDockWidget(tests, addDock("tuning", tr("Tuning"), i(Icon::Fit), roomForTuning, Qt::BottomDockWidgetArea));
     auto* devices = new DevicesView(DeviceConnections::of(*m_control, *m_workspace), *m_workspace);
     connect(devices, &DevicesView::message, this, &MainWindow::say);

@@ -16,6 +16,7 @@
 #include "editor/debug/debug_views.h"
 #include "editor/debug/watch_view.h"
 #include "editor/kit/message_text.h"
+#include "editor/kit/mnemonics.h"
 #include "editor/kit/work_strip.h"
 #include "projects/storage/project_file.h"
 
@@ -193,6 +194,7 @@ void MainWindow::fillRecentMenu() {
                         .arg(QFileInfo(folder).fileName(), QDir::toNativeSeparators(QFileInfo(folder).path()))),
                 &QAction::triggered, this, [this, folder] { openProject(folder); });
     m_recentMenu->setEnabled(!m_recentMenu->isEmpty());
+    kit::giveMnemonics(*m_recentMenu);
 }
 
 void MainWindow::newProject() {

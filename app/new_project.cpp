@@ -315,6 +315,7 @@ NewProjectDialog::NewProjectDialog(QWidget* parent) : QDialog(parent) {
     });
     auto* parentRow = new QHBoxLayout;
     parentRow->addWidget(m_parent);
+    m_parent->setAccessibleName(tr("In folder"));
     parentRow->addWidget(browse);
     m_complaint = new QLabel(this);
     m_complaint->setWordWrap(true);

@@ -1,6 +1,7 @@
 #include "app/runs_menu.h"
 
 #include "editor/kit/icons.h"
+#include "editor/kit/mnemonics.h"
 
 #include <QLocale>
 
@@ -23,6 +24,7 @@ void RunsMenu::fill() {
                       run.isFault ? tr("%1, ended by a fault, %2").arg(ended, size) : tr("%1, %2").arg(ended, size));
         connect(made, &QAction::triggered, this, [this, path = run.path] { emit runChosen(path); });
     }
+    kit::giveMnemonics(*this);
     if (!isEmpty()) return;
     addAction(m_archive.isWriting() ? tr("The last run is being written…") : tr("No run has ended yet"))
         ->setEnabled(false);

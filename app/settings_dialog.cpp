@@ -29,6 +29,7 @@ SettingsDialog::SettingsDialog(Settings& settings, const QList<QAction*>& action
     : QDialog(parent), m_settings(settings), m_actions(actions) {
     setWindowTitle(tr("Settings"));
     auto* tabs = new QTabWidget(this);
+    tabs->setAccessibleName(windowTitle());
     tabs->addTab(makeGeneral(), tr("General"));
     tabs->addTab(makeEditor(), tr("Editor"));
     tabs->addTab(makeRun(), tr("Running"));

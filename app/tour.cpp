@@ -15,6 +15,7 @@ namespace plc::app {
 
 Tour::Tour(std::vector<TourStop> stops, QWidget* window) : QWidget(window), m_stops(std::move(stops)) {
     setFocusPolicy(Qt::StrongFocus);
+    setAccessibleName(tr("Tour"));
     m_card = new QWidget(this);
     m_card->setAutoFillBackground(true);
     m_card->setBackgroundRole(QPalette::Base);

@@ -271,6 +271,22 @@
         <source>the input {0} of the device {1} was lost: {2}</source>
         <translation>indgangen {0} fra enheden {1} gik tabt: {2}</translation>
     </message>
+    <message>
+        <source>Start or build the project first; the devices are connected to its controller</source>
+        <translation>Start eller byg projektet først; enhederne er forbundet med dets styring</translation>
+    </message>
+    <message>
+        <source>The project had no devices when its controller was built; add them and build again</source>
+        <translation>Projektet havde ingen enheder, da dets styring blev bygget; tilføj dem, og byg igen</translation>
+    </message>
+    <message>
+        <source>The devices had errors when the controller was built; correct them and build again</source>
+        <translation>Enhederne havde fejl, da styringen blev bygget; ret dem, og byg igen</translation>
+    </message>
+    <message>
+        <source>Set the speed to real time first; devices cannot keep up with another one</source>
+        <translation>Sæt først hastigheden til realtid; enheder kan ikke følge med en anden</translation>
+    </message>
 </context>
 <context>
     <name>Diagnostics</name>
@@ -2616,10 +2632,6 @@
         <translation>Det, der er på flere paneler, findes uden at kigge, hvis det altid er samme sted. Anbring det på rammen eller samme sted overalt.</translation>
     </message>
     <message>
-        <source>A finger, in a glove at that, needs 9 mm in both directions (ISO 9241-411). The size of a pixel is set in project.json.</source>
-        <translation>En finger, endda i handske, kræver 9 mm i begge retninger (ISO 9241-411). Størrelsen af en pixel angives i project.json.</translation>
-    </message>
-    <message>
         <source>One covers the other, so that a text cannot be read or a press goes to the wrong one.</source>
         <translation>Det ene dækker det andet, så en tekst ikke kan læses, eller et tryk rammer det forkerte.</translation>
     </message>
@@ -2658,6 +2670,10 @@
     <message>
         <source>&quot;memoryForNew&quot; in project.json is a number of bytes from 0 to {0}</source>
         <translation>”memoryForNew” i project.json er et antal bytes fra 0 til {0}</translation>
+    </message>
+    <message>
+        <source>A finger needs 7 mm in both directions between the neighbours, in a glove 9 mm, which the strict level asks for. The size of a pixel is set in project.json.</source>
+        <translation>En finger kræver 7 mm i begge retninger mellem naboerne, i handske 9 mm, som det strenge niveau kræver. Størrelsen af en pixel angives i project.json.</translation>
     </message>
 </context>
 <context>
@@ -4411,6 +4427,90 @@
         <source>Shelved alarms</source>
         <translation>Udsatte alarmer</translation>
     </message>
+    <message>
+        <source>Compressor</source>
+        <translation>Kompressor</translation>
+    </message>
+    <message>
+        <source>Heat exchanger</source>
+        <translation>Varmeveksler</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>Centrifuge</source>
+        <translation>Centrifuge</translation>
+    </message>
+    <message>
+        <source>Control valve</source>
+        <translation>Reguleringsventil</translation>
+    </message>
+    <message>
+        <source>Three-way valve</source>
+        <translation>Trevejsventil</translation>
+    </message>
+    <message>
+        <source>Boiler</source>
+        <translation>Kedel</translation>
+    </message>
+    <message>
+        <source>Cooling tower</source>
+        <translation>Køletårn</translation>
+    </message>
+    <message>
+        <source>Filler</source>
+        <translation>Fyldemaskine</translation>
+    </message>
+    <message>
+        <source>Carton</source>
+        <translation>Karton</translation>
+    </message>
+    <message>
+        <source>Pallet</source>
+        <translation>Palle</translation>
+    </message>
+    <message>
+        <source>Roller conveyor</source>
+        <translation>Rullebane</translation>
+    </message>
+    <message>
+        <source>Bucket elevator</source>
+        <translation>Kopelevator</translation>
+    </message>
+    <message>
+        <source>Screw conveyor</source>
+        <translation>Snegletransportør</translation>
+    </message>
+    <message>
+        <source>Turntable</source>
+        <translation>Drejebord</translation>
+    </message>
+    <message>
+        <source>Gantry</source>
+        <translation>Portal</translation>
+    </message>
+    <message>
+        <source>SCARA robot</source>
+        <translation>SCARA-robot</translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation>Griber</translation>
+    </message>
+    <message>
+        <source>Door</source>
+        <translation>Dør</translation>
+    </message>
+    <message>
+        <source>Damper</source>
+        <translation>Spjæld</translation>
+    </message>
+    <message>
+        <source>Building</source>
+        <translation>Bygning</translation>
+    </message>
 </context>
 <context>
     <name>Inside</name>
@@ -5574,6 +5674,148 @@
     </message>
 </context>
 <context>
+    <name>plc::app::DevicesView</name>
+    <message>
+        <source>off</source>
+        <translation>fra</translation>
+    </message>
+    <message>
+        <source>connecting</source>
+        <translation>forbinder</translation>
+    </message>
+    <message>
+        <source>online</source>
+        <translation>online</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>tabt</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>god</translation>
+    </message>
+    <message>
+        <source>nothing yet</source>
+        <translation>intet endnu</translation>
+    </message>
+    <message>
+        <source>refused by the device</source>
+        <translation>afvist af enheden</translation>
+    </message>
+    <message>
+        <source>does not fit</source>
+        <translation>kan ikke være der</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>Enheder</translation>
+    </message>
+    <message>
+        <source>Device or channel</source>
+        <translation>Enhed eller kanal</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variabel</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Sted</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Tilstand</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Værdi</translation>
+    </message>
+    <message>
+        <source>Traffic</source>
+        <translation>Trafik</translation>
+    </message>
+    <message>
+        <source>Fields of the device or channel</source>
+        <translation>Enhedens eller kanalens felter</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Felt</translation>
+    </message>
+    <message>
+        <source>Content</source>
+        <translation>Indhold</translation>
+    </message>
+    <message>
+        <source>Connect or disconnect the devices</source>
+        <translation>Forbind eller afbryd enhederne</translation>
+    </message>
+    <message>
+        <source>Add a device</source>
+        <translation>Tilføj en enhed</translation>
+    </message>
+    <message>
+        <source>Modbus TCP device</source>
+        <translation>Modbus TCP-enhed</translation>
+    </message>
+    <message>
+        <source>Modbus RTU device (serial)</source>
+        <translation>Modbus RTU-enhed (seriel)</translation>
+    </message>
+    <message>
+        <source>Modbus TCP server</source>
+        <translation>Modbus TCP-server</translation>
+    </message>
+    <message>
+        <source>MQTT broker</source>
+        <translation>MQTT-broker</translation>
+    </message>
+    <message>
+        <source>Add a channel</source>
+        <translation>Tilføj en kanal</translation>
+    </message>
+    <message>
+        <source>Delete the device or channel</source>
+        <translation>Slet enheden eller kanalen</translation>
+    </message>
+    <message>
+        <source>Propose addresses for channels without a variable</source>
+        <translation>Foreslå adresser til kanaler uden variabel</translation>
+    </message>
+    <message>
+        <source>Undo the last change of the devices</source>
+        <translation>Fortryd den seneste ændring af enhederne</translation>
+    </message>
+    <message>
+        <source>Every channel has a variable</source>
+        <translation>Alle kanaler har en variabel</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n address(es) proposed</source>
+        <translation>
+            <numerusform>%n adresse foreslået</numerusform>
+            <numerusform>%n adresser foreslået</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not enabled</source>
+        <translation>ikke aktiveret</translation>
+    </message>
+    <message>
+        <source>%1 requests, %2 errors, %3 ms</source>
+        <translation>%1 forespørgsler, %2 fejl, %3 ms</translation>
+    </message>
+    <message>
+        <source>connected</source>
+        <translation>forbundet</translation>
+    </message>
+    <message>
+        <source>not connected</source>
+        <translation>ikke forbundet</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::EditorTabs</name>
     <message>
         <source>Documents</source>
@@ -5852,6 +6094,10 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>Tables (*.csv)</source>
         <translation>Tabeller (*.csv)</translation>
     </message>
+    <message>
+        <source>Panel</source>
+        <translation>Panel</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MainWindow</name>
@@ -6097,10 +6343,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>About Stepwise</source>
         <translation>Om Stepwise</translation>
-    </message>
-    <message>
-        <source>&lt;h3&gt;Stepwise 0.1&lt;/h3&gt;&lt;p&gt;An open PLC studio: IEC 61131-3 programs as native code, every scan recorded, operator panels in many languages.&lt;/p&gt;&lt;p&gt;Licence: GPL-3.0&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Stepwise 0.1&lt;/h3&gt;&lt;p&gt;Et åbent PLC-studie: IEC 61131-3-programmer som maskinkode, hvert scan optaget, betjeningspaneler på mange sprog.&lt;/p&gt;&lt;p&gt;Licens: GPL-3.0&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Welcome</source>
@@ -6801,6 +7043,22 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>Users and Rights</source>
         <translation>Brugere og rettigheder</translation>
     </message>
+    <message>
+        <source>Connect or Disconnect the Devices</source>
+        <translation>Forbind eller afbryd enhederne</translation>
+    </message>
+    <message>
+        <source>Hide Dock Automatically</source>
+        <translation>Skjul vinduet automatisk</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>Enheder</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Stepwise %1&lt;/h3&gt;&lt;p&gt;An open PLC studio: IEC 61131-3 programs as native code, every scan recorded, operator panels in many languages.&lt;/p&gt;&lt;p&gt;Licence: GPL-3.0&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Stepwise %1&lt;/h3&gt;&lt;p&gt;Et åbent PLC-studie: IEC 61131-3-programmer som maskinkode, hvert scan optaget, betjeningspaneler på mange sprog.&lt;/p&gt;&lt;p&gt;Licens: GPL-3.0&lt;/p&gt;</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MergeDialog</name>
@@ -7191,6 +7449,10 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>Users and Rights</source>
         <translation>Brugere og rettigheder</translation>
     </message>
+    <message>
+        <source>Devices</source>
+        <translation>Enheder</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::RenameDialog</name>
@@ -7477,6 +7739,29 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
 </context>
 <context>
+    <name>plc::app::SideBars</name>
+    <message>
+        <source>Hide Automatically</source>
+        <translation>Skjul automatisk</translation>
+    </message>
+    <message>
+        <source>Keep Open</source>
+        <translation>Hold åben</translation>
+    </message>
+    <message>
+        <source>Hidden Docks</source>
+        <translation>Skjulte vinduer</translation>
+    </message>
+    <message>
+        <source>Float</source>
+        <translation>Frigør</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Luk</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::StPage</name>
     <message>
         <source>This file is read-only on disk. Saving asks before it replaces it.</source>
@@ -7621,6 +7906,10 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Done</source>
         <translation>Færdig</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Rundtur</translation>
     </message>
 </context>
 <context>
@@ -9516,6 +9805,10 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>Faceplates</source>
         <translation>Faceplates</translation>
     </message>
+    <message>
+        <source>Elements</source>
+        <translation>Elementer</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::PanelDesigner</name>
@@ -9718,6 +10011,14 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Explain Issue</source>
         <translation>Forklar fund</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>Disposition</translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation>Panel</translation>
     </message>
 </context>
 <context>
@@ -10064,6 +10365,10 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>XLIFF %1</source>
         <translation>XLIFF %1</translation>
+    </message>
+    <message>
+        <source>Texts</source>
+        <translation>Tekster</translation>
     </message>
 </context>
 <context>

@@ -271,6 +271,22 @@
         <source>the input {0} of the device {1} was lost: {2}</source>
         <translation>der Eingang {0} des Geräts {1} ist ausgefallen: {2}</translation>
     </message>
+    <message>
+        <source>Start or build the project first; the devices are connected to its controller</source>
+        <translation>Starten oder erstellen Sie das Projekt zuerst; die Geräte sind mit seiner Steuerung verbunden</translation>
+    </message>
+    <message>
+        <source>The project had no devices when its controller was built; add them and build again</source>
+        <translation>Das Projekt hatte keine Geräte, als seine Steuerung erstellt wurde; fügen Sie sie hinzu und erstellen Sie erneut</translation>
+    </message>
+    <message>
+        <source>The devices had errors when the controller was built; correct them and build again</source>
+        <translation>Die Geräte hatten Fehler, als die Steuerung erstellt wurde; berichtigen Sie sie und erstellen Sie erneut</translation>
+    </message>
+    <message>
+        <source>Set the speed to real time first; devices cannot keep up with another one</source>
+        <translation>Stellen Sie die Geschwindigkeit zuerst auf Echtzeit; mit einer anderen können Geräte nicht mithalten</translation>
+    </message>
 </context>
 <context>
     <name>Diagnostics</name>
@@ -2616,10 +2632,6 @@
         <translation>Was auf mehreren Panels vorkommt, findet man ohne hinzusehen, wenn es immer an derselben Stelle ist. Setzen Sie es auf den Rahmen oder überall an dieselbe Stelle.</translation>
     </message>
     <message>
-        <source>A finger, in a glove at that, needs 9 mm in both directions (ISO 9241-411). The size of a pixel is set in project.json.</source>
-        <translation>Ein Finger, gar im Handschuh, braucht 9 mm in beiden Richtungen (ISO 9241-411). Die Größe eines Pixels steht in project.json.</translation>
-    </message>
-    <message>
         <source>One covers the other, so that a text cannot be read or a press goes to the wrong one.</source>
         <translation>Eines verdeckt das andere, sodass ein Text nicht lesbar ist oder ein Druck das falsche trifft.</translation>
     </message>
@@ -2658,6 +2670,10 @@
     <message>
         <source>&quot;memoryForNew&quot; in project.json is a number of bytes from 0 to {0}</source>
         <translation>„memoryForNew“ in project.json ist eine Anzahl Bytes von 0 bis {0}</translation>
+    </message>
+    <message>
+        <source>A finger needs 7 mm in both directions between the neighbours, in a glove 9 mm, which the strict level asks for. The size of a pixel is set in project.json.</source>
+        <translation>Ein Finger braucht zwischen den Nachbarn 7 mm in beiden Richtungen, im Handschuh 9 mm, die die strenge Stufe verlangt. Die Größe eines Pixels steht in project.json.</translation>
     </message>
 </context>
 <context>
@@ -4411,6 +4427,90 @@
         <source>Shelved alarms</source>
         <translation>Zurückgestellte Alarme</translation>
     </message>
+    <message>
+        <source>Compressor</source>
+        <translation>Verdichter</translation>
+    </message>
+    <message>
+        <source>Heat exchanger</source>
+        <translation>Wärmetauscher</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>Centrifuge</source>
+        <translation>Zentrifuge</translation>
+    </message>
+    <message>
+        <source>Control valve</source>
+        <translation>Regelventil</translation>
+    </message>
+    <message>
+        <source>Three-way valve</source>
+        <translation>Dreiwegeventil</translation>
+    </message>
+    <message>
+        <source>Boiler</source>
+        <translation>Kessel</translation>
+    </message>
+    <message>
+        <source>Cooling tower</source>
+        <translation>Kühlturm</translation>
+    </message>
+    <message>
+        <source>Filler</source>
+        <translation>Füller</translation>
+    </message>
+    <message>
+        <source>Carton</source>
+        <translation>Karton</translation>
+    </message>
+    <message>
+        <source>Pallet</source>
+        <translation>Palette</translation>
+    </message>
+    <message>
+        <source>Roller conveyor</source>
+        <translation>Rollenbahn</translation>
+    </message>
+    <message>
+        <source>Bucket elevator</source>
+        <translation>Becherwerk</translation>
+    </message>
+    <message>
+        <source>Screw conveyor</source>
+        <translation>Förderschnecke</translation>
+    </message>
+    <message>
+        <source>Turntable</source>
+        <translation>Drehtisch</translation>
+    </message>
+    <message>
+        <source>Gantry</source>
+        <translation>Portal</translation>
+    </message>
+    <message>
+        <source>SCARA robot</source>
+        <translation>SCARA-Roboter</translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation>Greifer</translation>
+    </message>
+    <message>
+        <source>Door</source>
+        <translation>Tür</translation>
+    </message>
+    <message>
+        <source>Damper</source>
+        <translation>Klappe</translation>
+    </message>
+    <message>
+        <source>Building</source>
+        <translation>Gebäude</translation>
+    </message>
 </context>
 <context>
     <name>Inside</name>
@@ -5574,6 +5674,148 @@
     </message>
 </context>
 <context>
+    <name>plc::app::DevicesView</name>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>connecting</source>
+        <translation>verbindet</translation>
+    </message>
+    <message>
+        <source>online</source>
+        <translation>online</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>verloren</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>gut</translation>
+    </message>
+    <message>
+        <source>nothing yet</source>
+        <translation>noch nichts</translation>
+    </message>
+    <message>
+        <source>refused by the device</source>
+        <translation>vom Gerät abgelehnt</translation>
+    </message>
+    <message>
+        <source>does not fit</source>
+        <translation>passt nicht</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>Geräte</translation>
+    </message>
+    <message>
+        <source>Device or channel</source>
+        <translation>Gerät oder Kanal</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Stelle</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Traffic</source>
+        <translation>Verkehr</translation>
+    </message>
+    <message>
+        <source>Fields of the device or channel</source>
+        <translation>Felder des Geräts oder Kanals</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Feld</translation>
+    </message>
+    <message>
+        <source>Content</source>
+        <translation>Inhalt</translation>
+    </message>
+    <message>
+        <source>Connect or disconnect the devices</source>
+        <translation>Geräte verbinden oder trennen</translation>
+    </message>
+    <message>
+        <source>Add a device</source>
+        <translation>Gerät hinzufügen</translation>
+    </message>
+    <message>
+        <source>Modbus TCP device</source>
+        <translation>Modbus-TCP-Gerät</translation>
+    </message>
+    <message>
+        <source>Modbus RTU device (serial)</source>
+        <translation>Modbus-RTU-Gerät (seriell)</translation>
+    </message>
+    <message>
+        <source>Modbus TCP server</source>
+        <translation>Modbus-TCP-Server</translation>
+    </message>
+    <message>
+        <source>MQTT broker</source>
+        <translation>MQTT-Broker</translation>
+    </message>
+    <message>
+        <source>Add a channel</source>
+        <translation>Kanal hinzufügen</translation>
+    </message>
+    <message>
+        <source>Delete the device or channel</source>
+        <translation>Gerät oder Kanal löschen</translation>
+    </message>
+    <message>
+        <source>Propose addresses for channels without a variable</source>
+        <translation>Adressen für Kanäle ohne Variable vorschlagen</translation>
+    </message>
+    <message>
+        <source>Undo the last change of the devices</source>
+        <translation>Letzte Änderung der Geräte rückgängig machen</translation>
+    </message>
+    <message>
+        <source>Every channel has a variable</source>
+        <translation>Jeder Kanal hat eine Variable</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n address(es) proposed</source>
+        <translation>
+            <numerusform>%n Adresse vorgeschlagen</numerusform>
+            <numerusform>%n Adressen vorgeschlagen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not enabled</source>
+        <translation>nicht aktiviert</translation>
+    </message>
+    <message>
+        <source>%1 requests, %2 errors, %3 ms</source>
+        <translation>%1 Anfragen, %2 Fehler, %3 ms</translation>
+    </message>
+    <message>
+        <source>connected</source>
+        <translation>verbunden</translation>
+    </message>
+    <message>
+        <source>not connected</source>
+        <translation>nicht verbunden</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::EditorTabs</name>
     <message>
         <source>Documents</source>
@@ -5852,6 +6094,10 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>Tables (*.csv)</source>
         <translation>Tabellen (*.csv)</translation>
     </message>
+    <message>
+        <source>Panel</source>
+        <translation>Panel</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MainWindow</name>
@@ -6097,10 +6343,6 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>About Stepwise</source>
         <translation>Über Stepwise</translation>
-    </message>
-    <message>
-        <source>&lt;h3&gt;Stepwise 0.1&lt;/h3&gt;&lt;p&gt;An open PLC studio: IEC 61131-3 programs as native code, every scan recorded, operator panels in many languages.&lt;/p&gt;&lt;p&gt;Licence: GPL-3.0&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Stepwise 0.1&lt;/h3&gt;&lt;p&gt;Ein offenes SPS-Studio: IEC-61131-3-Programme als Maschinencode, jeder Zyklus aufgezeichnet, Bedienpanels in vielen Sprachen.&lt;/p&gt;&lt;p&gt;Lizenz: GPL-3.0&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Welcome</source>
@@ -6801,6 +7043,22 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>Users and Rights</source>
         <translation>Benutzer und Rechte</translation>
     </message>
+    <message>
+        <source>Connect or Disconnect the Devices</source>
+        <translation>Geräte verbinden oder trennen</translation>
+    </message>
+    <message>
+        <source>Hide Dock Automatically</source>
+        <translation>Dockfenster automatisch ausblenden</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>Geräte</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Stepwise %1&lt;/h3&gt;&lt;p&gt;An open PLC studio: IEC 61131-3 programs as native code, every scan recorded, operator panels in many languages.&lt;/p&gt;&lt;p&gt;Licence: GPL-3.0&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Stepwise %1&lt;/h3&gt;&lt;p&gt;Ein offenes SPS-Studio: IEC-61131-3-Programme als nativer Code, jeder Zyklus aufgezeichnet, Bedienpanels in vielen Sprachen.&lt;/p&gt;&lt;p&gt;Lizenz: GPL-3.0&lt;/p&gt;</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MergeDialog</name>
@@ -7191,6 +7449,10 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>Users and Rights</source>
         <translation>Benutzer und Rechte</translation>
     </message>
+    <message>
+        <source>Devices</source>
+        <translation>Geräte</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::RenameDialog</name>
@@ -7477,6 +7739,29 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
 </context>
 <context>
+    <name>plc::app::SideBars</name>
+    <message>
+        <source>Hide Automatically</source>
+        <translation>Automatisch ausblenden</translation>
+    </message>
+    <message>
+        <source>Keep Open</source>
+        <translation>Offen halten</translation>
+    </message>
+    <message>
+        <source>Hidden Docks</source>
+        <translation>Ausgeblendete Dockfenster</translation>
+    </message>
+    <message>
+        <source>Float</source>
+        <translation>Lösen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::StPage</name>
     <message>
         <source>This file is read-only on disk. Saving asks before it replaces it.</source>
@@ -7621,6 +7906,10 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Done</source>
         <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Rundgang</translation>
     </message>
 </context>
 <context>
@@ -9516,6 +9805,10 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>Faceplates</source>
         <translation>Faceplates</translation>
     </message>
+    <message>
+        <source>Elements</source>
+        <translation>Elemente</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::PanelDesigner</name>
@@ -9718,6 +10011,14 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Explain Issue</source>
         <translation>Befund erklären</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>Gliederung</translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation>Panel</translation>
     </message>
 </context>
 <context>
@@ -10064,6 +10365,10 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>XLIFF %1</source>
         <translation>XLIFF %1</translation>
+    </message>
+    <message>
+        <source>Texts</source>
+        <translation>Texte</translation>
     </message>
 </context>
 <context>

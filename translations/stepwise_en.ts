@@ -12,6 +12,16 @@
     </message>
 </context>
 <context>
+    <name>plc::app::DevicesView</name>
+    <message numerus="yes">
+        <source>%n address(es) proposed</source>
+        <translation>
+            <numerusform>%n address proposed</numerusform>
+            <numerusform>%n addresses proposed</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>plc::app::EditorTabs</name>
     <message numerus="yes">
         <source>%n file(s) were changed: %1. Save them?</source>

@@ -37,7 +37,7 @@
     </message>
     <message>
         <source>&quot;{0}&quot; must be a time such as &quot;100ms&quot; or &quot;2s&quot;, at least {1} ms and at most an hour</source>
-        <translation>«{0}» debe ser un tiempo como «100ms» o «2s», de al menos {1} ms y como máximo una hora</translation>
+        <translation>«{0}» debe ser un tiempo como «100ms» o «2s», de al menos {1}&#xa0;ms y como máximo una hora</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; cannot be {1}; choose one of: {2}</source>
@@ -201,7 +201,7 @@
     </message>
     <message>
         <source>no answer within {0} ms</source>
-        <translation>sin respuesta en {0} ms</translation>
+        <translation>sin respuesta en {0}&#xa0;ms</translation>
     </message>
     <message>
         <source>cannot connect to {0}: {1}</source>
@@ -257,7 +257,7 @@
     </message>
     <message>
         <source>no client wrote for {0} ms</source>
-        <translation>ningún cliente ha escrito en {0} ms</translation>
+        <translation>ningún cliente ha escrito en {0}&#xa0;ms</translation>
     </message>
     <message>
         <source>the broker refuses the connection: {0}</source>
@@ -270,6 +270,22 @@
     <message>
         <source>the input {0} of the device {1} was lost: {2}</source>
         <translation>se perdió la entrada {0} del dispositivo {1}: {2}</translation>
+    </message>
+    <message>
+        <source>Start or build the project first; the devices are connected to its controller</source>
+        <translation>Inicie o compile primero el proyecto; los dispositivos están conectados a su controlador</translation>
+    </message>
+    <message>
+        <source>The project had no devices when its controller was built; add them and build again</source>
+        <translation>El proyecto no tenía dispositivos cuando se compiló su controlador; añádalos y vuelva a compilar</translation>
+    </message>
+    <message>
+        <source>The devices had errors when the controller was built; correct them and build again</source>
+        <translation>Los dispositivos tenían errores cuando se compiló el controlador; corríjalos y vuelva a compilar</translation>
+    </message>
+    <message>
+        <source>Set the speed to real time first; devices cannot keep up with another one</source>
+        <translation>Ajuste primero la velocidad a tiempo real; los dispositivos no pueden seguir otra</translation>
     </message>
 </context>
 <context>
@@ -2513,19 +2529,19 @@
     </message>
     <message>
         <source>A font of {0} px cannot be read from {2} mm; use at least {1} px</source>
-        <translation>Una fuente de {0} px no se puede leer a {2} mm; use al menos {1} px</translation>
+        <translation>Una fuente de {0}&#xa0;px no se puede leer a {2} mm; use al menos {1}&#xa0;px</translation>
     </message>
     <message>
         <source>The faceplate is so small here that its smallest font has {0} px; from {2} mm, {1} px are needed</source>
-        <translation>El faceplate es tan pequeño aquí que su fuente más pequeña tiene {0} px; a {2} mm se necesitan {1} px</translation>
+        <translation>El faceplate es tan pequeño aquí que su fuente más pequeña tiene {0}&#xa0;px; a {2} mm se necesitan {1}&#xa0;px</translation>
     </message>
     <message>
         <source>The faceplate is so small here that a finger finds only {0} px to press; {1} px are needed</source>
-        <translation>El faceplate es tan pequeño aquí que un dedo solo encuentra {0} px que pulsar; se necesitan {1} px</translation>
+        <translation>El faceplate es tan pequeño aquí que un dedo solo encuentra {0}&#xa0;px que pulsar; se necesitan {1}&#xa0;px</translation>
     </message>
     <message>
         <source>{0} x {1} px are too small for a finger beside its neighbours; {2} px are needed in both directions</source>
-        <translation>{0} × {1} px son demasiado pequeños para un dedo junto a sus vecinos; se necesitan {2} px en ambas direcciones</translation>
+        <translation>{0} × {1}&#xa0;px son demasiado pequeños para un dedo junto a sus vecinos; se necesitan {2}&#xa0;px en ambas direcciones</translation>
     </message>
     <message>
         <source>The panel shows {0} things to read or press; at its size, {1} can be taken in</source>
@@ -2616,10 +2632,6 @@
         <translation>Lo que está en varios paneles se encuentra sin mirar si siempre está en el mismo lugar. Póngalo en el marco o en el mismo lugar en todas partes.</translation>
     </message>
     <message>
-        <source>A finger, in a glove at that, needs 9 mm in both directions (ISO 9241-411). The size of a pixel is set in project.json.</source>
-        <translation>Un dedo, y más con guante, necesita 9 mm en ambas direcciones (ISO 9241-411). El tamaño de un píxel se define en project.json.</translation>
-    </message>
-    <message>
         <source>One covers the other, so that a text cannot be read or a press goes to the wrong one.</source>
         <translation>Uno cubre al otro, de modo que un texto no se puede leer o una pulsación va al elemento equivocado.</translation>
     </message>
@@ -2645,7 +2657,7 @@
     </message>
     <message>
         <source>If everything is urgent, nothing is: about 5 % of the alarms should have the highest priority, 15 % the next (ISA-18.2).</source>
-        <translation>Si todo es urgente, nada lo es: alrededor del 5 % de las alarmas debería tener la prioridad más alta, y el 15 % la siguiente (ISA-18.2).</translation>
+        <translation>Si todo es urgente, nada lo es: alrededor del 5&#xa0;% de las alarmas debería tener la prioridad más alta, y el 15&#xa0;% la siguiente (ISA-18.2).</translation>
     </message>
     <message>
         <source>the value {0} is outside the subrange {1}..{2}</source>
@@ -2658,6 +2670,10 @@
     <message>
         <source>&quot;memoryForNew&quot; in project.json is a number of bytes from 0 to {0}</source>
         <translation>«memoryForNew» en project.json es un número de bytes de 0 a {0}</translation>
+    </message>
+    <message>
+        <source>A finger needs 7 mm in both directions between the neighbours, in a glove 9 mm, which the strict level asks for. The size of a pixel is set in project.json.</source>
+        <translation>Un dedo necesita 7 mm en ambas direcciones entre los vecinos y 9 mm con guante, que es lo que pide el nivel estricto. El tamaño de un píxel se define en project.json.</translation>
     </message>
 </context>
 <context>
@@ -4411,6 +4427,90 @@
         <source>Shelved alarms</source>
         <translation>Alarmas aplazadas</translation>
     </message>
+    <message>
+        <source>Compressor</source>
+        <translation>Compresor</translation>
+    </message>
+    <message>
+        <source>Heat exchanger</source>
+        <translation>Intercambiador de calor</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filtro</translation>
+    </message>
+    <message>
+        <source>Centrifuge</source>
+        <translation>Centrífuga</translation>
+    </message>
+    <message>
+        <source>Control valve</source>
+        <translation>Válvula de control</translation>
+    </message>
+    <message>
+        <source>Three-way valve</source>
+        <translation>Válvula de tres vías</translation>
+    </message>
+    <message>
+        <source>Boiler</source>
+        <translation>Caldera</translation>
+    </message>
+    <message>
+        <source>Cooling tower</source>
+        <translation>Torre de refrigeración</translation>
+    </message>
+    <message>
+        <source>Filler</source>
+        <translation>Llenadora</translation>
+    </message>
+    <message>
+        <source>Carton</source>
+        <translation>Caja de cartón</translation>
+    </message>
+    <message>
+        <source>Pallet</source>
+        <translation>Palé</translation>
+    </message>
+    <message>
+        <source>Roller conveyor</source>
+        <translation>Transportador de rodillos</translation>
+    </message>
+    <message>
+        <source>Bucket elevator</source>
+        <translation>Elevador de cangilones</translation>
+    </message>
+    <message>
+        <source>Screw conveyor</source>
+        <translation>Transportador de tornillo</translation>
+    </message>
+    <message>
+        <source>Turntable</source>
+        <translation>Mesa giratoria</translation>
+    </message>
+    <message>
+        <source>Gantry</source>
+        <translation>Pórtico</translation>
+    </message>
+    <message>
+        <source>SCARA robot</source>
+        <translation>Robot SCARA</translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation>Pinza</translation>
+    </message>
+    <message>
+        <source>Door</source>
+        <translation>Puerta</translation>
+    </message>
+    <message>
+        <source>Damper</source>
+        <translation>Compuerta</translation>
+    </message>
+    <message>
+        <source>Building</source>
+        <translation>Edificio</translation>
+    </message>
 </context>
 <context>
     <name>Inside</name>
@@ -5574,6 +5674,148 @@
     </message>
 </context>
 <context>
+    <name>plc::app::DevicesView</name>
+    <message>
+        <source>off</source>
+        <translation>desactivado</translation>
+    </message>
+    <message>
+        <source>connecting</source>
+        <translation>conectando</translation>
+    </message>
+    <message>
+        <source>online</source>
+        <translation>en línea</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>perdido</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>bueno</translation>
+    </message>
+    <message>
+        <source>nothing yet</source>
+        <translation>nada todavía</translation>
+    </message>
+    <message>
+        <source>refused by the device</source>
+        <translation>rechazado por el dispositivo</translation>
+    </message>
+    <message>
+        <source>does not fit</source>
+        <translation>no cabe</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>Dispositivos</translation>
+    </message>
+    <message>
+        <source>Device or channel</source>
+        <translation>Dispositivo o canal</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Lugar</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Estado</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valor</translation>
+    </message>
+    <message>
+        <source>Traffic</source>
+        <translation>Tráfico</translation>
+    </message>
+    <message>
+        <source>Fields of the device or channel</source>
+        <translation>Campos del dispositivo o canal</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Campo</translation>
+    </message>
+    <message>
+        <source>Content</source>
+        <translation>Contenido</translation>
+    </message>
+    <message>
+        <source>Connect or disconnect the devices</source>
+        <translation>Conectar o desconectar los dispositivos</translation>
+    </message>
+    <message>
+        <source>Add a device</source>
+        <translation>Añadir un dispositivo</translation>
+    </message>
+    <message>
+        <source>Modbus TCP device</source>
+        <translation>Dispositivo Modbus TCP</translation>
+    </message>
+    <message>
+        <source>Modbus RTU device (serial)</source>
+        <translation>Dispositivo Modbus RTU (serie)</translation>
+    </message>
+    <message>
+        <source>Modbus TCP server</source>
+        <translation>Servidor Modbus TCP</translation>
+    </message>
+    <message>
+        <source>MQTT broker</source>
+        <translation>Bróker MQTT</translation>
+    </message>
+    <message>
+        <source>Add a channel</source>
+        <translation>Añadir un canal</translation>
+    </message>
+    <message>
+        <source>Delete the device or channel</source>
+        <translation>Eliminar el dispositivo o canal</translation>
+    </message>
+    <message>
+        <source>Propose addresses for channels without a variable</source>
+        <translation>Proponer direcciones para los canales sin variable</translation>
+    </message>
+    <message>
+        <source>Undo the last change of the devices</source>
+        <translation>Deshacer el último cambio de los dispositivos</translation>
+    </message>
+    <message>
+        <source>Every channel has a variable</source>
+        <translation>Todos los canales tienen una variable</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n address(es) proposed</source>
+        <translation>
+            <numerusform>%n dirección propuesta</numerusform>
+            <numerusform>%n direcciones propuestas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not enabled</source>
+        <translation>no habilitado</translation>
+    </message>
+    <message>
+        <source>%1 requests, %2 errors, %3 ms</source>
+        <translation>%1 peticiones, %2 errores, %3&#xa0;ms</translation>
+    </message>
+    <message>
+        <source>connected</source>
+        <translation>conectado</translation>
+    </message>
+    <message>
+        <source>not connected</source>
+        <translation>no conectado</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::EditorTabs</name>
     <message>
         <source>Documents</source>
@@ -5852,6 +6094,10 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <source>Tables (*.csv)</source>
         <translation>Tablas (*.csv)</translation>
     </message>
+    <message>
+        <source>Panel</source>
+        <translation>Panel</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MainWindow</name>
@@ -6097,10 +6343,6 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>About Stepwise</source>
         <translation>Acerca de Stepwise</translation>
-    </message>
-    <message>
-        <source>&lt;h3&gt;Stepwise 0.1&lt;/h3&gt;&lt;p&gt;An open PLC studio: IEC 61131-3 programs as native code, every scan recorded, operator panels in many languages.&lt;/p&gt;&lt;p&gt;Licence: GPL-3.0&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Stepwise 0.1&lt;/h3&gt;&lt;p&gt;Un estudio PLC abierto: programas IEC 61131-3 como código nativo, cada ciclo grabado, paneles de operador en muchos idiomas.&lt;/p&gt;&lt;p&gt;Licencia: GPL-3.0&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Welcome</source>
@@ -6801,6 +7043,22 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <source>Users and Rights</source>
         <translation>Usuarios y permisos</translation>
     </message>
+    <message>
+        <source>Connect or Disconnect the Devices</source>
+        <translation>Conectar o desconectar los dispositivos</translation>
+    </message>
+    <message>
+        <source>Hide Dock Automatically</source>
+        <translation>Ocultar la ventana automáticamente</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>Dispositivos</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Stepwise %1&lt;/h3&gt;&lt;p&gt;An open PLC studio: IEC 61131-3 programs as native code, every scan recorded, operator panels in many languages.&lt;/p&gt;&lt;p&gt;Licence: GPL-3.0&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Stepwise %1&lt;/h3&gt;&lt;p&gt;Un estudio de PLC abierto: programas IEC 61131-3 como código nativo, cada ciclo grabado, paneles de operador en muchos idiomas.&lt;/p&gt;&lt;p&gt;Licencia: GPL-3.0&lt;/p&gt;</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MergeDialog</name>
@@ -7191,6 +7449,10 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <source>Users and Rights</source>
         <translation>Usuarios y permisos</translation>
     </message>
+    <message>
+        <source>Devices</source>
+        <translation>Dispositivos</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::RenameDialog</name>
@@ -7477,6 +7739,29 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
 </context>
 <context>
+    <name>plc::app::SideBars</name>
+    <message>
+        <source>Hide Automatically</source>
+        <translation>Ocultar automáticamente</translation>
+    </message>
+    <message>
+        <source>Keep Open</source>
+        <translation>Mantener abierto</translation>
+    </message>
+    <message>
+        <source>Hidden Docks</source>
+        <translation>Ventanas ocultas</translation>
+    </message>
+    <message>
+        <source>Float</source>
+        <translation>Desacoplar</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::StPage</name>
     <message>
         <source>This file is read-only on disk. Saving asks before it replaces it.</source>
@@ -7621,6 +7906,10 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>Done</source>
         <translation>Listo</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Recorrido</translation>
     </message>
 </context>
 <context>
@@ -9516,6 +9805,10 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <source>Faceplates</source>
         <translation>Faceplates</translation>
     </message>
+    <message>
+        <source>Elements</source>
+        <translation>Elementos</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::PanelDesigner</name>
@@ -9718,6 +10011,14 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>Explain Issue</source>
         <translation>Explicar el aviso</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>Estructura</translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation>Panel</translation>
     </message>
 </context>
 <context>
@@ -10064,6 +10365,10 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>XLIFF %1</source>
         <translation>XLIFF %1</translation>
+    </message>
+    <message>
+        <source>Texts</source>
+        <translation>Textos</translation>
     </message>
 </context>
 <context>

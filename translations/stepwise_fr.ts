@@ -5,63 +5,63 @@
     <name>Devices</name>
     <message>
         <source>This is not valid JSON; check the commas and quotes in front of this line</source>
-        <translation>Ce n’est pas du JSON valide ; vérifiez les virgules et les guillemets avant cette ligne</translation>
+        <translation>Ce n’est pas du JSON valide&#x202f;; vérifiez les virgules et les guillemets avant cette ligne</translation>
     </message>
     <message>
         <source>The file must be an object with a list named &quot;devices&quot;</source>
-        <translation>Le fichier doit être un objet avec une liste nommée « devices »</translation>
+        <translation>Le fichier doit être un objet avec une liste nommée «&#xa0;devices&#xa0;»</translation>
     </message>
     <message>
         <source>Each entry of &quot;{0}&quot; must be an object in braces</source>
-        <translation>Chaque élément de « {0} » doit être un objet entre accolades</translation>
+        <translation>Chaque élément de «&#xa0;{0}&#xa0;» doit être un objet entre accolades</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; is missing</source>
-        <translation>« {0} » manque</translation>
+        <translation>«&#xa0;{0}&#xa0;» manque</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; must be a text in quotes</source>
-        <translation>« {0} » doit être un texte entre guillemets</translation>
+        <translation>«&#xa0;{0}&#xa0;» doit être un texte entre guillemets</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; must be true or false</source>
-        <translation>« {0} » doit être true ou false</translation>
+        <translation>«&#xa0;{0}&#xa0;» doit être true ou false</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; must be a number</source>
-        <translation>« {0} » doit être un nombre</translation>
+        <translation>«&#xa0;{0}&#xa0;» doit être un nombre</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; must be a whole number from {1} to {2}</source>
-        <translation>« {0} » doit être un entier de {1} à {2}</translation>
+        <translation>«&#xa0;{0}&#xa0;» doit être un entier de {1} à {2}</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; must be a time such as &quot;100ms&quot; or &quot;2s&quot;, at least {1} ms and at most an hour</source>
-        <translation>« {0} » doit être une durée comme « 100ms » ou « 2s », d’au moins {1} ms et d’une heure au plus</translation>
+        <translation>«&#xa0;{0}&#xa0;» doit être une durée comme «&#xa0;100ms&#xa0;» ou «&#xa0;2s&#xa0;», d’au moins {1}&#xa0;ms et d’une heure au plus</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; cannot be {1}; choose one of: {2}</source>
-        <translation>« {0} » ne peut pas être {1} ; choisissez parmi : {2}</translation>
+        <translation>«&#xa0;{0}&#xa0;» ne peut pas être {1}&#x202f;; choisissez parmi&#xa0;: {2}</translation>
     </message>
     <message>
         <source>There is no field &quot;{0}&quot;; it is kept but has no effect</source>
-        <translation>Le champ « {0} » n’existe pas ; il est conservé, mais sans effet</translation>
+        <translation>Le champ «&#xa0;{0}&#xa0;» n’existe pas&#x202f;; il est conservé, mais sans effet</translation>
     </message>
     <message>
         <source>There is no field &quot;{0}&quot;; did you mean &quot;{1}&quot;?</source>
-        <translation>Le champ « {0} » n’existe pas ; vouliez-vous dire « {1} » ?</translation>
+        <translation>Le champ «&#xa0;{0}&#xa0;» n’existe pas&#x202f;; vouliez-vous dire «&#xa0;{1}&#xa0;»&#x202f;?</translation>
     </message>
     <message>
         <source>There are two devices named {0}; rename one</source>
-        <translation>Deux appareils se nomment {0} ; renommez l’un d’eux</translation>
+        <translation>Deux appareils se nomment {0}&#x202f;; renommez l’un d’eux</translation>
     </message>
     <message>
         <source>{0} has two channels named {1}; rename one</source>
-        <translation>{0} a deux voies nommées {1} ; renommez l’une d’elles</translation>
+        <translation>{0} a deux voies nommées {1}&#x202f;; renommez l’une d’elles</translation>
     </message>
     <message>
         <source>{0} is not a name; use letters, digits and underscores, and begin with a letter</source>
-        <translation>{0} n’est pas un nom ; utilisez des lettres, des chiffres et des traits de soulignement, en commençant par une lettre</translation>
+        <translation>{0} n’est pas un nom&#x202f;; utilisez des lettres, des chiffres et des traits de soulignement, en commençant par une lettre</translation>
     </message>
     <message>
         <source>{0} is neither a host name nor an address, for example plc1.local or 192.168.0.10</source>
@@ -69,7 +69,7 @@
     </message>
     <message>
         <source>{0} is not a serial port; write its path, for example /dev/ttyUSB0</source>
-        <translation>{0} n’est pas un port série ; écrivez son chemin, par exemple /dev/ttyUSB0</translation>
+        <translation>{0} n’est pas un port série&#x202f;; écrivez son chemin, par exemple /dev/ttyUSB0</translation>
     </message>
     <message>
         <source>{0} and {1} are both unit {2} of {3}</source>
@@ -81,35 +81,35 @@
     </message>
     <message>
         <source>{0} and {1} both listen at port {2}; give one another port</source>
-        <translation>{0} et {1} écoutent tous deux sur le port {2} ; donnez un autre port à l’un d’eux</translation>
+        <translation>{0} et {1} écoutent tous deux sur le port {2}&#x202f;; donnez un autre port à l’un d’eux</translation>
     </message>
     <message>
         <source>Ports below 1024 need special rights; a port such as 1502 does not</source>
-        <translation>Les ports inférieurs à 1024 demandent des droits particuliers ; un port comme 1502, non</translation>
+        <translation>Les ports inférieurs à 1024 demandent des droits particuliers&#x202f;; un port comme 1502, non</translation>
     </message>
     <message>
         <source>{0} has no channels, so nothing is exchanged</source>
-        <translation>{0} n’a pas de voies ; rien n’est donc échangé</translation>
+        <translation>{0} n’a pas de voies&#x202f;; rien n’est donc échangé</translation>
     </message>
     <message>
         <source>A channel of an MQTT device needs a &quot;topic&quot;</source>
-        <translation>Une voie d’un appareil MQTT demande un « topic »</translation>
+        <translation>Une voie d’un appareil MQTT demande un «&#xa0;topic&#xa0;»</translation>
     </message>
     <message>
         <source>{0}: a channel has one topic, without the wildcards + and #</source>
-        <translation>{0} : une voie a un seul topic, sans les jokers + et #</translation>
+        <translation>{0}&#xa0;: une voie a un seul topic, sans les jokers + et #</translation>
     </message>
     <message>
         <source>{0} is not a path into JSON; write for example /sensor/temperature</source>
-        <translation>{0} n’est pas un chemin dans du JSON ; écrivez par exemple /sensor/temperature</translation>
+        <translation>{0} n’est pas un chemin dans du JSON&#x202f;; écrivez par exemple /sensor/temperature</translation>
     </message>
     <message>
         <source>A device does not let others write its table &quot;{0}&quot;; use &quot;coil&quot; or &quot;holding&quot;, or the direction &quot;in&quot;</source>
-        <translation>Un appareil ne laisse pas écrire sa table « {0} » ; utilisez « coil » ou « holding », ou la direction « in »</translation>
+        <translation>Un appareil ne laisse pas écrire sa table «&#xa0;{0}&#xa0;»&#x202f;; utilisez «&#xa0;coil&#xa0;» ou «&#xa0;holding&#xa0;», ou la direction «&#xa0;in&#xa0;»</translation>
     </message>
     <message>
         <source>Clients cannot write the table &quot;{0}&quot; of a server; use &quot;coil&quot; or &quot;holding&quot;, or the direction &quot;out&quot;</source>
-        <translation>Les clients ne peuvent pas écrire la table « {0} » d’un serveur ; utilisez « coil » ou « holding », ou la direction « out »</translation>
+        <translation>Les clients ne peuvent pas écrire la table «&#xa0;{0}&#xa0;» d’un serveur&#x202f;; utilisez «&#xa0;coil&#xa0;» ou «&#xa0;holding&#xa0;», ou la direction «&#xa0;out&#xa0;»</translation>
     </message>
     <message>
         <source>{0} needs {1} {1:register|registers} from {2}, but 65535 is the last</source>
@@ -117,15 +117,15 @@
     </message>
     <message>
         <source>&quot;bit&quot; selects one bit of a register; the type must then be BOOL</source>
-        <translation>« bit » choisit un bit d’un registre ; le type doit alors être BOOL</translation>
+        <translation>«&#xa0;bit&#xa0;» choisit un bit d’un registre&#x202f;; le type doit alors être BOOL</translation>
     </message>
     <message>
         <source>The table &quot;{0}&quot; holds bits; the type must be BOOL</source>
-        <translation>La table « {0} » contient des bits ; le type doit être BOOL</translation>
+        <translation>La table «&#xa0;{0}&#xa0;» contient des bits&#x202f;; le type doit être BOOL</translation>
     </message>
     <message>
         <source>A BOOL in a register needs &quot;bit&quot;, from 0 to 15</source>
-        <translation>Un BOOL dans un registre demande « bit », de 0 à 15</translation>
+        <translation>Un BOOL dans un registre demande «&#xa0;bit&#xa0;», de 0 à 15</translation>
     </message>
     <message>
         <source>Only an MQTT channel can be of type STRING</source>
@@ -133,19 +133,19 @@
     </message>
     <message>
         <source>&quot;scale&quot; must not be 0</source>
-        <translation>« scale » ne doit pas être 0</translation>
+        <translation>«&#xa0;scale&#xa0;» ne doit pas être 0</translation>
     </message>
     <message>
         <source>A {0} has no &quot;scale&quot; and &quot;offset&quot;</source>
-        <translation>{0} n’a ni « scale » ni « offset »</translation>
+        <translation>{0} n’a ni «&#xa0;scale&#xa0;» ni «&#xa0;offset&#xa0;»</translation>
     </message>
     <message>
         <source>{0}: {1}</source>
-        <translation>{0} : {1}</translation>
+        <translation>{0}&#xa0;: {1}</translation>
     </message>
     <message>
         <source>{0} has no variable yet; name one, or let the addresses be proposed (stepwise devices PROJECT --propose)</source>
-        <translation>{0} n’a pas encore de variable ; nommez-en une ou faites proposer les adresses (stepwise devices PROJECT --propose)</translation>
+        <translation>{0} n’a pas encore de variable&#x202f;; nommez-en une ou faites proposer les adresses (stepwise devices PROJECT --propose)</translation>
     </message>
     <message>
         <source>{0} is of type {1} and cannot hold a {2}</source>
@@ -153,15 +153,15 @@
     </message>
     <message>
         <source>A {0} may not fit into {1} of type {2}; a value that does not fit leaves the variable as it is and makes the channel bad</source>
-        <translation>Un {0} peut ne pas tenir dans {1} de type {2} ; une valeur trop grande laisse la variable telle quelle et invalide la voie</translation>
+        <translation>Un {0} peut ne pas tenir dans {1} de type {2}&#x202f;; une valeur trop grande laisse la variable telle quelle et invalide la voie</translation>
     </message>
     <message>
         <source>{0} is an output of the program; an input channel needs %I or a variable</source>
-        <translation>{0} est une sortie du programme ; une voie d’entrée demande %I ou une variable</translation>
+        <translation>{0} est une sortie du programme&#x202f;; une voie d’entrée demande %I ou une variable</translation>
     </message>
     <message>
         <source>{0} is an input of the program; an output channel needs %Q or a variable</source>
-        <translation>{0} est une entrée du programme ; une voie de sortie demande %Q ou une variable</translation>
+        <translation>{0} est une entrée du programme&#x202f;; une voie de sortie demande %Q ou une variable</translation>
     </message>
     <message>
         <source>{0} is a constant and cannot be written</source>
@@ -169,7 +169,7 @@
     </message>
     <message>
         <source>{0} and {1} write the same bytes: {2}</source>
-        <translation>{0} et {1} écrivent les mêmes octets : {2}</translation>
+        <translation>{0} et {1} écrivent les mêmes octets&#xa0;: {2}</translation>
     </message>
     <message>
         <source>{0} and {1} both set {2} {3}</source>
@@ -185,15 +185,15 @@
     </message>
     <message>
         <source>&quot;onLoss&quot;: &quot;safe&quot; needs the value in &quot;safe&quot;</source>
-        <translation>« onLoss » : « safe » demande la valeur dans « safe »</translation>
+        <translation>«&#xa0;onLoss&#xa0;»&#xa0;: «&#xa0;safe&#xa0;» demande la valeur dans «&#xa0;safe&#xa0;»</translation>
     </message>
     <message>
         <source>{0} cannot be read; it holds the password in its first line</source>
-        <translation>{0} ne peut pas être lu ; sa première ligne contient le mot de passe</translation>
+        <translation>{0} ne peut pas être lu&#x202f;; sa première ligne contient le mot de passe</translation>
     </message>
     <message>
         <source>{0} cannot be read; it holds the certificates of the authority (PEM)</source>
-        <translation>{0} ne peut pas être lu ; il contient les certificats de l’autorité (PEM)</translation>
+        <translation>{0} ne peut pas être lu&#x202f;; il contient les certificats de l’autorité (PEM)</translation>
     </message>
     <message>
         <source>There is no free address left for {0}</source>
@@ -201,15 +201,15 @@
     </message>
     <message>
         <source>no answer within {0} ms</source>
-        <translation>pas de réponse en {0} ms</translation>
+        <translation>pas de réponse en {0}&#xa0;ms</translation>
     </message>
     <message>
         <source>cannot connect to {0}: {1}</source>
-        <translation>connexion impossible à {0} : {1}</translation>
+        <translation>connexion impossible à {0}&#xa0;: {1}</translation>
     </message>
     <message>
         <source>the connection ended: {0}</source>
-        <translation>la connexion a été interrompue : {0}</translation>
+        <translation>la connexion a été interrompue&#xa0;: {0}</translation>
     </message>
     <message>
         <source>the answer does not match the request</source>
@@ -217,7 +217,7 @@
     </message>
     <message>
         <source>the device refuses {0} {1}: {2}</source>
-        <translation>l’appareil refuse {0} {1} : {2}</translation>
+        <translation>l’appareil refuse {0} {1}&#xa0;: {2}</translation>
     </message>
     <message>
         <source>it does not know the function</source>
@@ -245,23 +245,23 @@
     </message>
     <message>
         <source>cannot listen at {0}: {1}</source>
-        <translation>écoute impossible sur {0} : {1}</translation>
+        <translation>écoute impossible sur {0}&#xa0;: {1}</translation>
     </message>
     <message>
         <source>{0}: the message holds no value that can be read</source>
-        <translation>{0} : le message ne contient aucune valeur lisible</translation>
+        <translation>{0}&#xa0;: le message ne contient aucune valeur lisible</translation>
     </message>
     <message>
         <source>{0}: a value does not fit into the variable</source>
-        <translation>{0} : une valeur ne tient pas dans la variable</translation>
+        <translation>{0}&#xa0;: une valeur ne tient pas dans la variable</translation>
     </message>
     <message>
         <source>no client wrote for {0} ms</source>
-        <translation>aucun client n’a écrit depuis {0} ms</translation>
+        <translation>aucun client n’a écrit depuis {0}&#xa0;ms</translation>
     </message>
     <message>
         <source>the broker refuses the connection: {0}</source>
-        <translation>le broker refuse la connexion : {0}</translation>
+        <translation>le broker refuse la connexion&#xa0;: {0}</translation>
     </message>
     <message>
         <source>the input {0} of the device {1} was lost</source>
@@ -269,7 +269,23 @@
     </message>
     <message>
         <source>the input {0} of the device {1} was lost: {2}</source>
-        <translation>l’entrée {0} de l’appareil {1} a été perdue : {2}</translation>
+        <translation>l’entrée {0} de l’appareil {1} a été perdue&#xa0;: {2}</translation>
+    </message>
+    <message>
+        <source>Start or build the project first; the devices are connected to its controller</source>
+        <translation>Démarrez ou compilez d’abord le projet&#x202f;; les appareils sont reliés à son automate</translation>
+    </message>
+    <message>
+        <source>The project had no devices when its controller was built; add them and build again</source>
+        <translation>Le projet n’avait pas d’appareils lors de la compilation de son automate&#x202f;; ajoutez-les et recompilez</translation>
+    </message>
+    <message>
+        <source>The devices had errors when the controller was built; correct them and build again</source>
+        <translation>Les appareils comportaient des erreurs lors de la compilation de l’automate&#x202f;; corrigez-les et recompilez</translation>
+    </message>
+    <message>
+        <source>Set the speed to real time first; devices cannot keep up with another one</source>
+        <translation>Réglez d’abord la vitesse sur le temps réel&#x202f;; les appareils ne peuvent pas en suivre une autre</translation>
     </message>
 </context>
 <context>
@@ -780,11 +796,11 @@
     </message>
     <message>
         <source>{0} needs memory that the project does not set aside; write &quot;memoryForNew&quot;: 65536 into project.json</source>
-        <translation>{0} demande de la mémoire que le projet ne réserve pas ; écrire &quot;memoryForNew&quot;: 65536 dans project.json</translation>
+        <translation>{0} demande de la mémoire que le projet ne réserve pas&#x202f;; écrire &quot;memoryForNew&quot;: 65536 dans project.json</translation>
     </message>
     <message>
         <source>{0} is not a block of this program; only a block can have a task of its own</source>
-        <translation>{0} n’est pas un bloc de ce programme ; seul un bloc peut avoir sa propre tâche</translation>
+        <translation>{0} n’est pas un bloc de ce programme&#x202f;; seul un bloc peut avoir sa propre tâche</translation>
     </message>
 </context>
 <context>
@@ -2469,11 +2485,11 @@
     </message>
     <message>
         <source>There is no rule {0}; &quot;stepwise panel --rules&quot; lists them</source>
-        <translation>La règle {0} n’existe pas ; « stepwise panel --rules » les affiche toutes</translation>
+        <translation>La règle {0} n’existe pas&#x202f;; «&#xa0;stepwise panel --rules&#xa0;» les affiche toutes</translation>
     </message>
     <message>
         <source>There is no rule {0}; did you mean {1}?</source>
-        <translation>La règle {0} n’existe pas ; vouliez-vous dire {1} ?</translation>
+        <translation>La règle {0} n’existe pas&#x202f;; vouliez-vous dire {1}&#x202f;?</translation>
     </message>
     <message>
         <source>The rule stays on until a text says why it is off</source>
@@ -2493,43 +2509,43 @@
     </message>
     <message>
         <source>The colour {0} is seen all the time, whatever happens; use {1}</source>
-        <translation>La couleur {0} est visible en permanence, quoi qu’il arrive ; utilisez {1}</translation>
+        <translation>La couleur {0} est visible en permanence, quoi qu’il arrive&#x202f;; utilisez {1}</translation>
     </message>
     <message>
         <source>{0} is a colour of alarms, but it is seen when all is normal; use {1}</source>
-        <translation>{0} est une couleur d’alarme, mais elle est visible quand tout est normal ; utilisez {1}</translation>
+        <translation>{0} est une couleur d’alarme, mais elle est visible quand tout est normal&#x202f;; utilisez {1}</translation>
     </message>
     <message>
         <source>Only the hue tells {0} from {1}; choose one that is brighter, or add a text or blinking</source>
-        <translation>Seule la teinte distingue {0} de {1} ; choisissez-en une plus claire, ou ajoutez un texte ou un clignotement</translation>
+        <translation>Seule la teinte distingue {0} de {1}&#x202f;; choisissez-en une plus claire, ou ajoutez un texte ou un clignotement</translation>
     </message>
     <message>
         <source>Nothing says what the lamp means; give it a label, or place a text beside it</source>
-        <translation>Rien n’indique ce que signifie le voyant ; donnez-lui un libellé ou placez un texte à côté</translation>
+        <translation>Rien n’indique ce que signifie le voyant&#x202f;; donnez-lui un libellé ou placez un texte à côté</translation>
     </message>
     <message>
         <source>{0} on {1} has a contrast of {2} to 1 in the theme {3}; {4} to 1 is needed</source>
-        <translation>{0} sur {1} a un contraste de {2} pour 1 dans le thème {3} ; il faut {4} pour 1</translation>
+        <translation>{0} sur {1} a un contraste de {2} pour 1 dans le thème {3}&#x202f;; il faut {4} pour 1</translation>
     </message>
     <message>
         <source>A font of {0} px cannot be read from {2} mm; use at least {1} px</source>
-        <translation>Une police de {0} px n’est pas lisible à {2} mm ; utilisez au moins {1} px</translation>
+        <translation>Une police de {0}&#xa0;px n’est pas lisible à {2} mm&#x202f;; utilisez au moins {1}&#xa0;px</translation>
     </message>
     <message>
         <source>The faceplate is so small here that its smallest font has {0} px; from {2} mm, {1} px are needed</source>
-        <translation>La faceplate est si petite ici que sa plus petite police a {0} px ; à {2} mm, il faut {1} px</translation>
+        <translation>La faceplate est si petite ici que sa plus petite police a {0}&#xa0;px&#x202f;; à {2} mm, il faut {1}&#xa0;px</translation>
     </message>
     <message>
         <source>The faceplate is so small here that a finger finds only {0} px to press; {1} px are needed</source>
-        <translation>La faceplate est si petite ici qu’un doigt ne trouve que {0} px où appuyer ; il faut {1} px</translation>
+        <translation>La faceplate est si petite ici qu’un doigt ne trouve que {0}&#xa0;px où appuyer&#x202f;; il faut {1}&#xa0;px</translation>
     </message>
     <message>
         <source>{0} x {1} px are too small for a finger beside its neighbours; {2} px are needed in both directions</source>
-        <translation>{0} × {1} px sont trop petits pour un doigt à côté des éléments voisins ; il faut {2} px dans les deux sens</translation>
+        <translation>{0} × {1}&#xa0;px sont trop petits pour un doigt à côté des éléments voisins&#x202f;; il faut {2}&#xa0;px dans les deux sens</translation>
     </message>
     <message>
         <source>The panel shows {0} things to read or press; at its size, {1} can be taken in</source>
-        <translation>La vue affiche {0} éléments à lire ou à toucher ; à sa taille, on en embrasse {1}</translation>
+        <translation>La vue affiche {0} éléments à lire ou à toucher&#x202f;; à sa taille, on en embrasse {1}</translation>
     </message>
     <message>
         <source>{0} covers a part of it</source>
@@ -2541,11 +2557,11 @@
     </message>
     <message>
         <source>The panel {0} is {1} presses away from the start panel; {2} should do</source>
-        <translation>La vue {0} est à {1} appuis de la vue de départ ; {2} devraient suffire</translation>
+        <translation>La vue {0} est à {1} appuis de la vue de départ&#x202f;; {2} devraient suffire</translation>
     </message>
     <message>
         <source>Nothing on the panel {0} leads back; add a button with the action back or home, or a navigation bar</source>
-        <translation>Rien sur la vue {0} ne ramène en arrière ; ajoutez un bouton avec l’action back ou home, ou une barre de navigation</translation>
+        <translation>Rien sur la vue {0} ne ramène en arrière&#x202f;; ajoutez un bouton avec l’action back ou home, ou une barre de navigation</translation>
     </message>
     <message>
         <source>{0} is at another place on the panel {1}</source>
@@ -2565,11 +2581,11 @@
     </message>
     <message>
         <source>Nothing is bound: {0} is empty</source>
-        <translation>Rien n’est lié : {0} est vide</translation>
+        <translation>Rien n’est lié&#xa0;: {0} est vide</translation>
     </message>
     <message>
         <source>Any number can be written to {0}; set {1}</source>
-        <translation>On peut écrire n’importe quel nombre dans {0} ; définissez {1}</translation>
+        <translation>On peut écrire n’importe quel nombre dans {0}&#x202f;; définissez {1}</translation>
     </message>
     <message>
         <source>{0} is critical after project.json, but one press writes it</source>
@@ -2616,12 +2632,8 @@
         <translation>Ce qui figure sur plusieurs vues se trouve sans regarder si sa place ne change pas. Placez-le sur le cadre, ou partout au même endroit.</translation>
     </message>
     <message>
-        <source>A finger, in a glove at that, needs 9 mm in both directions (ISO 9241-411). The size of a pixel is set in project.json.</source>
-        <translation>Un doigt, ganté de surcroît, demande 9 mm dans les deux sens (ISO 9241-411). La taille d’un pixel est définie dans project.json.</translation>
-    </message>
-    <message>
         <source>One covers the other, so that a text cannot be read or a press goes to the wrong one.</source>
-        <translation>L’un couvre l’autre : un texte n’est plus lisible, ou un appui touche le mauvais élément.</translation>
+        <translation>L’un couvre l’autre&#xa0;: un texte n’est plus lisible, ou un appui touche le mauvais élément.</translation>
     </message>
     <message>
         <source>It looks as if it showed or did something. Bind it to a variable, or remove it.</source>
@@ -2633,7 +2645,7 @@
     </message>
     <message>
         <source>What only some may do, or what project.json lists as critical, must not happen by brushing the glass. Set &quot;Writes are confirmed&quot;, or ask a question.</source>
-        <translation>Ce que seuls certains peuvent faire, ou ce que project.json déclare critique, ne doit pas arriver en effleurant la vitre. Activez « Les écritures sont confirmées » ou posez une question.</translation>
+        <translation>Ce que seuls certains peuvent faire, ou ce que project.json déclare critique, ne doit pas arriver en effleurant la vitre. Activez «&#xa0;Les écritures sont confirmées&#xa0;» ou posez une question.</translation>
     </message>
     <message>
         <source>An alarm that nobody sees is none. Put an alarm banner on the frame or an alarm list on a panel (ISA-18.2).</source>
@@ -2645,7 +2657,7 @@
     </message>
     <message>
         <source>If everything is urgent, nothing is: about 5 % of the alarms should have the highest priority, 15 % the next (ISA-18.2).</source>
-        <translation>Si tout est urgent, rien ne l’est : environ 5 % des alarmes devraient avoir la plus haute priorité, 15 % la suivante (ISA-18.2).</translation>
+        <translation>Si tout est urgent, rien ne l’est&#xa0;: environ 5&#xa0;% des alarmes devraient avoir la plus haute priorité, 15&#xa0;% la suivante (ISA-18.2).</translation>
     </message>
     <message>
         <source>the value {0} is outside the subrange {1}..{2}</source>
@@ -2653,11 +2665,15 @@
     </message>
     <message>
         <source>&quot;addressing&quot; in project.json is &quot;byte&quot; or &quot;word&quot;, not &quot;{0}&quot;</source>
-        <translation>« addressing » dans project.json est « byte » ou « word », pas « {0} »</translation>
+        <translation>«&#xa0;addressing&#xa0;» dans project.json est «&#xa0;byte&#xa0;» ou «&#xa0;word&#xa0;», pas «&#xa0;{0}&#xa0;»</translation>
     </message>
     <message>
         <source>&quot;memoryForNew&quot; in project.json is a number of bytes from 0 to {0}</source>
-        <translation>« memoryForNew » dans project.json est un nombre d’octets de 0 à {0}</translation>
+        <translation>«&#xa0;memoryForNew&#xa0;» dans project.json est un nombre d’octets de 0 à {0}</translation>
+    </message>
+    <message>
+        <source>A finger needs 7 mm in both directions between the neighbours, in a glove 9 mm, which the strict level asks for. The size of a pixel is set in project.json.</source>
+        <translation>Un doigt demande 7 mm dans les deux sens entre les éléments voisins, 9 mm avec un gant, ce qu’exige le niveau strict. La taille d’un pixel est définie dans project.json.</translation>
     </message>
 </context>
 <context>
@@ -2832,7 +2848,7 @@
     </message>
     <message>
         <source>The network &apos;{0}&apos; is commented out in the diagram and was left out of the text</source>
-        <translation>Le réseau « {0} » est mis en commentaire dans le diagramme et a été omis du texte</translation>
+        <translation>Le réseau «&#xa0;{0}&#xa0;» est mis en commentaire dans le diagramme et a été omis du texte</translation>
     </message>
     <message>
         <source>Types that {0} has by itself are declared here</source>
@@ -2840,11 +2856,11 @@
     </message>
     <message>
         <source>{0} counts %MW1 in words; &quot;addressing&quot; in project.json says the same</source>
-        <translation>{0} compte %MW1 en mots ; « addressing » dans project.json dit la même chose</translation>
+        <translation>{0} compte %MW1 en mots&#x202f;; «&#xa0;addressing&#xa0;» dans project.json dit la même chose</translation>
     </message>
     <message>
         <source>The address {0} begins at a byte that other tools, which count in words, cannot name; move it to a multiple of its size</source>
-        <translation>L’adresse {0} commence à un octet que d’autres outils, qui comptent en mots, ne peuvent pas nommer ; déplacez-la à un multiple de sa taille</translation>
+        <translation>L’adresse {0} commence à un octet que d’autres outils, qui comptent en mots, ne peuvent pas nommer&#x202f;; déplacez-la à un multiple de sa taille</translation>
     </message>
 </context>
 <context>
@@ -4411,6 +4427,90 @@
         <source>Shelved alarms</source>
         <translation>Alarmes mises de côté</translation>
     </message>
+    <message>
+        <source>Compressor</source>
+        <translation>Compresseur</translation>
+    </message>
+    <message>
+        <source>Heat exchanger</source>
+        <translation>Échangeur de chaleur</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filtre</translation>
+    </message>
+    <message>
+        <source>Centrifuge</source>
+        <translation>Centrifugeuse</translation>
+    </message>
+    <message>
+        <source>Control valve</source>
+        <translation>Vanne de régulation</translation>
+    </message>
+    <message>
+        <source>Three-way valve</source>
+        <translation>Vanne à trois voies</translation>
+    </message>
+    <message>
+        <source>Boiler</source>
+        <translation>Chaudière</translation>
+    </message>
+    <message>
+        <source>Cooling tower</source>
+        <translation>Tour de refroidissement</translation>
+    </message>
+    <message>
+        <source>Filler</source>
+        <translation>Remplisseuse</translation>
+    </message>
+    <message>
+        <source>Carton</source>
+        <translation>Carton</translation>
+    </message>
+    <message>
+        <source>Pallet</source>
+        <translation>Palette</translation>
+    </message>
+    <message>
+        <source>Roller conveyor</source>
+        <translation>Convoyeur à rouleaux</translation>
+    </message>
+    <message>
+        <source>Bucket elevator</source>
+        <translation>Élévateur à godets</translation>
+    </message>
+    <message>
+        <source>Screw conveyor</source>
+        <translation>Convoyeur à vis</translation>
+    </message>
+    <message>
+        <source>Turntable</source>
+        <translation>Table tournante</translation>
+    </message>
+    <message>
+        <source>Gantry</source>
+        <translation>Portique</translation>
+    </message>
+    <message>
+        <source>SCARA robot</source>
+        <translation>Robot SCARA</translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation>Préhenseur</translation>
+    </message>
+    <message>
+        <source>Door</source>
+        <translation>Porte</translation>
+    </message>
+    <message>
+        <source>Damper</source>
+        <translation>Clapet</translation>
+    </message>
+    <message>
+        <source>Building</source>
+        <translation>Bâtiment</translation>
+    </message>
 </context>
 <context>
     <name>Inside</name>
@@ -4851,7 +4951,7 @@
     </message>
     <message>
         <source>comments nest: the next *) closes the one that begins here</source>
-        <translation>les commentaires s’imbriquent : le prochain *) ferme celui qui commence ici</translation>
+        <translation>les commentaires s’imbriquent&#xa0;: le prochain *) ferme celui qui commence ici</translation>
     </message>
 </context>
 <context>
@@ -5574,6 +5674,148 @@
     </message>
 </context>
 <context>
+    <name>plc::app::DevicesView</name>
+    <message>
+        <source>off</source>
+        <translation>désactivé</translation>
+    </message>
+    <message>
+        <source>connecting</source>
+        <translation>connexion en cours</translation>
+    </message>
+    <message>
+        <source>online</source>
+        <translation>en ligne</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>perdu</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>bon</translation>
+    </message>
+    <message>
+        <source>nothing yet</source>
+        <translation>encore rien</translation>
+    </message>
+    <message>
+        <source>refused by the device</source>
+        <translation>refusé par l’appareil</translation>
+    </message>
+    <message>
+        <source>does not fit</source>
+        <translation>ne tient pas</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>Appareils</translation>
+    </message>
+    <message>
+        <source>Device or channel</source>
+        <translation>Appareil ou voie</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Emplacement</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>État</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valeur</translation>
+    </message>
+    <message>
+        <source>Traffic</source>
+        <translation>Échanges</translation>
+    </message>
+    <message>
+        <source>Fields of the device or channel</source>
+        <translation>Champs de l’appareil ou de la voie</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Champ</translation>
+    </message>
+    <message>
+        <source>Content</source>
+        <translation>Contenu</translation>
+    </message>
+    <message>
+        <source>Connect or disconnect the devices</source>
+        <translation>Connecter ou déconnecter les appareils</translation>
+    </message>
+    <message>
+        <source>Add a device</source>
+        <translation>Ajouter un appareil</translation>
+    </message>
+    <message>
+        <source>Modbus TCP device</source>
+        <translation>Appareil Modbus TCP</translation>
+    </message>
+    <message>
+        <source>Modbus RTU device (serial)</source>
+        <translation>Appareil Modbus RTU (série)</translation>
+    </message>
+    <message>
+        <source>Modbus TCP server</source>
+        <translation>Serveur Modbus TCP</translation>
+    </message>
+    <message>
+        <source>MQTT broker</source>
+        <translation>Broker MQTT</translation>
+    </message>
+    <message>
+        <source>Add a channel</source>
+        <translation>Ajouter une voie</translation>
+    </message>
+    <message>
+        <source>Delete the device or channel</source>
+        <translation>Supprimer l’appareil ou la voie</translation>
+    </message>
+    <message>
+        <source>Propose addresses for channels without a variable</source>
+        <translation>Proposer des adresses pour les voies sans variable</translation>
+    </message>
+    <message>
+        <source>Undo the last change of the devices</source>
+        <translation>Annuler la dernière modification des appareils</translation>
+    </message>
+    <message>
+        <source>Every channel has a variable</source>
+        <translation>Chaque voie a une variable</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n address(es) proposed</source>
+        <translation>
+            <numerusform>%n adresse proposée</numerusform>
+            <numerusform>%n adresses proposées</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not enabled</source>
+        <translation>non activé</translation>
+    </message>
+    <message>
+        <source>%1 requests, %2 errors, %3 ms</source>
+        <translation>%1 requêtes, %2 erreurs, %3&#xa0;ms</translation>
+    </message>
+    <message>
+        <source>connected</source>
+        <translation>connecté</translation>
+    </message>
+    <message>
+        <source>not connected</source>
+        <translation>non connecté</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::EditorTabs</name>
     <message>
         <source>Documents</source>
@@ -5852,6 +6094,10 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <source>Tables (*.csv)</source>
         <translation>Tableaux (*.csv)</translation>
     </message>
+    <message>
+        <source>Panel</source>
+        <translation>Vue</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MainWindow</name>
@@ -6097,10 +6343,6 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <message>
         <source>About Stepwise</source>
         <translation>À propos de Stepwise</translation>
-    </message>
-    <message>
-        <source>&lt;h3&gt;Stepwise 0.1&lt;/h3&gt;&lt;p&gt;An open PLC studio: IEC 61131-3 programs as native code, every scan recorded, operator panels in many languages.&lt;/p&gt;&lt;p&gt;Licence: GPL-3.0&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Stepwise 0.1&lt;/h3&gt;&lt;p&gt;Un studio ouvert pour automates (API)&#xa0;: programmes CEI 61131-3 en code natif, chaque cycle enregistré, vues opérateur en plusieurs langues.&lt;/p&gt;&lt;p&gt;Licence&#xa0;: GPL-3.0&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Welcome</source>
@@ -6801,6 +7043,22 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <source>Users and Rights</source>
         <translation>Utilisateurs et droits</translation>
     </message>
+    <message>
+        <source>Connect or Disconnect the Devices</source>
+        <translation>Connecter ou déconnecter les appareils</translation>
+    </message>
+    <message>
+        <source>Hide Dock Automatically</source>
+        <translation>Masquer le volet automatiquement</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>Appareils</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Stepwise %1&lt;/h3&gt;&lt;p&gt;An open PLC studio: IEC 61131-3 programs as native code, every scan recorded, operator panels in many languages.&lt;/p&gt;&lt;p&gt;Licence: GPL-3.0&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Stepwise %1&lt;/h3&gt;&lt;p&gt;Un studio API ouvert&#xa0;: programmes CEI 61131-3 en code natif, chaque cycle enregistré, vues d’exploitation en plusieurs langues.&lt;/p&gt;&lt;p&gt;Licence&#xa0;: GPL-3.0&lt;/p&gt;</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MergeDialog</name>
@@ -7191,6 +7449,10 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <source>Users and Rights</source>
         <translation>Utilisateurs et droits</translation>
     </message>
+    <message>
+        <source>Devices</source>
+        <translation>Appareils</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::RenameDialog</name>
@@ -7477,6 +7739,29 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
 </context>
 <context>
+    <name>plc::app::SideBars</name>
+    <message>
+        <source>Hide Automatically</source>
+        <translation>Masquer automatiquement</translation>
+    </message>
+    <message>
+        <source>Keep Open</source>
+        <translation>Garder ouvert</translation>
+    </message>
+    <message>
+        <source>Hidden Docks</source>
+        <translation>Volets masqués</translation>
+    </message>
+    <message>
+        <source>Float</source>
+        <translation>Détacher</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::StPage</name>
     <message>
         <source>This file is read-only on disk. Saving asks before it replaces it.</source>
@@ -7621,6 +7906,10 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <message>
         <source>Done</source>
         <translation>Terminé</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Visite guidée</translation>
     </message>
 </context>
 <context>
@@ -9321,7 +9610,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Cancelled: there is no answer.</source>
-        <translation>Annulé : il n’y a pas de réponse.</translation>
+        <translation>Annulé&#xa0;: il n’y a pas de réponse.</translation>
     </message>
 </context>
 <context>
@@ -9515,6 +9804,10 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <message>
         <source>Faceplates</source>
         <translation>Vues d’objet</translation>
+    </message>
+    <message>
+        <source>Elements</source>
+        <translation>Éléments</translation>
     </message>
 </context>
 <context>
@@ -9719,6 +10012,14 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <source>Explain Issue</source>
         <translation>Expliquer la remarque</translation>
     </message>
+    <message>
+        <source>Outline</source>
+        <translation>Structure</translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation>Vue</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::PeopleEditor</name>
@@ -9800,11 +10101,11 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Password of %1:</source>
-        <translation>Mot de passe de %1 :</translation>
+        <translation>Mot de passe de %1&#xa0;:</translation>
     </message>
     <message>
         <source>none: cannot log in</source>
-        <translation>aucun : connexion impossible</translation>
+        <translation>aucun&#xa0;: connexion impossible</translation>
     </message>
     <message>
         <source>set</source>
@@ -9885,7 +10186,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Name:</source>
-        <translation>Nom :</translation>
+        <translation>Nom&#xa0;:</translation>
     </message>
     <message>
         <source>Remove Set</source>
@@ -10064,6 +10365,10 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <message>
         <source>XLIFF %1</source>
         <translation>XLIFF %1</translation>
+    </message>
+    <message>
+        <source>Texts</source>
+        <translation>Textes</translation>
     </message>
 </context>
 <context>

@@ -271,6 +271,22 @@
         <source>the input {0} of the device {1} was lost: {2}</source>
         <translation>设备 {1} 的输入 {0} 已丢失：{2}</translation>
     </message>
+    <message>
+        <source>Start or build the project first; the devices are connected to its controller</source>
+        <translation>请先启动或编译项目；设备连接到其控制器</translation>
+    </message>
+    <message>
+        <source>The project had no devices when its controller was built; add them and build again</source>
+        <translation>编译控制器时项目没有设备；请添加设备并重新编译</translation>
+    </message>
+    <message>
+        <source>The devices had errors when the controller was built; correct them and build again</source>
+        <translation>编译控制器时设备有错误；请更正并重新编译</translation>
+    </message>
+    <message>
+        <source>Set the speed to real time first; devices cannot keep up with another one</source>
+        <translation>请先将速度设为实时；设备跟不上其他速度</translation>
+    </message>
 </context>
 <context>
     <name>Diagnostics</name>
@@ -2616,10 +2632,6 @@
         <translation>多个画面上的同一内容若总在同一位置，不看也能找到。请放在框架上，或在各处放在同一位置。</translation>
     </message>
     <message>
-        <source>A finger, in a glove at that, needs 9 mm in both directions (ISO 9241-411). The size of a pixel is set in project.json.</source>
-        <translation>手指（何况戴着手套）在两个方向上都需要 9 mm (ISO 9241-411)。像素大小在 project.json 中设置。</translation>
-    </message>
-    <message>
         <source>One covers the other, so that a text cannot be read or a press goes to the wrong one.</source>
         <translation>一个元素遮住另一个，导致文本无法阅读或按错元素。</translation>
     </message>
@@ -2658,6 +2670,10 @@
     <message>
         <source>&quot;memoryForNew&quot; in project.json is a number of bytes from 0 to {0}</source>
         <translation>project.json 中的“memoryForNew”是 0 到 {0} 的字节数</translation>
+    </message>
+    <message>
+        <source>A finger needs 7 mm in both directions between the neighbours, in a glove 9 mm, which the strict level asks for. The size of a pixel is set in project.json.</source>
+        <translation>相邻元素之间，手指在两个方向上需要 7 mm，戴手套需要 9 mm，严格级别即要求 9 mm。像素大小在 project.json 中设置。</translation>
     </message>
 </context>
 <context>
@@ -4411,6 +4427,90 @@
         <source>Shelved alarms</source>
         <translation>搁置的报警</translation>
     </message>
+    <message>
+        <source>Compressor</source>
+        <translation>压缩机</translation>
+    </message>
+    <message>
+        <source>Heat exchanger</source>
+        <translation>换热器</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>过滤器</translation>
+    </message>
+    <message>
+        <source>Centrifuge</source>
+        <translation>离心机</translation>
+    </message>
+    <message>
+        <source>Control valve</source>
+        <translation>调节阀</translation>
+    </message>
+    <message>
+        <source>Three-way valve</source>
+        <translation>三通阀</translation>
+    </message>
+    <message>
+        <source>Boiler</source>
+        <translation>锅炉</translation>
+    </message>
+    <message>
+        <source>Cooling tower</source>
+        <translation>冷却塔</translation>
+    </message>
+    <message>
+        <source>Filler</source>
+        <translation>灌装机</translation>
+    </message>
+    <message>
+        <source>Carton</source>
+        <translation>纸箱</translation>
+    </message>
+    <message>
+        <source>Pallet</source>
+        <translation>托盘</translation>
+    </message>
+    <message>
+        <source>Roller conveyor</source>
+        <translation>辊道输送机</translation>
+    </message>
+    <message>
+        <source>Bucket elevator</source>
+        <translation>斗式提升机</translation>
+    </message>
+    <message>
+        <source>Screw conveyor</source>
+        <translation>螺旋输送机</translation>
+    </message>
+    <message>
+        <source>Turntable</source>
+        <translation>转盘</translation>
+    </message>
+    <message>
+        <source>Gantry</source>
+        <translation>龙门架</translation>
+    </message>
+    <message>
+        <source>SCARA robot</source>
+        <translation>SCARA 机器人</translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation>夹爪</translation>
+    </message>
+    <message>
+        <source>Door</source>
+        <translation>门</translation>
+    </message>
+    <message>
+        <source>Damper</source>
+        <translation>风门</translation>
+    </message>
+    <message>
+        <source>Building</source>
+        <translation>建筑物</translation>
+    </message>
 </context>
 <context>
     <name>Inside</name>
@@ -5573,6 +5673,147 @@
     </message>
 </context>
 <context>
+    <name>plc::app::DevicesView</name>
+    <message>
+        <source>off</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>connecting</source>
+        <translation>正在连接</translation>
+    </message>
+    <message>
+        <source>online</source>
+        <translation>在线</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>已丢失</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>良好</translation>
+    </message>
+    <message>
+        <source>nothing yet</source>
+        <translation>尚无数据</translation>
+    </message>
+    <message>
+        <source>refused by the device</source>
+        <translation>被设备拒绝</translation>
+    </message>
+    <message>
+        <source>does not fit</source>
+        <translation>放不下</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>设备</translation>
+    </message>
+    <message>
+        <source>Device or channel</source>
+        <translation>设备或通道</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>变量</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>值</translation>
+    </message>
+    <message>
+        <source>Traffic</source>
+        <translation>通信量</translation>
+    </message>
+    <message>
+        <source>Fields of the device or channel</source>
+        <translation>设备或通道的字段</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>字段</translation>
+    </message>
+    <message>
+        <source>Content</source>
+        <translation>内容</translation>
+    </message>
+    <message>
+        <source>Connect or disconnect the devices</source>
+        <translation>连接或断开设备</translation>
+    </message>
+    <message>
+        <source>Add a device</source>
+        <translation>添加设备</translation>
+    </message>
+    <message>
+        <source>Modbus TCP device</source>
+        <translation>Modbus TCP 设备</translation>
+    </message>
+    <message>
+        <source>Modbus RTU device (serial)</source>
+        <translation>Modbus RTU 设备（串行）</translation>
+    </message>
+    <message>
+        <source>Modbus TCP server</source>
+        <translation>Modbus TCP 服务器</translation>
+    </message>
+    <message>
+        <source>MQTT broker</source>
+        <translation>MQTT 代理</translation>
+    </message>
+    <message>
+        <source>Add a channel</source>
+        <translation>添加通道</translation>
+    </message>
+    <message>
+        <source>Delete the device or channel</source>
+        <translation>删除设备或通道</translation>
+    </message>
+    <message>
+        <source>Propose addresses for channels without a variable</source>
+        <translation>为没有变量的通道建议地址</translation>
+    </message>
+    <message>
+        <source>Undo the last change of the devices</source>
+        <translation>撤消对设备的最后一次更改</translation>
+    </message>
+    <message>
+        <source>Every channel has a variable</source>
+        <translation>每个通道都有变量</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n address(es) proposed</source>
+        <translation>
+            <numerusform>已建议 %n 个地址</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not enabled</source>
+        <translation>未启用</translation>
+    </message>
+    <message>
+        <source>%1 requests, %2 errors, %3 ms</source>
+        <translation>%1 次请求，%2 个错误，%3 ms</translation>
+    </message>
+    <message>
+        <source>connected</source>
+        <translation>已连接</translation>
+    </message>
+    <message>
+        <source>not connected</source>
+        <translation>未连接</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::EditorTabs</name>
     <message>
         <source>Documents</source>
@@ -5848,6 +6089,10 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <source>Tables (*.csv)</source>
         <translation>表格 (*.csv)</translation>
     </message>
+    <message>
+        <source>Panel</source>
+        <translation>画面</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MainWindow</name>
@@ -6092,10 +6337,6 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>About Stepwise</source>
         <translation>关于 Stepwise</translation>
-    </message>
-    <message>
-        <source>&lt;h3&gt;Stepwise 0.1&lt;/h3&gt;&lt;p&gt;An open PLC studio: IEC 61131-3 programs as native code, every scan recorded, operator panels in many languages.&lt;/p&gt;&lt;p&gt;Licence: GPL-3.0&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Stepwise 0.1&lt;/h3&gt;&lt;p&gt;开放的 PLC 开发环境：IEC 61131-3 程序编译为本机代码，记录每个扫描周期，操作画面支持多种语言。&lt;/p&gt;&lt;p&gt;许可证：GPL-3.0&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Welcome</source>
@@ -6795,6 +7036,22 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <source>Users and Rights</source>
         <translation>用户和权限</translation>
     </message>
+    <message>
+        <source>Connect or Disconnect the Devices</source>
+        <translation>连接或断开设备</translation>
+    </message>
+    <message>
+        <source>Hide Dock Automatically</source>
+        <translation>自动隐藏停靠窗口</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>设备</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Stepwise %1&lt;/h3&gt;&lt;p&gt;An open PLC studio: IEC 61131-3 programs as native code, every scan recorded, operator panels in many languages.&lt;/p&gt;&lt;p&gt;Licence: GPL-3.0&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Stepwise %1&lt;/h3&gt;&lt;p&gt;开放的 PLC 工作室：IEC 61131-3 程序编译为本机代码，记录每个扫描周期，多语言操作画面。&lt;/p&gt;&lt;p&gt;许可证：GPL-3.0&lt;/p&gt;</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MergeDialog</name>
@@ -7185,6 +7442,10 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <source>Users and Rights</source>
         <translation>用户和权限</translation>
     </message>
+    <message>
+        <source>Devices</source>
+        <translation>设备</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::RenameDialog</name>
@@ -7467,6 +7728,29 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     </message>
 </context>
 <context>
+    <name>plc::app::SideBars</name>
+    <message>
+        <source>Hide Automatically</source>
+        <translation>自动隐藏</translation>
+    </message>
+    <message>
+        <source>Keep Open</source>
+        <translation>保持打开</translation>
+    </message>
+    <message>
+        <source>Hidden Docks</source>
+        <translation>已隐藏的停靠窗口</translation>
+    </message>
+    <message>
+        <source>Float</source>
+        <translation>浮动</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::StPage</name>
     <message>
         <source>This file is read-only on disk. Saving asks before it replaces it.</source>
@@ -7611,6 +7895,10 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Done</source>
         <translation>完成</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>导览</translation>
     </message>
 </context>
 <context>
@@ -9502,6 +9790,10 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <source>Faceplates</source>
         <translation>面板组件</translation>
     </message>
+    <message>
+        <source>Elements</source>
+        <translation>元素</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::PanelDesigner</name>
@@ -9704,6 +9996,14 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Explain Issue</source>
         <translation>解释问题</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>大纲</translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation>画面</translation>
     </message>
 </context>
 <context>
@@ -10045,6 +10345,10 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>XLIFF %1</source>
         <translation>XLIFF %1</translation>
+    </message>
+    <message>
+        <source>Texts</source>
+        <translation>文本</translation>
     </message>
 </context>
 <context>

@@ -11,13 +11,14 @@ take() { # NAME WINDOW THEME [VARIABLE=VALUE…]
     local name=$1 window=$2 theme=$3
     shift 3
     env STEPWISE_PICTURES="$out/$name" STEPWISE_WINDOW="$window" STEPWISE_THEME="$theme" "$@" \
-        "$programs/test_app" --gtest_filter="Languages/FitTest.*${language:+/$language}" >"$out/$name.txt" 2>&1 || result=1
+        "$programs/window_pictures" --gtest_filter="Languages/FitTest.*${language:+/$language}" >"$out/$name.txt" 2>&1 || result=1
     grep -A1 "Failure" "$out/$name.txt" | grep -E "^[a-z]{2}(_CN)?, |“" || true
 }
 languages=(en de da fr es zh_CN) # the order of the test's values
 language=
 for i in "${!languages[@]}"; do if [ "${languages[$i]}" = "${3:-}" ]; then language=$i; fi; done
 result=0
+if [ "$programs" = build/dev/bin ]; then ninja -C build/dev window_pictures >/dev/null; fi
 mkdir -p "$out"
 take light 1440x900 light
 take dark 1440x900 dark

@@ -463,6 +463,10 @@ void StEditor::contextMenuEvent(QContextMenuEvent* event) {
 }
 
 bool StEditor::event(QEvent* event) {
+    if (event->type() == QEvent::KeyPress && isReadOnly()) { // Tab writes nothing here: it goes on to the next field
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (key == Qt::Key_Tab || key == Qt::Key_Backtab) return QWidget::focusNextPrevChild(key == Qt::Key_Tab);
+    }
     if (event->type() == QEvent::ToolTip) {
         const auto* help = static_cast<QHelpEvent*>(event);
         showToolTip(help->pos());

@@ -24,6 +24,7 @@ constexpr int kIndexRole = Qt::UserRole, kClassRole = Qt::UserRole + 1;
 
 AlarmEditor::AlarmEditor(DesignContext& context, QWidget* parent)
     : QWidget(parent), m_context(context), m_list(new QTreeWidget), m_grid(new kit::PropertyGrid) {
+    m_list->setAccessibleName(tr("Alarms"));
     m_list->setHeaderLabels({tr("Alarm"), tr("Priority"), tr("Condition"), tr("Text")});
     m_list->header()->setSectionResizeMode(2, QHeaderView::Stretch);
     m_list->header()->setSectionResizeMode(3, QHeaderView::Stretch);

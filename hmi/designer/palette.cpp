@@ -101,6 +101,8 @@ Palette::Palette(QWidget* parent) : QWidget(parent), m_search(new QLineEdit), m_
     layout->setSpacing(4);
     m_search->setPlaceholderText(tr("Search elements"));
     m_search->setClearButtonEnabled(true);
+    m_search->setAccessibleName(m_search->placeholderText());
+    m_tree->setAccessibleName(tr("Elements"));
     layout->addWidget(m_search);
     layout->addWidget(m_tree, 1);
     m_tree->setHeaderHidden(true);

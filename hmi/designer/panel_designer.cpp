@@ -67,6 +67,8 @@ PanelDesigner::PanelDesigner(DesignContext& context, const QString& panelName, Q
     auto* left = new QSplitter(Qt::Vertical);
     left->addWidget(makeSources());
     left->addWidget(m_outline);
+    m_outline->setAccessibleName(tr("Outline"));
+    m_canvas->setAccessibleName(tr("Panel"));
     left->setStretchFactor(0, 3);
     left->setStretchFactor(1, 2);
     auto* splitter = new QSplitter;
@@ -157,6 +159,7 @@ QWidget* PanelDesigner::makeSources() {
     if (!m_context.variables()) return m_palette;
     auto* tabs = new QTabWidget;
     tabs->setDocumentMode(true);
+    tabs->setAccessibleName(tr("Elements"));
     tabs->addTab(m_palette, tr("Elements"));
     m_variables = new kit::VariablePicker(m_context.variables()());
     m_variables->layout()->setContentsMargins(4, 4, 4, 4);

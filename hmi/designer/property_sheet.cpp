@@ -23,6 +23,7 @@ PropertySheet::PropertySheet(PanelDocument& document, Selection& selection, Desi
     bold.setBold(true);
     m_title->setFont(bold);
     m_filter->setPlaceholderText(tr("Search properties"));
+    m_filter->setAccessibleName(m_filter->placeholderText());
     m_filter->setClearButtonEnabled(true);
     layout->addWidget(m_title);
     layout->addWidget(m_filter);

@@ -175,6 +175,9 @@ TextEditor::TextEditor(DesignContext& context, QWidget* parent)
                             QAbstractItemView::AnyKeyPressed);
     m_search->setPlaceholderText(tr("Search texts"));
     m_search->setClearButtonEnabled(true);
+    m_search->setAccessibleName(m_search->placeholderText());
+    m_search->setMinimumWidth(m_search->fontMetrics().horizontalAdvance(m_search->placeholderText()) + 24);
+    m_view->setAccessibleName(tr("Texts"));
     m_users->setWordWrap(true);
     m_users->setTextInteractionFlags(Qt::TextSelectableByMouse);
     auto* bar = new QToolBar;

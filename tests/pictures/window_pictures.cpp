@@ -1,8 +1,10 @@
-// Every window and dialog in every language on a screen of 1024 × 700: no text is cut. With STEPWISE_PICTURES=FOLDER a
+// Pictures of every window and dialog in every language, and what is cut in them. With STEPWISE_PICTURES=FOLDER a
 // picture of each is saved there (docs/pictures/languages.sh); STEPWISE_THEME=light|dark and
 // STEPWISE_WINDOW=1024x700 say of what.
 #include "app/translation.h"
 #include "editor/kit/theme.h"
+#include "runtime/compiler/jit/jit.h"
+#include "runtime/controller/controller.h"
 #include "tests/app/all_windows.h"
 
 #include <QAbstractButton>
@@ -12,6 +14,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QRegularExpression>
+#include <QSettings>
 #include <QTabBar>
 #include <QToolButton>
 
@@ -100,6 +103,7 @@ TEST_P(FitTest, NoTextIsCut) {
     const QRect screen(QPoint(), windowSize());
     lookAtAll([&](QWidget& shown, const QString& name) {
         QTest::qWait(20);
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest); // of values that changed just now
         keepPicture(shown, name);
         if (shown.isWindow() && (shown.width() > screen.width() || shown.height() > screen.height()))
             cut.insert(name + QString(": %1 × %2").arg(shown.width()).arg(shown.height()));
@@ -119,3 +123,13 @@ INSTANTIATE_TEST_SUITE_P(Languages, FitTest, ::testing::Values("en", "de", "da",
 
 } // namespace
 } // namespace plc::app
+
+int main(int argc, char** argv) {
+    testing::InitGoogleTest(&argc, argv);
+    QTemporaryDir settings;
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
+    qputenv("STEPWISE_PROJECTS", settings.filePath("projects").toUtf8()); // copies of examples
+    QApplication application(argc, argv);
+    plc::jit::setRuntimeSymbols(plc::controller::runtimeSymbols());
+    return RUN_ALL_TESTS();
+}
