@@ -4,7 +4,6 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <unistd.h>
 
 namespace plc::lsp {
 
