@@ -121,7 +121,7 @@ TEST_F(ExactValuesTest, AnUndoBringsThemBack) {
         ASSERT_FALSE(editor().exactText());
         if (i > 0) analysed();
         window->action("edit.undo")->trigger();
-        ASSERT_EQ(editor().utf8(), kProgram);
+        ASSERT_EQ(editor().utf8(), testing::kTwoAxes);
         EXPECT_TRUE(waitFor([&] {
             return beside("n := n + 10;", "n") == std::to_string(n() - 10) + " → " + std::to_string(n());
         })) << "round "
@@ -130,7 +130,7 @@ TEST_F(ExactValuesTest, AnUndoBringsThemBack) {
 }
 
 TEST_F(ExactValuesTest, AScanAtABreakpointShowsWhatItHasComputedUntilThere) {
-    const std::string above = std::string(kProgram).substr(0, at("a(step := 1)"));
+    const std::string above = std::string(testing::kTwoAxes).substr(0, at("a(step := 1)"));
     window->control().toggleBreakpoint("src/main.st",
                                        static_cast<int>(std::count(above.begin(), above.end(), '\n')) + 1);
     window->action("run.start")->trigger();

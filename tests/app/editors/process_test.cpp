@@ -33,7 +33,7 @@ public:
                     m_hasHeads ? "Content-Length: " + QByteArray::number(each.size()) + "\r\n\r\n" + each : each + "\n";
         m_process.write(bytes);
     }
-    QJsonObject read() {
+    const QJsonObject read() { // const: the values in it are not references
         QByteArray message;
         while (!take(message))
             if (!m_process.waitForReadyRead(120'000) && m_process.bytesAvailable() == 0) {
@@ -43,9 +43,9 @@ public:
         return QJsonDocument::fromJson(message).object();
     }
     /// The first message with that value of a field.
-    QJsonObject readUntil(const char* field, const QJsonValue& value) {
+    const QJsonObject readUntil(const char* field, const QJsonValue& value) {
         for (;;) {
-            QJsonObject message = read();
+            const QJsonObject message = read();
             if (message.isEmpty() || message[field] == value) return message;
         }
     }
@@ -54,7 +54,7 @@ public:
         EXPECT_TRUE(m_process.waitForFinished(60'000));
         return m_process.exitCode();
     }
-    QJsonObject call(const char* tool, const QJsonObject& arguments) {
+    const QJsonObject call(const char* tool, const QJsonObject& arguments) {
         const QJsonObject request{{"jsonrpc", "2.0"},
                                   {"id", ++m_id},
                                   {"method", "tools/call"},
