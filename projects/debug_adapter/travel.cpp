@@ -72,8 +72,10 @@ bool Debuggee::standAt(const controller::FaultFrame& frame, std::span<const std:
     for (size_t stop = 0; stop < m_scan->stops() && tried < kMost; ++stop) {
         m_scan->goTo(stop);
         if (!(m_scan->range() == frame.range)) continue;
-        if (const auto frames = m_scan->stackTrace(); frames.empty() || frames.front().instance != frame.instance)
-            continue;
+        const auto frames = m_scan->stackTrace(); // a function has no instance of its own
+        if (frames.empty()) continue;
+        const std::string& instance = frames.front().instance;
+        if (!instance.empty() && !frame.instance.empty() && instance != frame.instance) continue;
         ++tried;
         if (!first) first = stop;
         const std::span<const std::byte> now = m_scan->image();

@@ -179,6 +179,8 @@ private:
     void addTarget(pugi::xml_node operand, const Wire& wire, const Marks& around) {
         const std::string text = valueOf(operand, "Operand");
         const Marks marks = marksOf(operand);
+        const bool leaves = marks.returns || around.returns || marks.jumps || around.jumps;
+        if (leaves && !wire.isConnected()) return addTarget(operand, m_builder->rail(), around); // always
         if (marks.returns || around.returns) return m_builder->jump("", wire, marks.pin.isNegated);
         if (marks.jumps || around.jumps) return m_builder->jump(text, wire, marks.pin.isNegated);
         m_builder->target(text, wire, marks.pin);

@@ -166,7 +166,8 @@ TEST_F(ExactValuesTest, AChartDimsTheActionsThatDidNotRun) {
     runText(kIdleChart);
     EXPECT_TRUE(waitFor([&] { return isDimmed("made := made + 1;"); }));
     EXPECT_FALSE(isDimmed("n := n + 1;"));
-    EXPECT_EQ(beside("n := n + 1;", "n"), std::to_string(n() - 1) + " → " + std::to_string(n()));
+    EXPECT_TRUE(
+        waitFor([&] { return beside("n := n + 1;", "n") == std::to_string(n() - 1) + " → " + std::to_string(n()); }));
     EXPECT_EQ(beside("FROM Idle TO Work", "go"), "FALSE");
 }
 

@@ -263,8 +263,8 @@ TEST_F(InsideTest, APlayerAnswersInTheOperatorsWords) {
                       R"({"elements": [
   {"kind": "lamp", "id": "Lamp", "rect": [40, 40, 120, 120], "value": "Main.lamp", "label": "@lamp"},
   {"kind": "button", "id": "Start", "rect": [200, 40, 120, 60], "target": "start", "text": "@start"}]})"));
-    ASSERT_TRUE(write(folder.filePath("hmi/texts.csv"), "key,en,de\r\nlamp,Pump runs,Pumpe läuft\r\n"
-                                                        "start,Start pump,Pumpe starten\r\n"));
+    ASSERT_TRUE(write(folder.filePath("hmi/texts.csv"), "key,comment,en,de\r\nlamp,,Pump runs,Pumpe läuft\r\n"
+                                                        "start,,Start pump,Pumpe starten\r\n"));
     ASSERT_TRUE(write(folder.filePath("project.json"),
                       "{\"name\": \"Test\", \"libraries\": [], \"languages\": [\"en\", \"de\"]}"));
     const auto project = projects::openProject({folder.path().toStdString()});

@@ -251,7 +251,7 @@ TEST_F(LadderTest, ANewRungInAProgramWithAConfigurationShowsItsFlow) {
     EXPECT_TRUE(waitFor([&] { return powerBehind("stop") == ladder::Power::Off; })) << int(powerBehind("stop"));
     ASSERT_TRUE(window->control().force("Main.start", "TRUE"));
     EXPECT_TRUE(waitFor([&] { return powerBehind("stop") == ladder::Power::On; })) << int(powerBehind("stop"));
-    EXPECT_TRUE(view->scene().online().isExact);
+    EXPECT_TRUE(waitFor([&] { return view->scene().online().isExact; }));
 }
 
 // ------------------------------------------------------------------ what the program computed there

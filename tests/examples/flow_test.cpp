@@ -232,18 +232,35 @@ private:
         }
     }
 
+    /// The bytes of a long write that later ones of the scan overwrite: the image at its end does not have them.
+    static void addOverwritten(const Look& look, size_t write, std::set<uint32_t>& bytes) {
+        const Event& whole = look.events()[write];
+        for (size_t i = write + 1; i < look.events().size(); ++i) {
+            const Event& event = look.events()[i];
+            if (event.kind != image::WatchKind::Write) continue;
+            const uint32_t begin = std::max(event.offset, whole.offset + 8);
+            const uint32_t end = std::min(event.offset + event.size, whole.offset + whole.size);
+            for (uint32_t byte = begin; byte < end; ++byte) bytes.insert(byte);
+        }
+    }
+
     /// Follows the scan's writes and evaluates what each statement of the activation asks, as it begins.
     KnownAt follow(const Text& text, const Drawn& drawn, const Look& look, uint32_t activation,
                    const std::string& instance, const Frame& frame) {
         KnownAt known;
         std::vector<std::byte> image = look.input().image;
         std::memcpy(image.data(), look.image().data(), kClockEnd); // set when the scan began
-        for (const Event& event : look.events()) {
+        std::set<uint32_t> doubtful; // bytes of a long write that a later one has overwritten: not known in between
+        for (size_t i = 0; i < look.events().size(); ++i) {
+            const Event& event = look.events()[i];
             if (event.kind == image::WatchKind::Begin && look.activations()[event.activation].parent == inside::kNone)
                 applyForces(look, event.activation, image);
             if (event.kind == image::WatchKind::Write && event.offset + event.size <= image.size()) {
-                if (event.size > 8)
+                doubtful.erase(doubtful.lower_bound(event.offset), doubtful.lower_bound(event.offset + event.size));
+                if (event.size > 8) {
+                    addOverwritten(look, i, doubtful);
                     std::memcpy(image.data() + event.offset, look.image().data() + event.offset, event.size);
+                }
                 std::memcpy(image.data() + event.offset, &event.bits, std::min<uint32_t>(event.size, 8));
             }
             if (event.kind != image::WatchKind::Statement || event.activation != activation) continue;
@@ -253,6 +270,14 @@ private:
             if (asked == drawn.asked.end()) continue;
             for (const SourceRange& range : asked->second) {
                 Known value = evaluate(text, range, instance, image, frame);
+                if (!doubtful.empty()) { // what changes with them is not known
+                    const auto flip = [&] {
+                        for (const uint32_t byte : doubtful) image[byte] = ~image[byte];
+                    };
+                    flip();
+                    if (evaluate(text, range, instance, image, frame).text != value.text) value = {};
+                    flip();
+                }
                 Known& at = known[keyOf(range)];
                 value.isExecuted = true;
                 at = std::move(value);

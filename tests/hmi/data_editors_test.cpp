@@ -23,6 +23,7 @@ void type(QTableWidget& table, int row, int column, const QString& text) {
     QTest::keyClick(editor, Qt::Key_A, Qt::ControlModifier);
     QTest::keyClicks(editor, text);
     QTest::keyClick(editor, Qt::Key_Return);
+    QCoreApplication::processEvents(); // the delegate takes the text over when the key has been handled
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
 }
 
@@ -107,7 +108,7 @@ TEST_F(Recipes, CsvGoesOutAndComesBackAsOneStep) {
     EXPECT_EQ(only().sets[0].values.value("Main.level").toStdString(), "4.5");
 }
 
-struct People : testing::Test {
+struct PeopleInTheEditor : testing::Test {
     Studio studio;
     QTemporaryDir folder;
     PeopleEditor editor{*studio.context};
@@ -119,7 +120,7 @@ struct People : testing::Test {
     const PeopleFile& people() const { return studio.project.people; }
 };
 
-TEST_F(People, UsersAndRolesAreTypedAndUndoneByteForByte) {
+TEST_F(PeopleInTheEditor, UsersAndRolesAreTypedAndUndoneByteForByte) {
     const std::string before = people().write();
     editor.addRole();
     type(editor.roles(), 0, PeopleEditor::RoleName, QStringLiteral("operator"));
@@ -144,7 +145,7 @@ TEST_F(People, UsersAndRolesAreTypedAndUndoneByteForByte) {
     EXPECT_EQ(*projects::readFile(studio.project.peoplePath().toStdString()), after);
 }
 
-TEST_F(People, APasswordIsKeptHashedAndAWeakOneRefused) {
+TEST_F(PeopleInTheEditor, APasswordIsKeptHashedAndAWeakOneRefused) {
     editor.addRole();
     editor.addUser();
     EXPECT_FALSE(editor.setPassword(0, QStringLiteral("1")));
@@ -156,7 +157,7 @@ TEST_F(People, APasswordIsKeptHashedAndAWeakOneRefused) {
     EXPECT_FALSE(editor.setPassword(7, QStringLiteral("long enough")));
 }
 
-TEST_F(People, NamesThatAreTakenAndRolesThatAreNotThereAreRefused) {
+TEST_F(PeopleInTheEditor, NamesThatAreTakenAndRolesThatAreNotThereAreRefused) {
     editor.addRole();
     editor.addUser();
     editor.addUser();

@@ -17,54 +17,54 @@ std::string dynamicMemoryText(uint32_t bytes) {
 (** The address of so many bytes, 0 when there is no room. *)
 FUNCTION __ALLOCATE : LWORD
 VAR_INPUT bytes : LINT; END_VAR
-VAR need, at, size, behind : LINT; END_VAR
+VAR need, place, size, behind : LINT; END_VAR
 __ALLOCATE := 0;
 need := MAX((bytes + 7) / 8, LINT#1);
 IF __memory[0] = 0 THEN __memory[0] := __lastUnit; END_IF
-WHILE at < __lastUnit DO
-    size := __memory[at];
+WHILE place < __lastUnit DO
+    size := __memory[place];
     IF size = 0 THEN RETURN; END_IF
     IF size > 0 THEN
-        behind := at + 1 + size;
+        behind := place + 1 + size;
         WHILE behind <= __lastUnit DO
             IF __memory[behind] <= 0 THEN EXIT; END_IF
             size := size + 1 + __memory[behind];
-            behind := at + 1 + size;
+            behind := place + 1 + size;
         END_WHILE
         IF size >= need THEN
             IF size > need + 1 THEN
-                __memory[at + 1 + need] := size - need - 1;
+                __memory[place + 1 + need] := size - need - 1;
                 size := need;
             END_IF
-            __memory[at] := -size;
-            FOR behind := at + 1 TO at + size DO __memory[behind] := 0; END_FOR
-            __ALLOCATE := TO_LWORD(ADR(__memory[at + 1]));
+            __memory[place] := -size;
+            FOR behind := place + 1 TO place + size DO __memory[behind] := 0; END_FOR
+            __ALLOCATE := TO_LWORD(ADR(__memory[place + 1]));
             RETURN;
         END_IF
-        __memory[at] := size;
+        __memory[place] := size;
     END_IF
-    at := at + 1 + ABS(size);
+    place := place + 1 + ABS(size);
 END_WHILE
 END_FUNCTION
 
 (** Gives the bytes at an address of __ALLOCATE back; FALSE when it is none. *)
 FUNCTION __RELEASE : BOOL
 VAR_INPUT address : LWORD; END_VAR
-VAR wanted, at, size, unit : LINT; END_VAR
+VAR wanted, place, size, unit : LINT; END_VAR
 __RELEASE := FALSE;
 wanted := LWORD_TO_LINT(address) - LWORD_TO_LINT(TO_LWORD(ADR(__memory[0])));
 IF wanted < 8 THEN RETURN; END_IF
-WHILE at < __lastUnit DO
-    size := __memory[at];
+WHILE place < __lastUnit DO
+    size := __memory[place];
     IF size = 0 THEN RETURN; END_IF
-    IF (at + 1) * 8 = wanted THEN
+    IF (place + 1) * 8 = wanted THEN
         IF size > 0 THEN RETURN; END_IF
-        FOR unit := at + 1 TO at - size DO __memory[unit] := 0; END_FOR
-        __memory[at] := -size;
+        FOR unit := place + 1 TO place - size DO __memory[unit] := 0; END_FOR
+        __memory[place] := -size;
         __RELEASE := TRUE;
         RETURN;
     END_IF
-    at := at + 1 + ABS(size);
+    place := place + 1 + ABS(size);
 END_WHILE
 END_FUNCTION
 )";

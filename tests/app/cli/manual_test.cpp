@@ -90,7 +90,7 @@ TEST_F(Manual, ZshReadsItsCompletion) {
 
 TEST_F(Manual, ItSaysWhatItCanWrite) {
     EXPECT_EQ(command({"doc", "poem"}), 2);
-    EXPECT_NE(err.find("stepwise doc library, man or completion"), std::string::npos) << err;
+    EXPECT_NE(err.find("stepwise doc library, diagnostics, man or completion"), std::string::npos) << err;
     EXPECT_EQ(command({"doc", "man", "--out", "/proc/man1"}), 2);
     EXPECT_NE(err.find("cannot be written"), std::string::npos) << err;
 }

@@ -102,10 +102,14 @@ TEST_F(LanguageServer, SurvivesDamagedMessages) {
         }
     EXPECT_GT(refused, 20u);
     EXPECT_FALSE(server.isOver());
-    const auto answers =
-        exchange(R"({"jsonrpc":"2.0","id":4711,"method":"workspace/symbol","params":{"query":"Pump"}})");
+    (void)exchange(
+        R"({"jsonrpc":"2.0","method":"textDocument/didOpen","params":{"textDocument":{"uri":"file:///after_all.st",)"
+        R"("languageId":"st","version":1,"text":"FUNCTION_BLOCK AfterAll\nEND_FUNCTION_BLOCK\n"}}})");
+    const auto answers = exchange(R"({"jsonrpc":"2.0","id":4711,"method":"textDocument/documentSymbol",)"
+                                  R"("params":{"textDocument":{"uri":"file:///after_all.st"}}})");
     ASSERT_FALSE(answers.empty());
-    EXPECT_NE(answers.front().find("\"id\":4711,\"result\":[{\"name\":\"Pump\""), std::string::npos) << answers.front();
+    EXPECT_NE(answers.front().find("\"id\":4711,\"result\":[{\"name\":\"AfterAll\""), std::string::npos)
+        << answers.front();
 }
 
 TEST_F(LanguageServer, KnowsAFileThatIsOpenUnderTwoUris) {

@@ -95,14 +95,16 @@ std::vector<tree::Stmt*> initialisation(Context& context, tree::Place* made, tre
     if (!hasValue && !constructs) return {};
     const TypeId lint = context.elementary(TypeKind::Lint), lword = context.elementary(TypeKind::Lword);
     tree::Place* number = localPlace(context, newLocal(context, "number", lint), lint, range);
-    const auto element = [&] {
+    const auto elementAs = [&](TypeId seen) {
         const Operand size = constant(context, {lint, int64_t(context.types[type].size)}, range);
         const Operand step =
             makeBinary(context, library::BinaryOp::Multiply, lint, load(context, number, range), size, range);
         const Operand from = sameBits(context, load(context, made, range), lint);
         const Operand sum = makeBinary(context, library::BinaryOp::Add, lint, from, step, range);
-        return behind(context, sameBits(context, sameBits(context, sum, lword), made->type), type, range);
+        return behind(context, sameBits(context, sameBits(context, sum, lword), context.types.pointer(seen)), seen,
+                      range);
     };
+    const auto element = [&] { return elementAs(type); };
     tree::Stmt* loop = newStmt(context, tree::StmtKind::For, {});
     loop->place = number;
     loop->operandType = lint;
@@ -110,6 +112,11 @@ std::vector<tree::Stmt*> initialisation(Context& context, tree::Place* made, tre
     const Operand one = constant(context, {lint, int64_t(1)}, range);
     loop->b = makeBinary(context, library::BinaryOp::Subtract, lint, load(context, count, range), one, range).expr;
     loop->c = constant(context, {lint, int64_t(1)}, range).expr;
+    if (const uint32_t block = context.types[type].blockNumber; block > 0) { // what makes it a block comes first
+        const TypeId udint = context.elementary(TypeKind::Udint);
+        loop->body.push_back(
+            assignStmt(context, elementAs(udint), constant(context, {udint, int64_t(block)}, range).expr, {}));
+    }
     if (hasValue) { // a local begins with it
         tree::Place* fresh = localPlace(context, newLocal(context, "fresh", type), type, range);
         loop->body.push_back(assignStmt(context, element(), load(context, fresh, range).expr, {}));

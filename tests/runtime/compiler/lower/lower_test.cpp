@@ -26,7 +26,7 @@ std::string program(const std::string& body, const std::string& variables = "") 
 }
 
 std::string function(const std::string& body, const std::string& variables) {
-    return "FUNCTION p : INT\nVAR " + variables + " END_VAR\n" + body + "\nEND_FUNCTION\n";
+    return "FUNCTION p\nVAR " + variables + " END_VAR\n" + body + "\nEND_FUNCTION\n";
 }
 
 struct Row {
@@ -75,6 +75,12 @@ TEST(InstructionListLowering, KeepsTheResultOfEachLineOfAProgram) {
     EXPECT_EQ(lowered.variables(), "VAR(__il0:inferred a; __il1:inferred (__il0 AND b))");
     const auto& decl = *lowered.pou().sections.back()->declarations[1];
     EXPECT_EQ(lowered.parsed.sources.files[0].slice(decl.range), "AND b");
+}
+
+TEST(InstructionListLowering, AFunctionThatStoresNothingUnderItsNameHasTheCurrentResult) {
+    const std::string begin = "FUNCTION p : INT\nVAR a, b : INT; END_VAR\n", end = "\nEND_FUNCTION\n";
+    EXPECT_EQ(Lowered(begin + "LD a\nADD b" + end).statements(), "p := (a + b)");
+    EXPECT_EQ(Lowered(begin + "LD a\nST p\nLD b\nST a" + end).statements(), "p := a; a := b");
 }
 
 TEST(InstructionListLowering, GivesLabelVariablesTheTypeOfAValueThatHasOne) {
