@@ -268,11 +268,21 @@ Denoted memberOfUnit(Context& context, const Denoted& from, const syntax::Expr& 
     return {};
 }
 
+/// R1.A: the instance of a program that several resources have under one name.
+Variable* instanceIn(World& world, const GlobalsList& list, NameId id) {
+    for (const Instance& instance : world.instances)
+        if (instance.variable->id == id && equalsIgnoringCase(instance.resourceName, list.name))
+            return instance.variable;
+    return nullptr;
+}
+
 /// GVL.x
 Denoted memberOfList(Context& context, const Denoted& from, const syntax::Expr& e, Access access) {
     const NameId id = context.key(e.name.text);
     const auto it = from.list->variables.find(id);
     if (it != from.list->variables.end()) return ofVariable(context, *it->second, nullptr, e.range, access);
+    if (Variable* instance = instanceIn(context.world, *from.list, id))
+        return ofVariable(context, *instance, nullptr, e.range, access);
     std::vector<std::string> candidates;
     for (const auto& [known, variable] : from.list->variables) candidates.push_back(variable->name);
     suggest(context, context.emit(e.name.range, findings::UnknownMember(from.list->name, e.name.text)), e.name.range,
@@ -325,6 +335,8 @@ Denoted denoteBase(Context& context, const syntax::Expr& e, Access access, TypeI
     if (!isOwn && result.list) { // GVL.x, also where a program unit has the list's name
         if (const auto it = result.list->variables.find(id); it != result.list->variables.end())
             return ofVariable(context, *it->second, nullptr, e.range, access);
+        if (Variable* instance = instanceIn(context.world, *result.list, id))
+            return ofVariable(context, *instance, nullptr, e.range, access);
         if (!result.entity.unit && !result.entity.type && !result.space) {
             std::vector<std::string> candidates;
             for (const auto& [key, variable] : result.list->variables) candidates.push_back(variable->name);
