@@ -115,12 +115,13 @@ TEST_F(NetworkLists, BlocksAreCalledAndTheirOutputsRead) {
 
 TEST_F(NetworkLists, WiresThatBranchJumpsAndLabels) {
     const std::string wire = "<o t=\"BoxTreeDemux\">" + value("VarId", "7");
-    const Imported imported = importNetworks(
-        "a, b, y, z : BOOL;\n", network(wire + as("Input", box("AND", "", {operand("a"), operand("b")})) + "</o>" +
-                                        assign(wire + "</o>", {{"y", 0}}) +
-                                        assign(box("AND", "", {wire + "</o>", operand("z", 1)}), {{"z", 0}})) +
-                                    network(assign(operand("a"), {{"finish", 4}})) + network(assign("", {{"", 8}})) +
-                                    network(assign(operand("b"), {{"y", 0}}), text("Label", "finish")));
+    const Imported imported =
+        importNetworks("a, b, y, z : BOOL;\n",
+                       network(wire + as("Input", box("AND", "", {operand("a"), operand("b")})) + "</o>" +
+                               assign(wire + "</o>", {{"y", 0}}) +
+                               assign(box("AND", "", {wire + "</o>", operand("z", 1)}), {{"z", 0}})) +
+                           network(assign(operand("a"), {{"finish", 4}})) + network(assign("", {{"RETURN", 8}})) +
+                           network(assign(operand("b"), {{"y", 0}}), text("Label", "finish")));
     const std::string body = bodyOf(imported);
     EXPECT_NE(body.find(" := a AND b;\ny := result_"), std::string::npos) << body;
     EXPECT_NE(body.find(" AND NOT z;\nIF a THEN\n    JMP finish;\nEND_IF;\nRETURN;\nfinish:\ny := b;\n"),
