@@ -197,7 +197,11 @@ void ExactValues::showWalk(StEditor& editor, const std::optional<Wanted>& wanted
     const auto file = wanted->model->fileOf(wanted->path);
     const bool isSame = part.file.isValid() && file &&
                         m_walk->program().sources[part.file].text() == wanted->model->sources()[*file].text();
-    editor.setExactText(isSame ? std::optional(shownOf(*m_walk, part)) : std::nullopt, m_walkMoment);
+    if (!isSame) return editor.setExactText(std::nullopt, m_walkMoment);
+    ExactText shown = shownOf(*m_walk, part);
+    part.until = inside::kNone; // dimmed is what this scan never runs, and not what it has yet to run
+    shown.notRun = shownOf(*m_walk, part).notRun;
+    editor.setExactText(std::move(shown), m_walkMoment);
 }
 
 void ExactValues::ask(StEditor& editor, State& state, Wanted wanted) {

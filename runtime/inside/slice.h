@@ -87,6 +87,15 @@ private:
     [[nodiscard]] uint32_t libraryActivation(uint32_t activation) const; // the outermost of a library; kNone
     [[nodiscard]] bool boolAt(EventIndex event) const { return m_look.events()[event].bits != 0; }
     [[nodiscard]] std::optional<image::Place> fixedPlace(const tree::Place& place, const Activation& activation) const;
+    /// The bytes that a place may lie in, in this run of its function: followed through IN_OUT and references by what
+    /// they held in the scan.
+    struct Reach {
+        image::Place place;
+        bool isWhole = false; // the whole of an array, a word or a text: which part of it is not known
+    };
+    [[nodiscard]] std::optional<Reach> reachOf(const tree::Place& place, const Activation& run) const;
+    [[nodiscard]] std::optional<Reach> argumentOf(const Activation& run, uint32_t local) const;
+    [[nodiscard]] std::optional<uint32_t> referredBy(uint32_t offset) const;
     [[nodiscard]] bool isFull();
 
     const Look& m_look;

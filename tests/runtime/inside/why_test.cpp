@@ -137,6 +137,25 @@ END_PROGRAM)");
     EXPECT_EQ(not1.ways[0].size(), 2u); // enable, and level or limit
 }
 
+TEST_F(Why, NamesTheConditionThatKeepsAWriterBehindAnInOutOrAReference) {
+    run(R"(
+VAR_GLOBAL open, close, up : BOOL; valve, lamp, horn : BOOL; lamps : ARRAY[1..3] OF BOOL; END_VAR
+FUNCTION_BLOCK Inner VAR_IN_OUT out : BOOL; END_VAR IF open THEN out := TRUE; END_IF END_FUNCTION_BLOCK
+FUNCTION_BLOCK Outer VAR_IN_OUT out : BOOL; END_VAR VAR i : Inner; END_VAR i(out := out); END_FUNCTION_BLOCK
+FUNCTION Light : BOOL VAR_IN_OUT out : BOOL; END_VAR IF close THEN out := TRUE; END_IF END_FUNCTION
+PROGRAM Main VAR o : Outer; horns : REF_TO BOOL; n : INT := 2; END_VAR
+o(out := valve);
+Light(out := lamp);
+horns := REF(horn);
+IF up THEN horns^ := TRUE; lamps[n] := TRUE; END_IF
+END_PROGRAM)");
+    scan(2);
+    EXPECT_EQ(ways(whyNot("valve")), Names{"open=TRUE"});
+    EXPECT_EQ(ways(whyNot("lamp")), Names{"close=TRUE"});
+    EXPECT_EQ(ways(whyNot("horn")), Names{"up=TRUE"});
+    EXPECT_EQ(ways(whyNot("lamps[2]")), Names{"up=TRUE"});
+}
+
 TEST_F(Why, ATimerIsExplainedByWhatItWasGiven) {
     run(R"(
 VAR_GLOBAL go : BOOL; lamp : BOOL; END_VAR
