@@ -30,14 +30,19 @@ bool isConnective(const tree::Program& tree, const Expr& expr) {
            (expr.binary == BinaryOp::And || expr.binary == BinaryOp::Or || expr.binary == BinaryOp::Xor);
 }
 
-void conditionsOf(const tree::Program& tree, const Expr* expr, std::vector<const Expr*>& out) {
+/// What lowering adds to a transition or an action carries the text of its statement, or of what it assigns.
+bool isAdded(const Stmt& stmt, const Expr& expr) {
+    return expr.range == stmt.range || (stmt.place && expr.range == stmt.place->range);
+}
+
+void conditionsOf(const tree::Program& tree, const Stmt& stmt, const Expr* expr, std::vector<const Expr*>& out) {
     if (!expr || expr->kind == ExprKind::Constant) return;
     if (!isConnective(tree, *expr)) {
-        out.push_back(expr);
+        if (!isAdded(stmt, *expr)) out.push_back(expr);
         return;
     }
-    conditionsOf(tree, expr->a, out);
-    conditionsOf(tree, expr->b, out);
+    conditionsOf(tree, stmt, expr->a, out);
+    conditionsOf(tree, stmt, expr->b, out);
 }
 
 std::string oneLine(const image::CompiledProgram& program, SourceRange range) {
@@ -100,18 +105,18 @@ void Coverage::gather(const std::vector<Stmt*>& body, uint32_t function) {
                 add(-1, "else");
             }
         }
-        for (const Expr* expr : {stmt->a, stmt->b, stmt->c}) gatherDecision(expr, function);
+        for (const Expr* expr : {stmt->a, stmt->b, stmt->c}) gatherDecision(*stmt, expr, function);
         gather(stmt->body, function);
         gather(stmt->elseBody, function);
         for (const tree::CaseArm& arm : stmt->arms) gather(arm.body, function);
     }
 }
 
-void Coverage::gatherDecision(const Expr* expr, uint32_t function) {
+void Coverage::gatherDecision(const Stmt& stmt, const Expr* expr, uint32_t function) {
     if (!expr || !expr->range.file.isValid() || !isBool(*m_tree, *expr)) return;
     Decision decision;
     decision.root = expr;
-    conditionsOf(*m_tree, expr, decision.conditions);
+    conditionsOf(*m_tree, stmt, expr, decision.conditions);
     if (decision.conditions.empty()) return;
     const auto index = static_cast<uint32_t>(m_decisions.size());
     m_decisionOf[expr] = index;

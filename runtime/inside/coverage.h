@@ -73,7 +73,7 @@ private:
         std::set<std::vector<uint8_t>> seen;
     };
     void gather(const std::vector<tree::Stmt*>& body, uint32_t function);
-    void gatherDecision(const tree::Expr* expr, uint32_t function);
+    void gatherDecision(const tree::Stmt& stmt, const tree::Expr* expr, uint32_t function);
     void finishDecision(Decision& decision, const std::map<const tree::Expr*, uint8_t>& values, bool result);
     [[nodiscard]] DecisionCoverage coverageOf(const Decision& decision) const;
     [[nodiscard]] bool isCounted(uint32_t function) const;

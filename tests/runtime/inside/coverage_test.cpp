@@ -72,6 +72,24 @@ TEST_F(CoverageOf, AConditionIsMetWhenItDecidedAlone) {
     EXPECT_EQ(f.conditionsMet(), 3u);
 }
 
+TEST_F(CoverageOf, AChartHasTheConditionsOfItsTransitionsOnly) {
+    run(R"(
+VAR_GLOBAL go, clear, back : BOOL; lamp : BOOL; END_VAR
+PROGRAM Main
+INITIAL_STEP Rest: END_STEP
+TRANSITION FROM Rest TO Work := go AND clear; END_TRANSITION
+STEP Work: lamp(N); END_STEP
+TRANSITION FROM Work TO Rest := back; END_TRANSITION
+END_PROGRAM)");
+    scanWith({{"go", 0}});
+    const FunctionCoverage f = covered();
+    std::vector<std::string> conditions;
+    for (const DecisionCoverage& decision : f.decisions)
+        for (const ConditionCoverage& condition : decision.conditions)
+            conditions.emplace_back(session->program()->sources[condition.range.file].slice(condition.range));
+    EXPECT_EQ(conditions, (std::vector<std::string>{"go", "clear", "back"}));
+}
+
 TEST_F(CoverageOf, ReportsAreWellFormed) {
     run(kDecision);
     scanWith({{"a", 1}, {"b", 1}});
