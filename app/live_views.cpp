@@ -1,10 +1,10 @@
 #include "app/live_views.h"
 
-#include "editor/analysis/path_completion.h"
 #include "editor/kit/expression_edit.h"
 #include "editor/kit/icons.h"
 #include "editor/kit/long_task.h"
 #include "editor/kit/message_text.h"
+#include "editor/workspace/path_completion.h"
 #include "hmi/alarms/alarm_export.h"
 #include "projects/storage/project_file.h"
 #include "runtime/base/messages.h"

@@ -20,7 +20,6 @@
 #include "app/test_view.h"
 #include "app/tour.h"
 #include "app/what_if_dialog.h"
-#include "editor/analysis/path_completion.h"
 #include "editor/debug/debug_views.h"
 #include "editor/debug/watch_view.h"
 #include "editor/kit/command_palette.h"
@@ -31,6 +30,7 @@
 #include "editor/kit/plot_scale.h"
 #include "editor/kit/work_strip.h"
 #include "editor/tuning/tuning_view.h"
+#include "editor/workspace/path_completion.h"
 
 #include <QAction>
 #include <QApplication>

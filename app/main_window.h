@@ -3,8 +3,8 @@
 #pragma once
 #include "app/search_view.h"
 #include "app/settings.h"
-#include "editor/analysis/workspace.h"
 #include "editor/debug/run_control.h"
+#include "editor/workspace/workspace.h"
 #include "projects/analysis/conversion.h"
 
 #include <QElapsedTimer>

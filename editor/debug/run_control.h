@@ -3,11 +3,11 @@
 // recorded one. Owned by the main window; GUI thread. Views connect to `refreshed` and read through `value()`; none of
 // them reaches into the scan.
 #pragma once
-#include "editor/analysis/workspace.h"
 #include "editor/debug/breakpoint_list.h"
 #include "editor/debug/pou_instances.h"
 #include "editor/debug/run_archive.h"
 #include "editor/debug/shown_run.h"
+#include "editor/workspace/workspace.h"
 #include "projects/session/session.h"
 
 #include <QObject>

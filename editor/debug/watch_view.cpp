@@ -1,11 +1,11 @@
 #include "editor/debug/watch_view.h"
 
-#include "editor/analysis/path_completion.h"
 #include "editor/kit/expression_edit.h"
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
 #include "editor/kit/theme.h"
 #include "editor/kit/variable_picker.h"
+#include "editor/workspace/path_completion.h"
 
 #include <QAction>
 #include <QComboBox>

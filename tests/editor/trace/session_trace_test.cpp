@@ -6,6 +6,7 @@
 #include "editor/trace/trace_feed.h"
 #include "editor/trace/trace_picture.h"
 #include "editor/trace/trace_view.h"
+#include "projects/session/session.h"
 #include "runtime/compiler/jit/jit.h"
 
 #include <QApplication>
