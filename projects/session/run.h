@@ -5,7 +5,6 @@
 #include "runtime/controller/controller.h"
 #include "runtime/history/history.h"
 
-#include <concepts>
 #include <memory>
 #include <string>
 
@@ -41,9 +40,8 @@ struct Snapshot {
 /// What a write goes to: a path, and its place where that is already known for a version of the program. Another
 /// version looks the path up again.
 struct Target {
-    template <class Path>
-    requires std::convertible_to<Path, std::string> Target(Path&& path)
-        : path(std::forward<Path>(path)) {} // NOLINT: a path is a target
+    Target(std::string path) : path(std::move(path)) {} // NOLINT: a path is a target
+    Target(const char* path) : path(path) {}            // NOLINT
     Target(std::string path, image::Place place, std::shared_ptr<const image::CompiledProgram> program)
         : path(std::move(path)), place(place), program(std::move(program)) {}
 
