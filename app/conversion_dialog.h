@@ -1,7 +1,7 @@
 // "Show as ST" and "Show as IL": a unit in both languages side by side; the other one can be copied or take the unit's
 // place, as one step of the file's undo. Lives as long as it is shown; GUI thread.
 #pragma once
-#include "editor/analysis/workspace.h"
+#include "editor/workspace/workspace.h"
 #include "projects/analysis/conversion.h"
 
 #include <QDialog>

@@ -1,8 +1,8 @@
 // The devices of the running project in the studio: attached to each new controller, connected only when asked. A child
 // of the RunControl, because the controllers that look at them, also those in its archive, must end first. GUI thread.
 #pragma once
-#include "editor/analysis/workspace.h"
 #include "editor/debug/run_control.h"
+#include "editor/workspace/workspace.h"
 #include "projects/devices/device_check.h"
 #include "projects/devices/engine.h"
 

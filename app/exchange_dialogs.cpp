@@ -2,8 +2,8 @@
 
 #include "app/main_window.h"
 #include "app/settings.h"
-#include "editor/analysis/workspace.h"
 #include "editor/kit/message_text.h"
+#include "editor/workspace/workspace.h"
 #include "projects/exchange/imported.h"
 #include "projects/exchange/plcopen_export.h"
 #include "projects/storage/project_file.h"

@@ -1,8 +1,9 @@
 #include "app/inside_views.h"
 
 #include "app/editor_tabs.h"
-#include "editor/analysis/path_completion.h"
+#include "app/online_marks.h"
 #include "editor/kit/message_text.h"
+#include "editor/workspace/path_completion.h"
 #include "runtime/inside/texts.h"
 
 #include <QElapsedTimer>
@@ -51,7 +52,7 @@ void InsideViews::showWalk() {
     m_exact.setWalk(m_slow->look(), scan);
     std::optional<editor::RunControl::TextPlace> place;
     if (scan) place = m_control.placeInText(scan->range(), m_slow->look()->program());
-    m_tabs.showWalk(place);
+    m_tabs.marks().showWalk(place);
     if (StPage* page = m_tabs.currentPage())
         for (editor::StEditor* each : page->editors()) m_exact.refresh(*each);
 }

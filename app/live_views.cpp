@@ -1,10 +1,10 @@
 #include "app/live_views.h"
 
-#include "editor/analysis/path_completion.h"
 #include "editor/kit/expression_edit.h"
 #include "editor/kit/icons.h"
 #include "editor/kit/long_task.h"
 #include "editor/kit/message_text.h"
+#include "editor/workspace/path_completion.h"
 #include "hmi/alarms/alarm_export.h"
 #include "projects/storage/project_file.h"
 #include "runtime/base/messages.h"
@@ -185,7 +185,7 @@ void LiveViews::connectDesign() {
     connect(m_design.get(), &hmi::DesignContext::recipesChanged, this, &LiveViews::designEdited);
     connect(m_design.get(), &hmi::DesignContext::peopleChanged, this, &LiveViews::designEdited);
     connect(m_design.get(), &hmi::DesignContext::programChanged, this, &LiveViews::designEdited);
-    m_design->setSession(m_control.session());
+    m_design->setRun(m_control.session());
     if (m_workspace.model() && !m_workspace.model()->checked().analysis->hasErrors)
         m_design->setChecked(m_workspace.model()->checked());
 }
@@ -278,17 +278,17 @@ void LiveViews::sessionChanged() {
     session::Session* session = m_control.isEnding() ? nullptr : m_control.session();
     m_run = QUuid::createUuid().toString();
     if (m_player) {
-        m_player->setSession(session);
+        m_player->setRun(session);
         m_player->liveAlarms().setRun(m_run);
     }
-    if (m_design) m_design->setSession(session);
+    if (m_design) m_design->setRun(session);
     connectSession();
 }
 
 void LiveViews::connectSession() {
     session::Session* session = m_control.isEnding() ? nullptr : m_control.session();
     if (!session) return;
-    m_recording = std::make_unique<trace::SessionRecording>(*session);
+    m_recording = std::make_unique<trace::RunRecording>(*session);
     m_program = session->program();
     m_trace->setRecording(m_recording.get());
     m_trace->programChanged();
@@ -296,32 +296,18 @@ void LiveViews::connectSession() {
 }
 
 void LiveViews::recordingShown() {
-    const auto opened = std::dynamic_pointer_cast<const trace::FileRecording>(m_trace->openedRecording());
-    if (!opened) {
-        m_slider->setRecording(m_recording.get());
-        if (m_control.showsRecorded()) m_control.showRecorded(std::nullopt);
-        showInPanel();
-        return;
-    }
-    m_slider->setRecording(opened.get());
-    m_control.showRecorded(editor::RecordedRun{
-        m_trace->openedName(), &opened->history(),
-        [file = opened.get()](const std::string& text, const std::string& scope,
-                              const image::CompiledProgram& program) { return file->expression(text, scope, program); },
-        opened});
+    const auto opened = m_trace->openedRecording();
+    m_slider->setRecording(opened ? opened.get() : m_recording.get());
+    if (opened)
+        m_control.showRecorded(opened->recordedRun(), m_trace->openedName());
+    else if (m_control.showsRecorded())
+        m_control.showRecorded(nullptr);
     showInPanel();
 }
 
 /// The panel shows what everything else shows: the controller, or the recording from a file.
 void LiveViews::showInPanel() {
-    std::optional<hmi::PanelRecording> shown;
-    if (const auto opened = std::dynamic_pointer_cast<const trace::FileRecording>(m_trace->openedRecording()))
-        shown =
-            hmi::PanelRecording{&opened->history(), opened->program(),
-                                [file = opened.get()](const std::string& text, const image::CompiledProgram& program) {
-                                    return file->expression(text, {}, program);
-                                },
-                                opened};
+    const auto& shown = m_control.recorded();
     if (m_design) m_design->setRecording(shown);
     if (!m_player) return;
     m_player->setRecording(shown);

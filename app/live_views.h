@@ -4,7 +4,7 @@
 #include "editor/debug/run_control.h"
 #include "editor/trace/branch_recording.h"
 #include "editor/trace/program_variables.h"
-#include "editor/trace/session_recording.h"
+#include "editor/trace/run_recording.h"
 #include "editor/trace/time_slider.h"
 #include "editor/trace/trace_view.h"
 #include "hmi/designer/design_context.h"
@@ -110,7 +110,7 @@ private:
     kit::CompletionSource m_complete;
     trace::ProgramVariables m_variables; // of m_variablesOf
     std::shared_ptr<const sema::Analysis> m_variablesOf;
-    std::unique_ptr<trace::SessionRecording> m_recording;
+    std::unique_ptr<trace::RunRecording> m_recording;
     std::shared_ptr<const trace::BranchRecording> m_before; // of the branch that was gone back from
     std::shared_ptr<const image::CompiledProgram> m_program;
 };

@@ -16,11 +16,11 @@
 #include "app/search_view.h"
 #include "app/side_bars.h"
 #include "app/start_page.h"
+#include "app/status_line.h"
 #include "app/test_runner.h"
 #include "app/test_view.h"
 #include "app/tour.h"
 #include "app/what_if_dialog.h"
-#include "editor/analysis/path_completion.h"
 #include "editor/debug/debug_views.h"
 #include "editor/debug/watch_view.h"
 #include "editor/kit/command_palette.h"
@@ -28,16 +28,14 @@
 #include "editor/kit/long_task.h"
 #include "editor/kit/message_text.h"
 #include "editor/kit/mnemonics.h"
-#include "editor/kit/plot_scale.h"
 #include "editor/kit/work_strip.h"
 #include "editor/tuning/tuning_view.h"
+#include "editor/workspace/path_completion.h"
 
 #include <QAction>
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
-#include <QLabel>
-#include <QLocale>
 #include <QMenuBar>
 #include <QScreen>
 #include <QScrollArea>
@@ -283,38 +281,13 @@ QAction* MainWindow::action(const QString& id) const {
 }
 
 void MainWindow::makeStatusLine() {
-    const auto label = [&](int width) {
-        auto* made = new QLabel(this);
-        made->setMinimumWidth(width);
-        made->setContentsMargins(6, 0, 6, 0);
-        statusBar()->addPermanentWidget(made);
-        return made;
-    };
-    m_faultButton = new QToolButton(this);
-    m_faultButton->setAutoRaise(true);
-    m_faultButton->setAccessibleName(tr("Controller fault"));
-    m_faultButton->setIcon(kit::icon(kit::Icon::Error));
-    m_faultButton->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    m_faultButton->hide();
-    statusBar()->addPermanentWidget(m_faultButton);
-    m_work = new kit::WorkStrip(this);
-    statusBar()->addPermanentWidget(m_work);
-    m_problemButton = new QToolButton(this);
-    m_problemButton->setAutoRaise(true);
-    m_problemButton->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    m_problemButton->setIcon(kit::icon(kit::Icon::Good));
-    statusBar()->addPermanentWidget(m_problemButton);
-    connect(m_problemButton, &QToolButton::clicked, this, [this] { showDock("problems"); });
-    m_cursorLabel = label(90);
-    m_historyLabel = label(80);
-    m_timeLabel = label(150);
-    m_loadLabel = label(130);
-    m_stateLabel = label(90);
-    QFont bold = m_stateLabel->font();
-    bold.setBold(true);
-    m_stateLabel->setFont(bold);
-    m_stateLabel->setAlignment(Qt::AlignCenter);
-    m_stateLabel->setAccessibleName(tr("State of the controller"));
+    m_status = new StatusLine(*statusBar(), *m_control, *m_workspace, *m_problems);
+    connect(m_status, &StatusLine::problemsRequested, this, [this] { showDock("problems"); });
+    connect(m_status, &StatusLine::placeRequested, m_tabs, &EditorTabs::goTo);
+    connect(m_status, &StatusLine::failed, this, [this] { showDock("callPath"); });
+    connect(m_status, &StatusLine::changed, this, &MainWindow::updateRunActions);
+    connect(m_tabs, &EditorTabs::cursorMoved, m_status,
+            [this](const QString&, int line, int column) { m_status->showCursor(line, column); });
 }
 
 void MainWindow::connectParts() {
@@ -341,7 +314,6 @@ void MainWindow::connectParts() {
     connect(m_tree, &ProjectTree::testsRequested, this, &MainWindow::runTests);
     connect(m_problems, &ProblemsView::placeRequested, this,
             [this](const QString& file, uint32_t offset) { m_tabs->goTo(file, offset); });
-    connect(m_problems, &ProblemsView::countsChanged, this, &MainWindow::updateStatus);
     connect(m_tree, &ProjectTree::traceRequested, this, [this](const QString& name) {
         m_live->openTrace(name);
         showDock("trace");
@@ -412,9 +384,6 @@ void MainWindow::connectParts() {
             [this](const QString& file, uint32_t offset) { m_tabs->goTo(file, offset); });
     connect(m_tabs, &EditorTabs::message, this, &MainWindow::say);
     connect(m_tabs, &QTabWidget::tabBarDoubleClicked, m_perspectives, &Perspectives::toggleMaximised);
-    connect(m_tabs, &EditorTabs::cursorMoved, this, [this](const QString&, int line, int column) {
-        m_cursorLabel->setText(tr("%1 : %2").arg(line).arg(column));
-    });
     connect(m_tabs, &EditorTabs::saved, this, [this] {
         if (m_settings.changeOnSave() && m_control->isRunning() && !m_control->isUpToDate()) m_control->onlineChange();
     });
@@ -436,24 +405,11 @@ void MainWindow::connectParts() {
             showDock("watch");
         });
     });
-    connect(m_control, &editor::RunControl::statusChanged, this, [this] {
-        // Figures are read by people; a change of state is shown at once.
-        const auto now = m_control->status().state;
-        if (now == m_shownState && now == controller::State::Running && m_sinceStatus.isValid() &&
-            m_sinceStatus.elapsed() < 150)
-            return;
-        if (now != m_shownState && now == controller::State::Fault) showDock("callPath");
-        m_shownState = now;
-        m_sinceStatus.start();
-        updateStatus();
-    });
-    connect(m_control, &editor::RunControl::sessionChanged, this, &MainWindow::updateStatus);
-    connect(m_control, &editor::RunControl::viewedChanged, this, &MainWindow::updateStatus);
     connect(m_control, &editor::RunControl::messageAdded, this,
             [this](const QString& text, bool isError) { statusBar()->showMessage(text, isError ? 8000 : 4000); });
     connect(m_control, &editor::RunControl::onlineChangeFinished, this, [this](const QString& text) { say(text); });
-    connect(m_control, &editor::RunControl::workBegan, m_work, &kit::WorkStrip::begin);
-    connect(m_control, &editor::RunControl::workEnded, m_work, &kit::WorkStrip::end);
+    connect(m_control, &editor::RunControl::workBegan, &m_status->work(), &kit::WorkStrip::begin);
+    connect(m_control, &editor::RunControl::workEnded, &m_status->work(), &kit::WorkStrip::end);
     connect(m_control, &editor::RunControl::buildCancelled, this,
             [this] { say(tr("The build was cancelled; everything is as it was")); });
     connect(m_control, &editor::RunControl::buildFinished, this, [this](bool good, const QString& text) {
@@ -461,17 +417,10 @@ void MainWindow::connectParts() {
         if (!good) showDock("problems");
     });
     connect(m_control, &editor::RunControl::halted, this, [this] { showDock("callPath"); });
-    connect(m_faultButton, &QToolButton::clicked, this, [this] {
-        const auto& fault = m_control->status().fault;
-        const auto& shown = fault ? fault : m_control->status().simulationFault;
-        if (const auto place = shown ? m_control->placeInText(shown->range) : std::nullopt)
-            m_tabs->goTo(place->file, place->offset, place->length);
-    });
     connectTests();
     connectInside();
     connect(m_workspace, &editor::Workspace::opened, this, &MainWindow::updateActions);
     connect(m_workspace, &editor::Workspace::closed, this, &MainWindow::updateActions);
-    connect(&kit::Theme::current(), &kit::Theme::changed, this, &MainWindow::updateStatus);
 }
 
 void MainWindow::whatIf() {
@@ -498,7 +447,7 @@ void MainWindow::stepBack(session::Step how) {
 void MainWindow::connectInside() {
     connect(m_testRunner, &TestRunner::covered, m_inside, &InsideViews::showCoverage);
     connect(m_workspace, &editor::Workspace::closed, m_inside, &InsideViews::hideCoverage);
-    connect(&m_inside->slowScan(), &editor::SlowScanView::moved, this, &MainWindow::updateStatus);
+    connect(&m_inside->slowScan(), &editor::SlowScanView::moved, m_status, &StatusLine::refresh);
     connect(m_inside, &InsideViews::dockRequested, this, &MainWindow::showDock);
     connect(m_inside, &InsideViews::message, this, &MainWindow::say);
     const auto ask = [this](kit::AskWhy question, const QString& expression) { m_inside->ask(question, expression); };
@@ -534,79 +483,29 @@ void MainWindow::updateActions() {
                             id == "file.settings" || id == "file.quit";
         each->setEnabled(open || always);
     }
-    updateStatus();
+    m_status->refresh();
 }
 
-void MainWindow::updateStatus() {
+/// What may be done to the controller as it is now.
+void MainWindow::updateRunActions() {
     using controller::State;
-    const session::Status& status = m_control->status();
+    const State state = m_control->status().state;
     const bool online = m_control->isOnline(), past = m_control->viewed().has_value();
-    const kit::ThemeColors& c = kit::colors();
-    QString state = tr("OFFLINE");
-    QColor ground = c.alternate, ink = c.muted;
-    if (online) {
-        switch (status.state) {
-        case State::Running:
-            state = m_control->mode().pace == session::Pace::Real ? tr("RUN")
-                                                                  : tr("RUN %1").arg(speedText(m_control->mode()));
-            ground = c.good, ink = c.base;
-            break;
-        case State::Paused:
-            state = tr("PAUSE"), ground = c.warning, ink = c.base;
-            break;
-        case State::Halted:
-            state = tr("HALT"), ground = c.warning, ink = c.base;
-            break;
-        case State::Fault:
-            state = tr("FAULT"), ground = c.bad, ink = c.base;
-            break;
-        case State::Stopped:
-            state = tr("STOP"), ground = c.alternate, ink = c.text;
-            break;
-        }
-        if (past) state = tr("PAST"), ground = c.info, ink = c.base;
-    }
     const bool recorded = m_control->showsRecorded();
-    if (recorded) state = tr("RECORDING"), ground = c.info, ink = c.base;
     if (auto* shown = findChild<QAction*>("recordingShownAction")) shown->setVisible(recorded);
     m_recordingButton->setText(tr("%1 – back to live").arg(m_control->recordedName()));
-    m_stateLabel->setText(state);
-    const QString look = QString("QLabel { background: %1; color: %2; border-radius: 3px; margin: 2px; }")
-                             .arg(ground.name(), ink.name());
-    if (m_stateLabel->styleSheet() != look) m_stateLabel->setStyleSheet(look);
-    m_timeLabel->setText(
-        online ? tr("%1 · scan %2").arg(kit::momentText(status.time.count() / 1'000'000 * 1'000'000)).arg(status.scans)
-               : QString());
-    m_loadLabel->setText(online ? tr("%1 µs · %2 % load")
-                                      .arg(QLocale().toString(static_cast<double>(status.lastScanNs) / 1e3, 'f', 1),
-                                           QLocale().toString(100 * status.load, 'f', 1))
-                                : QString());
-    if (online && m_control->session()) {
-        const auto statistics = m_control->session()->history().statistics();
-        m_historyLabel->setText(tr("%1 MB recorded").arg(statistics.bytes >> 20));
-        m_historyLabel->setToolTip(tr("%1 scans of %2 MB at most").arg(statistics.scans).arg(statistics.budget >> 20));
-    } else {
-        m_historyLabel->clear();
-    }
-    const auto& fault = status.fault ? status.fault : status.simulationFault;
-    m_faultButton->setVisible(online && fault.has_value());
-    if (fault) {
-        m_faultButton->setText(kit::messageText(fault->message));
-        m_faultButton->setToolTip(tr("Go to the line"));
-    }
-    const int errors = m_problems->errorCount(), warnings = m_problems->warningCount();
-    m_problemButton->setIcon(kit::icon(errors ? kit::Icon::Error : warnings ? kit::Icon::Warning : kit::Icon::Good));
-    m_problemButton->setText(errors || warnings ? QString("%1 / %2").arg(errors).arg(warnings) : tr("no problems"));
-    if (QAction* live = action("time.live")) live->setEnabled(past || recorded);
-    if (QAction* resume = action("time.resume")) resume->setEnabled(past && !recorded);
+    const auto enable = [this](std::initializer_list<const char*> ids, bool isEnabled) {
+        for (const char* id : ids)
+            if (QAction* each = action(id)) each->setEnabled(isEnabled);
+    };
+    enable({"time.live"}, past || recorded);
+    enable({"time.resume"}, past && !recorded);
     const bool open = m_workspace->isOpen(), walks = m_inside->slowScan().isOpen();
-    for (const char* id : {"run.stepIn", "run.stepOver", "run.toCursor"}) // where nothing runs yet they start it
-        if (QAction* each = action(id)) each->setEnabled(open && (walks || status.state != State::Fault));
-    if (QAction* out = action("run.stepOut")) out->setEnabled(walks || (online && status.state == State::Halted));
-    for (const char* id : {"run.pause", "run.stop", "run.change"})
-        if (QAction* each = action(id)) each->setEnabled(m_control->isRunning());
-    for (const char* id : {"time.back", "time.forward"})
-        if (QAction* each = action(id)) each->setEnabled(online || recorded);
+    // Where nothing runs yet they start it.
+    enable({"run.stepIn", "run.stepOver", "run.toCursor"}, open && (walks || state != State::Fault));
+    enable({"run.stepOut"}, walks || (online && state == State::Halted));
+    enable({"run.pause", "run.stop", "run.change"}, m_control->isRunning());
+    enable({"time.back", "time.forward"}, online || recorded);
 }
 
 void MainWindow::say(const QString& text, bool isError) {

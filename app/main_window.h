@@ -3,11 +3,10 @@
 #pragma once
 #include "app/search_view.h"
 #include "app/settings.h"
-#include "editor/analysis/workspace.h"
 #include "editor/debug/run_control.h"
+#include "editor/workspace/workspace.h"
 #include "projects/analysis/conversion.h"
 
-#include <QElapsedTimer>
 #include <QMainWindow>
 
 #include <functional>
@@ -16,13 +15,11 @@
 class QAction;
 class QApplication;
 class QDockWidget;
-class QLabel;
 class QStackedWidget;
 class QToolButton;
 
 namespace plc::kit {
 class CommandPalette;
-class WorkStrip;
 } // namespace plc::kit
 namespace plc::editor {
 class BreakpointView;
@@ -46,6 +43,7 @@ struct Living;
 class ProblemsView;
 class ProjectTree;
 class StartPage;
+class StatusLine;
 class TestRunner;
 class GuideView;
 class TestView;
@@ -130,7 +128,6 @@ public:
     void step(session::Step how);
     /// In the scan that is walked through; begins a walk where there is none.
     void stepBack(session::Step how);
-    [[nodiscard]] static QString speedText(session::RunMode mode); // "10 ×"
     void setHistoryBudget();
     void saveRecording();
     void newPanel();
@@ -175,7 +172,7 @@ private:
     void takeRecordingSettings();
     void keepRecording();
     void updateActions();
-    void updateStatus();
+    void updateRunActions();
     bool closeDesigns(); // designers, texts, alarms…; false when one wants to stay
     /// A page that works on the panels and what belongs to them.
     [[nodiscard]] static bool isDesignKey(const QString& key);
@@ -229,12 +226,7 @@ private:
     QMenu* m_recentMenu = nullptr;
     QList<QAction*> m_actions;
     QByteArray m_defaultLayout;
-    QLabel *m_stateLabel = nullptr, *m_timeLabel = nullptr, *m_loadLabel = nullptr, *m_cursorLabel = nullptr,
-           *m_historyLabel = nullptr;
-    controller::State m_shownState = controller::State::Stopped;
-    QElapsedTimer m_sinceStatus;
-    QToolButton *m_faultButton = nullptr, *m_problemButton = nullptr;
-    kit::WorkStrip* m_work = nullptr;
+    StatusLine* m_status = nullptr;
     QToolButton* m_recordingButton = nullptr; // says that a recording from a file is shown; a click goes back
     DesignFindings* m_findings = nullptr;
     PanelFiles* m_files = nullptr;

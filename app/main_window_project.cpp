@@ -11,6 +11,7 @@
 #include "app/settings_dialog.h"
 #include "app/side_bars.h"
 #include "app/start_page.h"
+#include "app/status_line.h"
 #include "app/test_view.h"
 #include "app/tour.h"
 #include "editor/debug/debug_views.h"
@@ -311,10 +312,10 @@ void MainWindow::connectTests() {
     connect(m_tests, &TestView::recordingRequested, this, &MainWindow::showRecording);
     connect(m_testRunner, &TestRunner::started, this, [this](const std::shared_ptr<Progress>& work) {
         say(tr("Running tests…"));
-        m_work->begin(tr("Tests"), work);
+        m_status->work().begin(tr("Tests"), work);
     });
     connect(m_testRunner, &TestRunner::workEnded, this, [this](const std::shared_ptr<Progress>& work) {
-        m_work->end(work);
+        m_status->work().end(work);
         if (m_changesLanguage) changeLanguage();
     });
     connect(m_testRunner, &TestRunner::failed, this, [this](const QString& message) { say(message, true); });
@@ -339,11 +340,6 @@ void MainWindow::openSettings() {
     if (dialog.languageChanged()) changeLanguage();
 }
 
-QString MainWindow::speedText(session::RunMode mode) {
-    if (mode.pace == session::Pace::Fastest) return tr("at full speed");
-    return tr("%1 ×").arg(QLocale().toString(mode.pace == session::Pace::Real ? 1.0 : mode.factor, 'g', 6));
-}
-
 void MainWindow::setSpeed() {
     std::vector<session::RunMode> modes;
     for (const double factor : {0.1, 0.5, 1.0, 2.0, 5.0, 10.0, 100.0})
@@ -353,12 +349,12 @@ void MainWindow::setSpeed() {
     for (const session::RunMode& mode : modes)
         choices << (mode.pace == session::Pace::Real      ? tr("Real time")
                     : mode.pace == session::Pace::Fastest ? tr("As fast as possible")
-                                                          : speedText(mode));
+                                                          : StatusLine::speedText(mode));
     const session::RunMode now = m_control->mode();
     const auto present = std::find_if(modes.begin(), modes.end(), [&](const session::RunMode& each) {
         return each.pace == now.pace && (each.pace != session::Pace::Factor || each.factor == now.factor);
     });
-    if (present == modes.end()) choices << speedText(now);
+    if (present == modes.end()) choices << StatusLine::speedText(now);
     bool ok = false;
     const QString chosen =
         QInputDialog::getItem(this, tr("Speed"), tr("Speed of the controller; any factor can be typed:"), choices,

@@ -26,9 +26,9 @@ struct ProjectTemplate {
     const char* summary;
 };
 [[nodiscard]] const std::vector<ProjectTemplate>& projectTemplates();
-/// Makes the folder with its files; refuses a folder that is not empty.
 /// A copy of a project without what runs and editors left beside it.
 Result<void> copyProject(const std::string& from, const std::string& to);
+/// Makes the folder with its files; refuses a folder that is not empty.
 Result<void> createProject(const std::string& folder, const std::string& name, const std::string& templateId);
 
 struct UnitTemplate {

@@ -1,7 +1,7 @@
 // All diagnostics of the project, by severity and text; panels' findings come in beside the compiler's. F4 goes to the
 // next. Owned by its dock; GUI thread.
 #pragma once
-#include "editor/analysis/workspace.h"
+#include "editor/workspace/workspace.h"
 
 #include <QTreeWidget>
 #include <QWidget>

@@ -1,8 +1,8 @@
 // The project as a tree made from the parsed files: programs, blocks, functions, types, globals, tasks, libraries,
 // panels, texts, traces, tests, simulation. Owned by its dock; GUI thread.
 #pragma once
-#include "editor/analysis/workspace.h"
 #include "editor/kit/ask_why.h"
+#include "editor/workspace/workspace.h"
 
 #include <QTreeWidget>
 #include <QWidget>

@@ -1,7 +1,7 @@
 // Results of find in project, find all uses (cross reference: reads and writes), as lines to jump to; replaces in the
 // whole project. Owned by its dock; GUI thread.
 #pragma once
-#include "editor/analysis/workspace.h"
+#include "editor/workspace/workspace.h"
 
 #include <QTreeWidget>
 #include <QWidget>

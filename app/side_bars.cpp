@@ -252,17 +252,20 @@ void SideBars::reveal(QDockWidget& dock) {
     placeFrame();
     m_frame->show();
     m_frame->raise();
-    for (auto it = m_buttons.cbegin(); it != m_buttons.cend(); ++it)
-        if (auto* button =
-                qobject_cast<QToolButton*>(static_cast<QToolBar*>(it.value()->parent())->widgetForAction(it.value())))
-            button->defaultAction()->setChecked(it.key() == &dock);
+    checkButtonOf(&dock);
 }
 
 void SideBars::conceal() {
     takeBack();
-    for (QAction* inBar : m_buttons)
-        if (auto* button = qobject_cast<QToolButton*>(static_cast<QToolBar*>(inBar->parent())->widgetForAction(inBar)))
-            button->defaultAction()->setChecked(false);
+    checkButtonOf(nullptr);
+}
+
+/// The button of that dock alone is down; null: none.
+void SideBars::checkButtonOf(const QDockWidget* dock) {
+    for (auto it = m_buttons.cbegin(); it != m_buttons.cend(); ++it)
+        if (auto* button =
+                qobject_cast<QToolButton*>(static_cast<QToolBar*>(it.value()->parent())->widgetForAction(it.value())))
+            button->defaultAction()->setChecked(it.key() == dock);
 }
 
 /// What slid out is the dock's again.

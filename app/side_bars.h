@@ -39,6 +39,7 @@ private:
     [[nodiscard]] QToolBar* barOf(Qt::DockWidgetArea area) const { return m_bars.value(area); }
     void addButton(QDockWidget& dock);
     void removeButton(QDockWidget& dock);
+    void checkButtonOf(const QDockWidget* dock);
     void takeBack();
     void placeFrame();
     void showBars();

@@ -1,6 +1,6 @@
 // Runs the project's TESTs on a thread of its own, all or some. Owned by the main window; GUI thread.
 #pragma once
-#include "editor/analysis/workspace.h"
+#include "editor/workspace/workspace.h"
 #include "projects/testing/test_run.h"
 #include "runtime/inside/coverage.h"
 

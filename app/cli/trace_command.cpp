@@ -3,7 +3,7 @@
 #include "app/cli/timed_write.h"
 
 #include "editor/kit/theme.h"
-#include "editor/trace/session_recording.h"
+#include "editor/trace/run_recording.h"
 #include "editor/trace/trace_picture.h"
 #include "projects/session/session.h"
 #include "runtime/controller/leave_hook.h"
@@ -140,7 +140,7 @@ int traceRecording(const Arguments& arguments, const std::string& file) {
     if (!setup) return wrongUse(setup.error());
     const auto output = outputOf(arguments, *setup);
     if (!output) return wrongUse(output.error());
-    const auto recording = trace::FileRecording::open(file);
+    const auto recording = trace::RunRecording::open(file);
     if (!recording) return wrongUse(recording.error());
     needApplication();
     return finish(**recording, *output);
@@ -172,17 +172,17 @@ int run(const Arguments& arguments) {
     if (faulted && session.controller().fault())
         std::cerr << "stepwise: " << session.controller().fault()->message << "\n";
     needApplication();
-    std::shared_ptr<trace::FileRecording> beneath;
+    std::shared_ptr<trace::RunRecording> beneath;
     std::optional<std::string> file = arguments.value("--beneath");
     if (!file && !setup->compareWith.empty())
         file = (std::filesystem::path(project->folder) / setup->compareWith).string();
     if (file) {
-        const auto older = trace::FileRecording::open(*file);
+        const auto older = trace::RunRecording::open(*file);
         if (!older) return wrongUse(older.error());
         beneath = *older;
         output->beneath = beneath.get();
     }
-    const trace::SessionRecording recording(session);
+    const trace::RunRecording recording(session);
     const int done = finish(recording, *output);
     return faulted ? kProgramWrong : done;
 }

@@ -98,8 +98,8 @@ ComputedScan::Values ComputedScan::of(const QString& file, const QString& instan
 /// Which scan is to be shown; null: nothing to look at.
 std::shared_ptr<ComputedScan::Job> ComputedScan::makeJob() {
     session::Session* session = m_control.session();
-    const RecordedRun* recorded = m_control.recorded();
-    const history::History* history = recorded ? recorded->history : session ? &session->history() : nullptr;
+    const auto& recorded = m_control.recorded();
+    const history::History* history = m_control.shownHistory();
     if (!history || m_control.isEnding() || m_control.isBuilding()) return nullptr;
     const history::Statistics all = history->statistics();
     auto job = std::make_shared<Job>();
@@ -128,7 +128,7 @@ std::shared_ptr<ComputedScan::Job> ComputedScan::makeJob() {
     }
     job->insight = m_insight;
     job->hold = m_control.hold();
-    if (recorded) job->owner = recorded->owner;
+    job->owner = recorded;
     return job;
 }
 

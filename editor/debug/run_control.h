@@ -3,42 +3,21 @@
 // recorded one. Owned by the main window; GUI thread. Views connect to `refreshed` and read through `value()`; none of
 // them reaches into the scan.
 #pragma once
-#include "editor/analysis/workspace.h"
-#include "editor/debug/line_map.h"
+#include "editor/debug/breakpoint_list.h"
+#include "editor/debug/pou_instances.h"
 #include "editor/debug/run_archive.h"
+#include "editor/debug/shown_run.h"
+#include "editor/workspace/workspace.h"
 #include "projects/session/session.h"
 
-#include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
 
 #include <memory>
 #include <optional>
-#include <set>
 #include <thread>
 
 namespace plc::editor {
-
-struct EditorBreakpoint {
-    QString file;
-    int line = 1; // 1-based
-    QString condition;
-    int hitCount = 0;
-    QString instance;
-    bool isEnabled = true;
-    bool hasCode = true; // false: the program that runs has none at the line or below it
-    bool operator==(const EditorBreakpoint&) const = default;
-};
-
-/// A recording from a file, looked at in the place of the running controller.
-struct RecordedRun {
-    QString name;
-    const history::History* history = nullptr;
-    std::function<Result<expression::Expression>(const std::string& text, const std::string& scope,
-                                                 const image::CompiledProgram& program)>
-        compile;
-    std::shared_ptr<const void> owner; // keeps the history alive
-};
 
 class RunControl : public QObject {
     Q_OBJECT
@@ -61,16 +40,14 @@ public:
     /// Memory for the recording of every scan, of this session and of those to come.
     void setHistoryBudget(size_t bytes);
 
-    /// All views show a recording from a file (nothing can be written then); nothing: the controller again.
-    void showRecorded(std::optional<RecordedRun> recorded);
-    [[nodiscard]] bool showsRecorded() const { return m_recorded.has_value(); }
-    [[nodiscard]] const RecordedRun* recorded() const { return m_recorded ? &*m_recorded : nullptr; }
-    [[nodiscard]] QString recordedName() const { return m_recorded ? m_recorded->name : QString(); }
-    /// The recording that is looked at: of the controller, or from a file; null: none.
-    [[nodiscard]] const history::History* shownHistory() const;
-    [[nodiscard]] std::shared_ptr<const void> recordedOwner() const {
-        return m_recorded ? m_recorded->owner : nullptr; // keeps the one from a file alive
-    }
+    /// All views show a recording from a file (nothing can be written then); null: the controller again.
+    void showRecorded(std::shared_ptr<const session::RecordedRun> recorded, const QString& name = {});
+    [[nodiscard]] bool showsRecorded() const { return recorded() != nullptr; }
+    [[nodiscard]] const std::shared_ptr<const session::RecordedRun>& recorded() const { return m_shown.recorded(); }
+    [[nodiscard]] QString recordedName() const { return m_shown.recordedName(); }
+    /// What is looked at: the controller's, or one from a file; null: none.
+    [[nodiscard]] const session::Run* run() const { return m_shown.run(); }
+    [[nodiscard]] const history::History* shownHistory() const { return m_shown.history(); }
     /// There are values to show: of a controller or of a recording.
     [[nodiscard]] bool hasValues() const { return isOnline() || showsRecorded(); }
 
@@ -96,21 +73,16 @@ public:
     void announce();          // all of its state again, to views that are new
 
     // breakpoints, kept with the project
-    [[nodiscard]] const std::vector<EditorBreakpoint>& breakpoints() const { return m_breakpoints; }
+    [[nodiscard]] const std::vector<EditorBreakpoint>& breakpoints() const { return m_breakpoints.all(); }
     /// An enabled one at "file:line".
-    [[nodiscard]] bool hasBreakpoint(const QString& place) const;
+    [[nodiscard]] bool hasBreakpoint(const QString& place) const { return m_breakpoints.has(place); }
     void setBreakpoints(std::vector<EditorBreakpoint> breakpoints);
     void toggleBreakpoint(const QString& file, int line);
     /// The text was edited: what stood at the first line of a pair stands at the second now.
     void moveBreakpoints(const QString& file, const std::map<int, int>& lines);
 
-    /// Where a place of the program that runs is in the text as it stands now.
-    struct TextPlace {
-        QString file;
-        int line = 0;        // from 1
-        uint32_t offset = 0; // of the place, or of the line when the text there was edited
-        uint32_t length = 0;
-    };
+    using TextPlace = editor::TextPlace;
+    /// Where a place of the program that runs is in the text as it is written now.
     [[nodiscard]] std::optional<TextPlace> placeInText(SourceRange range) const;
     /// The same of another version of the program, that of a recorded scan.
     [[nodiscard]] std::optional<TextPlace> placeInText(SourceRange range, const image::CompiledProgram& program) const;
@@ -118,30 +90,25 @@ public:
     [[nodiscard]] bool isUpToDate() const;
 
     // values
-    struct Shown {
-        QString text; // "" = no value
-        QString reason;
-        types::Value value;
-        types::TypeId type;
-        bool isBool = false, isTrue = false, isForced = false;
-    };
+    using Shown = ShownRun::Value;
     [[nodiscard]] Shown value(const QString& expression, const QString& scope = {},
-                              types::NumberFormat format = types::NumberFormat::Decimal) const;
+                              types::NumberFormat format = types::NumberFormat::Decimal) const {
+        return m_shown.value(expression, scope, format);
+    }
     /// Live value of a name as written inside a POU: its halted frame, else its only instance.
     [[nodiscard]] Shown valueIn(const QString& name, const QString& pou) const;
-    /// The scan that whoever looks inside the running controller looks at, so that all of them show the same one;
-    /// another one ten times a second. Stopped, the newest. Only where something is recorded.
-    [[nodiscard]] history::Position sampled() const;
-    /// An image to show in the place of the one that everybody is shown.
-    struct Moment {
-        std::vector<std::byte> image;
-        std::shared_ptr<const image::CompiledProgram> program;
-    };
+    /// The scan that whoever looks inside the running controller looks at, so that all of them show the same one.
+    [[nodiscard]] history::Position sampled() const { return m_shown.sampled(); }
+    using Moment = ShownRun::Moment;
     /// While `read` runs, values are those of the moment.
-    void atMoment(Moment& moment, const std::function<void()>& read);
-    [[nodiscard]] std::vector<QString> instancesOf(const QString& pou) const;
+    void atMoment(Moment& moment, const std::function<void()>& read) { m_shown.atMoment(moment, read); }
+    [[nodiscard]] std::vector<QString> instancesOf(const QString& pou) const {
+        return m_instances.of(pou, m_shown.program());
+    }
     void setPreferredInstance(const QString& pou, const QString& instance);
-    [[nodiscard]] QString preferredInstance(const QString& pou) const;
+    [[nodiscard]] QString preferredInstance(const QString& pou) const {
+        return m_instances.preferred(pou, m_shown.program());
+    }
     Result<void> write(const QString& path, const QString& text);
     Result<void> force(const QString& path, const QString& text);
     void unforce(const QString& path);
@@ -149,13 +116,13 @@ public:
 
     // time
     /// None: live.
-    [[nodiscard]] std::optional<history::Position> viewed() const { return m_viewed; }
+    [[nodiscard]] std::optional<history::Position> viewed() const { return m_shown.viewed(); }
     void view(std::optional<history::Position> position);
     void stepView(int scans);
     Result<void> resumeFromView();
-    [[nodiscard]] const std::vector<std::byte>& image() const { return m_image; }
-    [[nodiscard]] const image::CompiledProgram* imageProgram() const { return m_imageProgram.get(); }
-    [[nodiscard]] std::shared_ptr<const image::CompiledProgram> sharedImageProgram() const { return m_imageProgram; }
+    [[nodiscard]] const std::vector<std::byte>& image() const { return m_shown.image(); }
+    [[nodiscard]] const image::CompiledProgram* imageProgram() const { return m_shown.program().get(); }
+    [[nodiscard]] std::shared_ptr<const image::CompiledProgram> sharedImageProgram() const { return m_shown.program(); }
 
 signals:
     void buildStarted();
@@ -177,17 +144,23 @@ signals:
 
 private:
     void tick();
-    void takeSample();
     /// Builds on a thread of its own; `then` comes back to this one, unless it was cancelled.
     void buildAside(std::function<void(std::shared_ptr<driver::Built>)> then);
     void watchOptimising(std::shared_ptr<Progress> now);
     void adopt(std::shared_ptr<driver::Built> built, bool changeRunning);
     void postBreakpoints();
-    /// As the program knows them; moves those on lines without code to where they halt.
     std::vector<session::Breakpoint> breakpointsFor(const image::CompiledProgram& program);
     void startThen(bool paused, std::function<void()> then);
-    [[nodiscard]] std::string textOf(const QString& file, const SourceText& built) const;
-    void refreshImage();
+    [[nodiscard]] TextNow textNow() const;
+    struct Entry {
+        session::Target target;
+        types::Value value;
+    };
+    /// A value as it was typed, and what it goes to.
+    [[nodiscard]] Result<Entry> entry(const QString& path, const QString& text) const;
+    [[nodiscard]] std::optional<Shown> localOf(size_t frame, const QString& name) const;
+    void tellChange(const session::Status& before);
+    void tellHalt();
     void endSession();
     void leaveRecorded();
     [[nodiscard]] QString retainFile() const;
@@ -198,20 +171,11 @@ private:
     std::unique_ptr<session::Session> m_session;
     session::Status m_status;
     session::RunMode m_mode{session::Pace::Real, 1.0};
-    std::vector<EditorBreakpoint> m_breakpoints;
+    BreakpointList m_breakpoints;
+    PouInstances m_instances;
+    ShownRun m_shown;
     std::vector<session::FaultFrame> m_frames;
     uint64_t m_haltsSeen = 0;
-    std::map<QString, QString> m_preferredInstance;              // POU → instance path
-    mutable std::map<QString, std::vector<QString>> m_instances; // found, by POU, of m_instancesOf
-    mutable std::shared_ptr<const image::CompiledProgram> m_instancesOf;
-    std::optional<history::Position> m_viewed;
-    std::optional<RecordedRun> m_recorded;
-    mutable std::map<std::string, expression::Expression> m_recordedExpressions; // by scope, text and version
-    std::vector<std::byte> m_image;
-    std::shared_ptr<const image::CompiledProgram> m_imageProgram;
-    std::set<std::string> m_forced; // folded paths
-    history::Position m_sampled = 0;
-    QElapsedTimer m_sinceSample;
     QTimer m_timer;
     std::shared_ptr<Progress> m_building, m_optimising; // null: nothing of the kind goes on
     std::weak_ptr<void> m_hold;

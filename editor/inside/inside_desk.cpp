@@ -36,7 +36,7 @@ bool InsideDesk::ask(const QString& key, Work work, Needs needs) {
     {
         const std::lock_guard lock(m_mutex);
         given = drop(key);
-        m_jobs.push_back({key, std::move(work), history, m_control.recordedOwner(), m_control.hold(), m_generation});
+        m_jobs.push_back({key, std::move(work), history, m_control.recorded(), m_control.hold(), m_generation});
     }
     m_changed.notify_all();
     setOpen(m_open + 1 - static_cast<int>(given));

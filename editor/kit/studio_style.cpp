@@ -406,21 +406,6 @@ void StudioStyle::drawControl(ControlElement element, const QStyleOption* option
     case CE_Splitter:
         painter->fillRect(option->rect, option->state & State_MouseOver ? c.hover : c.window);
         return;
-    case CE_DockWidgetTitle:
-        if (const auto* dock = qstyleoption_cast<const QStyleOptionDockWidget*>(option)) {
-            painter->fillRect(dock->rect, c.window);
-            painter->save();
-            QFont font = painter->font();
-            font.setWeight(QFont::DemiBold);
-            painter->setFont(font);
-            const QRect text = subElementRect(SE_DockWidgetTitleBarText, option, widget).adjusted(4, 0, 0, 0);
-            painter->setPen(c.muted);
-            painter->drawText(text, Qt::AlignVCenter | Qt::AlignLeft,
-                              painter->fontMetrics().elidedText(dock->title, Qt::ElideRight, text.width()));
-            painter->restore();
-            return;
-        }
-        break;
     case CE_HeaderSection:
     case CE_HeaderEmptyArea:
         painter->fillRect(option->rect, c.window);

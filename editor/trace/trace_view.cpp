@@ -9,7 +9,7 @@
 #include "editor/kit/plot_table.h"
 #include "editor/kit/theme.h"
 #include "editor/trace/channel_panel.h"
-#include "editor/trace/session_recording.h"
+#include "editor/trace/run_recording.h"
 
 #include <QAction>
 #include <QActionGroup>

@@ -19,7 +19,7 @@ class QToolBar;
 namespace plc::trace {
 
 class ChannelPanel;
-class FileRecording;
+class RunRecording;
 
 class TraceView : public QWidget {
     Q_OBJECT
@@ -37,7 +37,7 @@ public:
     /// The samples in view as CSV; it can be cancelled, then the file stays as it was.
     void exportSamples(const QString& path);
     bool showsFile() const { return m_opened != nullptr; }
-    std::shared_ptr<const Recording> openedRecording() const { return m_opened; }
+    std::shared_ptr<const RunRecording> openedRecording() const { return m_opened; }
     const QString& openedName() const { return m_openedName; }
     /// The recording that is drawn: the opened file's, else the running one.
     const Recording* recording() const { return m_recording; }
@@ -83,7 +83,8 @@ public:
         QString path, openedName;
         bool isModified = false, isFollowing = true;
         int64_t from = 0, to = 0; // the times in view
-        std::shared_ptr<const Recording> opened, beneath;
+        std::shared_ptr<const RunRecording> opened;
+        std::shared_ptr<const Recording> beneath;
         QString compared; // path of what lies beneath
     };
     [[nodiscard]] Kept kept() const;
@@ -121,12 +122,12 @@ private:
     void report(const Result<void>& result);
     void showRecording(const Recording* recording);
     void followCompareWith();
-    [[nodiscard]] Result<std::shared_ptr<FileRecording>> readFile(const QString& path);
+    [[nodiscard]] Result<std::shared_ptr<RunRecording>> readFile(const QString& path);
     QString inProject(const QString& path) const;
 
     const Recording* m_recording = nullptr; // drawn
     const Recording* m_live = nullptr;
-    std::shared_ptr<const Recording> m_opened;
+    std::shared_ptr<const RunRecording> m_opened;
     QString m_openedName, m_compared; // compared: path of what lies beneath
     std::shared_ptr<const Recording> m_beneath;
     std::shared_ptr<history::ColumnStore> m_store;

@@ -3,7 +3,7 @@
 #include "editor/kit/long_task.h"
 #include "editor/kit/message_text.h"
 #include "editor/kit/theme.h"
-#include "editor/trace/session_recording.h"
+#include "editor/trace/run_recording.h"
 #include "editor/trace/trace_view.h"
 #include "runtime/base/messages.h"
 
@@ -18,13 +18,13 @@ void TraceView::setRecording(const Recording* recording) {
 }
 
 /// Null when it was cancelled. The program in the file is compiled again, which takes longest.
-Result<std::shared_ptr<FileRecording>> TraceView::readFile(const QString& path) {
-    Result<std::shared_ptr<FileRecording>> opened = std::shared_ptr<FileRecording>();
+Result<std::shared_ptr<RunRecording>> TraceView::readFile(const QString& path) {
+    Result<std::shared_ptr<RunRecording>> opened = std::shared_ptr<RunRecording>();
     const bool isDone =
         kit::LongTask::runAside(tr("Opening %1…").arg(QFileInfo(path).fileName()), this, [&](Progress& progress) {
-            opened = FileRecording::open(path.toStdString(), &progress);
+            opened = RunRecording::open(path.toStdString(), &progress);
         });
-    if (!isDone) return std::shared_ptr<FileRecording>();
+    if (!isDone) return std::shared_ptr<RunRecording>();
     return opened;
 }
 

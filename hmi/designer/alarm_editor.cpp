@@ -2,7 +2,7 @@
 
 #include "editor/kit/edit_history.h"
 #include "editor/kit/icons.h"
-#include "editor/kit/own_keys.h"
+#include "hmi/designer/edit_bar.h"
 #include "hmi/designer/records_dialog.h"
 #include "hmi/view/panel_theme.h"
 
@@ -28,15 +28,7 @@ AlarmEditor::AlarmEditor(DesignContext& context, QWidget* parent)
     m_list->setHeaderLabels({tr("Alarm"), tr("Priority"), tr("Condition"), tr("Text")});
     m_list->header()->setSectionResizeMode(2, QHeaderView::Stretch);
     m_list->header()->setSectionResizeMode(3, QHeaderView::Stretch);
-    auto* bar = new QToolBar;
-    bar->setIconSize(QSize(16, 16));
-    for (QAction* action : {kit::makeUndoAction(m_undo, this), kit::makeRedoAction(m_undo, this)}) {
-        action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-        bar->addAction(action);
-        addAction(action);
-    }
-    new kit::OwnKeys(this);
-    bar->addSeparator();
+    QToolBar* bar = makeEditBar(m_undo, this);
     bar->addAction(kit::icon(kit::Icon::Alarm), tr("Add an alarm"), this, &AlarmEditor::addAlarm);
     bar->addAction(kit::icon(kit::Icon::Layers), tr("Add a class"), this, &AlarmEditor::addClass);
     bar->addAction(kit::icon(kit::Icon::Remove), tr("Remove"), this, &AlarmEditor::removeSelected);

@@ -17,12 +17,12 @@ void DesignContext::setChecked(driver::Checked checked) {
     emit programChanged();
 }
 
-void DesignContext::setSession(session::Session* session) {
-    m_session = session;
+void DesignContext::setRun(session::Run* run) {
+    m_run = run;
     emit programChanged();
 }
 
-void DesignContext::setRecording(std::optional<PanelRecording> recording) {
+void DesignContext::setRecording(std::shared_ptr<const session::Run> recording) {
     if (!recording && !m_recording) return;
     m_recording = std::move(recording);
     m_position.reset();

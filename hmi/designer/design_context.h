@@ -21,12 +21,12 @@ public:
     const driver::Checked& checked() const { return m_checked; }
     /// After each build; findings and facts follow.
     void setChecked(driver::Checked checked);
-    session::Session* session() const { return m_session; }
-    void setSession(session::Session* session);
+    session::Run* run() const { return m_run; }
+    void setRun(session::Run* run);
     /// What previews show: the controller now or at a recorded scan, or a recording from a file in its place.
-    void setRecording(std::optional<PanelRecording> recording);
+    void setRecording(std::shared_ptr<const session::Run> recording);
     void setPosition(std::optional<history::Position> position);
-    const std::optional<PanelRecording>& recording() const { return m_recording; }
+    const std::shared_ptr<const session::Run>& recording() const { return m_recording; }
     const std::optional<history::Position>& position() const { return m_position; }
     void setCompletions(kit::CompletionSource completions) { m_completions = std::move(completions); }
     const kit::CompletionSource& completions() const { return m_completions; }
@@ -112,8 +112,8 @@ signals:
 private:
     PanelProject& m_project;
     driver::Checked m_checked;
-    session::Session* m_session = nullptr;
-    std::optional<PanelRecording> m_recording;
+    session::Run* m_run = nullptr;
+    std::shared_ptr<const session::Run> m_recording;
     std::optional<history::Position> m_position;
     kit::CompletionSource m_completions;
     Variables m_variables;

@@ -129,8 +129,8 @@ PanelDesigner::PanelDesigner(DesignContext& context, const QString& panelName, Q
         if (m_player) m_player->setLanguage(m_context.language());
     });
     connect(&m_context, &DesignContext::programChanged, this, [this] {
-        if (m_player && m_player->session() != m_context.session()) {
-            m_player->setSession(m_context.session());
+        if (m_player && m_player->run() != m_context.run()) {
+            m_player->setRun(m_context.run());
             showInPreview();
         }
         m_checkTimer.start();
@@ -491,7 +491,7 @@ void PanelDesigner::setLive(bool live) {
         m_player.reset();
         return;
     }
-    m_player = std::make_unique<PanelPlayer>(m_context.project(), m_context.session());
+    m_player = std::make_unique<PanelPlayer>(m_context.project(), m_context.run());
     // A faceplate by itself shows the first thing that it stands for.
     if (const auto given = argumentsGiven(m_context.checkInput(), m_name); !given.empty())
         m_player->setArguments(given.front());

@@ -3,7 +3,7 @@
 #include "editor/kit/edit_history.h"
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
-#include "editor/kit/own_keys.h"
+#include "hmi/designer/edit_bar.h"
 #include "hmi/model/errors.h"
 #include "hmi/people/log_in.h"
 #include "hmi/people/password.h"
@@ -53,15 +53,7 @@ PeopleEditor::PeopleEditor(DesignContext& context, QWidget* parent)
       m_users(tableWith({tr("User"), tr("Roles"), tr("Language"), tr("Start panel"), tr("Password")}, tr("Users"))),
       m_roles(tableWith({tr("Role"), tr("Title"), tr("Start panel")}, tr("Roles"))), m_timeout(new QSpinBox),
       m_problem(new QLabel) {
-    auto* bar = new QToolBar;
-    bar->setIconSize(QSize(16, 16));
-    for (QAction* action : {kit::makeUndoAction(m_undo, this), kit::makeRedoAction(m_undo, this)}) {
-        action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-        bar->addAction(action);
-        addAction(action);
-    }
-    new kit::OwnKeys(this);
-    bar->addSeparator();
+    QToolBar* bar = makeEditBar(m_undo, this);
     bar->addAction(kit::icon(kit::Icon::User), tr("Add a User"), this, &PeopleEditor::addUser);
     bar->addAction(kit::icon(kit::Icon::Lock), tr("Set Password…"), this, &PeopleEditor::askForPassword);
     bar->addAction(kit::icon(kit::Icon::Remove), tr("Remove User"), this, &PeopleEditor::removeSelectedUser);

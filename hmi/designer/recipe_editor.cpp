@@ -3,8 +3,8 @@
 #include "editor/kit/edit_history.h"
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
-#include "editor/kit/own_keys.h"
 #include "editor/kit/theme.h"
+#include "hmi/designer/edit_bar.h"
 #include "hmi/player/recipe_transfer.h"
 #include "projects/storage/project_file.h"
 
@@ -44,15 +44,7 @@ bool isNameTaken(const RecipeFile& file, const QString& name) { return name.isEm
 
 RecipeEditor::RecipeEditor(DesignContext& context, QWidget* parent)
     : QWidget(parent), m_context(context), m_list(new QListWidget), m_table(new QTableWidget), m_problems(new QLabel) {
-    auto* bar = new QToolBar;
-    bar->setIconSize(QSize(16, 16));
-    for (QAction* action : {kit::makeUndoAction(m_undo, this), kit::makeRedoAction(m_undo, this)}) {
-        action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-        bar->addAction(action);
-        addAction(action);
-    }
-    new kit::OwnKeys(this);
-    bar->addSeparator();
+    QToolBar* bar = makeEditBar(m_undo, this);
     bar->addAction(kit::icon(kit::Icon::New), tr("Add a Recipe"), this, &RecipeEditor::addRecipe);
     bar->addAction(kit::icon(kit::Icon::Variable), tr("Add a Variable"), this, [this] {
         const std::optional<QString> path = m_context.picker() ? m_context.picker()(QString()) : std::nullopt;

@@ -3,9 +3,9 @@
 #include "editor/kit/edit_history.h"
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
-#include "editor/kit/own_keys.h"
 #include "editor/kit/theme.h"
 #include "hmi/designer/arrange.h"
+#include "hmi/designer/edit_bar.h"
 #include "projects/storage/project_file.h"
 
 #include <QAction>
@@ -180,15 +180,7 @@ TextEditor::TextEditor(DesignContext& context, QWidget* parent)
     m_view->setAccessibleName(tr("Texts"));
     m_users->setWordWrap(true);
     m_users->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    auto* bar = new QToolBar;
-    bar->setIconSize(QSize(16, 16));
-    for (QAction* action : {kit::makeUndoAction(m_undo, this), kit::makeRedoAction(m_undo, this)}) {
-        action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-        bar->addAction(action);
-        addAction(action);
-    }
-    new kit::OwnKeys(this);
-    bar->addSeparator();
+    QToolBar* bar = makeEditBar(m_undo, this);
     bar->addAction(kit::icon(kit::Icon::Add), tr("Add a key"), this, [this] {
         const QString key = QInputDialog::getText(this, tr("Add a key"), tr("Key"));
         if (!key.isEmpty()) addKey(key);

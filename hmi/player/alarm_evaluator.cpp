@@ -7,25 +7,19 @@
 
 namespace plc::hmi {
 
-AlarmSource AlarmSource::of(const session::Session& session) {
-    return {&session.history(), [&session] { return session.program(); },
-            [&session](const std::string& text) { return session.expression(text); },
-            [&session](const std::string& text) { return session.recompile(text); }};
-}
-
-AlarmEvaluator::AlarmEvaluator(AlarmSource source, std::vector<AlarmDefinition> definitions)
-    : m_source(std::move(source)), m_definitions(std::move(definitions)), m_lifeCycle(m_definitions) {
-    m_next = m_source.history->statistics().first;
+AlarmEvaluator::AlarmEvaluator(const session::Run& run, std::vector<AlarmDefinition> definitions)
+    : m_run(run), m_definitions(std::move(definitions)), m_lifeCycle(m_definitions) {
+    m_next = m_run.history().statistics().first;
     compile();
 }
 
 void AlarmEvaluator::compile() {
-    m_program = m_source.program();
+    m_program = m_run.program();
     m_conditions.clear();
     m_inhibits.clear();
     const auto compiled = [&](const QString& text) {
         if (text.trimmed().isEmpty()) return expression::Expression();
-        auto result = m_source.expression(text.toStdString());
+        auto result = m_run.expression(text.toStdString());
         return result ? *result : expression::Expression();
     };
     for (const AlarmDefinition& one : m_definitions) {
@@ -35,7 +29,7 @@ void AlarmEvaluator::compile() {
 }
 
 AlarmInstant AlarmEvaluator::now() const {
-    const auto stamp = m_next > 0 ? m_source.history->stamp(m_next - 1) : std::nullopt;
+    const auto stamp = m_next > 0 ? m_run.history().stamp(m_next - 1) : std::nullopt;
     return stamp ? AlarmInstant{stamp->position, stamp->scan, stamp->time} : AlarmInstant{};
 }
 
@@ -44,11 +38,11 @@ AlarmRecord AlarmEvaluator::recordOf(const AlarmEvent& event) const {
     AlarmRecord record{0, alarm.id, event.kind, event.at, QDateTime::currentMSecsSinceEpoch(), {}, {}};
     if (event.kind != AlarmEventKind::Raised || alarm.values.empty()) return record;
     std::shared_ptr<const image::CompiledProgram> program;
-    const std::vector<std::byte> image = m_source.history->seek(event.at.position, &program);
+    const std::vector<std::byte> image = m_run.history().seek(event.at.position, &program);
     for (const auto& [name, text] : alarm.values) {
         Value value;
         if (!image.empty() && program) {
-            const expression::Expression compiled = m_source.recompile(text.toStdString())(*program);
+            const expression::Expression compiled = m_run.recompile(text.toStdString())(*program);
             if (compiled.isValid())
                 if (const expression::Outcome outcome = compiled.evaluate(image); outcome.hasValue())
                     value = toPanel(compiled.types(), outcome.value);
@@ -67,7 +61,7 @@ void AlarmEvaluator::append(std::span<const AlarmEvent> events, const QString& u
 }
 
 bool AlarmEvaluator::followBranch(std::vector<AlarmFindings>& findings, history::Position& end) {
-    const std::vector<history::Branch> branches = m_source.history->branches();
+    const std::vector<history::Branch> branches = m_run.history().branches();
     // The next branch that begins at or behind what was evaluated: first the end of the old one, then its parent's
     // state.
     for (size_t i = std::max<size_t>(m_branch, 1); i < branches.size(); ++i) {
@@ -87,8 +81,8 @@ bool AlarmEvaluator::followBranch(std::vector<AlarmFindings>& findings, history:
 }
 
 bool AlarmEvaluator::process(std::vector<AlarmFindings>& findings, size_t limit) {
-    if (m_source.program() != m_program) compile();
-    const history::Statistics there = m_source.history->statistics();
+    if (m_run.program() != m_program) compile();
+    const history::Statistics there = m_run.history().statistics();
     if (m_next < there.first) m_next = there.first; // evicted before we came to it
     history::Position end = there.end;
     followBranch(findings, end);
@@ -102,7 +96,7 @@ bool AlarmEvaluator::process(std::vector<AlarmFindings>& findings, size_t limit)
 }
 
 void AlarmEvaluator::processRange(history::Position from, history::Position to, AlarmFindings& out) {
-    const history::History& history = *m_source.history;
+    const history::History& history = m_run.history();
     const size_t count = m_definitions.size(), scans = static_cast<size_t>(to - from);
     if (count == 0 || scans == 0) return;
     std::vector<std::vector<Condition>> conditions(count, std::vector<Condition>(scans, Condition::Unknown));
@@ -111,7 +105,7 @@ void AlarmEvaluator::processRange(history::Position from, history::Position to, 
     const auto read = [&](const expression::Expression& expression, const QString& text, std::vector<Condition>& into) {
         if (!expression.isValid()) return;
         for (const history::Sample& sample :
-             history.samples(expression, m_source.recompile(text.toStdString()), from, to)) {
+             history.samples(expression, m_run.recompile(text.toStdString()), from, to)) {
             if (sample.at.position < from || sample.at.position >= to) continue;
             const size_t i = static_cast<size_t>(sample.at.position - from);
             instants[i] = {sample.at.position, sample.at.scan, sample.at.time};
@@ -177,8 +171,8 @@ void AlarmEvaluator::acknowledgeAll(const QStringList& classes, const QString& u
 
 // ---- the thread
 
-AlarmWatch::AlarmWatch(const session::Session& session, AlarmBook& book, QObject* parent)
-    : QObject(parent), m_session(session), m_book(book) {
+AlarmWatch::AlarmWatch(const session::Run& of, AlarmBook& book, QObject* parent)
+    : QObject(parent), m_run(of), m_book(book) {
     m_thread = std::thread([this, definitions = book.definitions(), acknowledged = book.takeAcknowledged()]() mutable {
         run(std::move(definitions), acknowledged);
     });
@@ -194,7 +188,7 @@ AlarmWatch::~AlarmWatch() {
 }
 
 void AlarmWatch::run(std::vector<AlarmDefinition> definitions, const std::vector<AlarmRecord>& acknowledged) {
-    AlarmEvaluator evaluator(m_session, std::move(definitions));
+    AlarmEvaluator evaluator(m_run, std::move(definitions));
     evaluator.setAcknowledged(acknowledged);
     std::unique_lock lock(m_mutex);
     while (!m_stop) {

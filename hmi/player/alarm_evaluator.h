@@ -3,7 +3,7 @@
 // book.
 #pragma once
 #include "hmi/alarms/alarm_book.h"
-#include "projects/session/session.h"
+#include "projects/session/run.h"
 
 #include <QObject>
 #include <condition_variable>
@@ -19,21 +19,10 @@ struct AlarmFindings {
     std::vector<AlarmRecord> records;
 };
 
-/// Where conditions are read from: a running controller, or a recording from a file.
-struct AlarmSource {
-    const history::History* history;
-    std::function<std::shared_ptr<const image::CompiledProgram>()> program;
-    std::function<Result<expression::Expression>(const std::string& text)> expression;
-    std::function<history::Recompile(const std::string& text)> recompile;
-
-    static AlarmSource of(const session::Session& session);
-};
-
 class AlarmEvaluator {
 public:
-    AlarmEvaluator(const session::Session& session, std::vector<AlarmDefinition> definitions)
-        : AlarmEvaluator(AlarmSource::of(session), std::move(definitions)) {}
-    AlarmEvaluator(AlarmSource source, std::vector<AlarmDefinition> definitions);
+    /// The run must outlive it.
+    AlarmEvaluator(const session::Run& run, std::vector<AlarmDefinition> definitions);
 
     /// Evaluates recorded scans up to the newest one, at most `limit` of them; true while some are left.
     bool process(std::vector<AlarmFindings>& findings, size_t limit = 1 << 14);
@@ -53,7 +42,7 @@ private:
     void acknowledgeAgain(const AlarmInstant& at, AlarmFindings& out);
     void append(std::span<const AlarmEvent> events, const QString& user, AlarmFindings& out);
 
-    AlarmSource m_source;
+    const session::Run& m_run;
     std::vector<AlarmDefinition> m_definitions;
     std::shared_ptr<const image::CompiledProgram> m_program;
     std::vector<expression::Expression> m_conditions, m_inhibits;
@@ -68,7 +57,7 @@ class AlarmWatch final : public QObject {
     Q_OBJECT
 public:
     /// Both must outlive the watch. What the book knows is found anew, but for what was acknowledged.
-    AlarmWatch(const session::Session& session, AlarmBook& book, QObject* parent = nullptr);
+    AlarmWatch(const session::Run& of, AlarmBook& book, QObject* parent = nullptr);
     ~AlarmWatch() override;
 
     void acknowledge(size_t alarm, const QString& user = {});
@@ -86,7 +75,7 @@ private:
     void run(std::vector<AlarmDefinition> definitions, const std::vector<AlarmRecord>& acknowledged);
     void deliver();
 
-    const session::Session& m_session;
+    const session::Run& m_run;
     AlarmBook& m_book;
     std::mutex m_mutex;
     std::condition_variable m_wake, m_caughtUp;

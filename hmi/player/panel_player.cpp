@@ -21,9 +21,9 @@ QString languageFileOf(const PanelProject& project) {
 }
 } // namespace
 
-PanelPlayer::PanelPlayer(const PanelProject& project, session::Session* session, QWidget* parent)
-    : QWidget(parent), m_project(project), m_session(nullptr), m_navigation(project.panelLookup()),
-      m_logIn(project.people), m_view(new PanelView(this)), m_status(new PlayerStatus(this)) {
+PanelPlayer::PanelPlayer(const PanelProject& project, session::Run* run, QWidget* parent)
+    : QWidget(parent), m_project(project), m_run(nullptr), m_navigation(project.panelLookup()), m_logIn(project.people),
+      m_view(new PanelView(this)), m_status(new PlayerStatus(this)) {
     setFocusPolicy(Qt::StrongFocus);
     m_alarms.setFile(project.alarms);
     m_alarmFile = project.alarms.write();
@@ -40,7 +40,7 @@ PanelPlayer::PanelPlayer(const PanelProject& project, session::Session* session,
     scene().setTexts(&project.texts);
     scene().setAlarms(&m_alarms);
     scene().setLanguage(project.texts.settings().languages.value(0, QStringLiteral("en")));
-    setSession(session);
+    setRun(run);
     if (!project.startPanel.isEmpty()) m_navigation.start({project.startPanel, {}});
     m_timer.setInterval(33);
     connect(&m_timer, &QTimer::timeout, this, &PanelPlayer::frame);
@@ -57,7 +57,7 @@ PanelPlayer::~PanelPlayer() {
     scene().setValues(nullptr);
 }
 
-void PanelPlayer::setSession(session::Session* session) {
+void PanelPlayer::setRun(session::Run* run) {
     while (m_navigation.closePopUp()) { // they show values of the controller that goes
     }
     closeAnswer();
@@ -70,14 +70,14 @@ void PanelPlayer::setSession(session::Session* session) {
     m_recordedEvaluator.reset();
     scene().setAlarms(&m_alarms);
     scene().setAlarmPosition(std::nullopt);
-    m_session = session;
+    m_run = run;
     m_alarms.clear();
-    if (session) {
-        m_values = std::make_unique<PlcValues>(*session);
+    if (run) {
+        m_values = std::make_unique<PlcValues>(*run);
         if (!m_project.texts.settings().variable.isEmpty())
             m_languageBinding = m_values->bind(m_project.texts.settings().variable);
         if (const auto clock = m_values->clockAtZero()) m_alarms.setClockAtZero(*clock);
-        if (!m_alarms.definitions().empty()) m_watch = std::make_unique<AlarmWatch>(*session, m_alarms);
+        if (!m_alarms.definitions().empty()) m_watch = std::make_unique<AlarmWatch>(*run, m_alarms);
         scene().setValues(m_values.get());
     }
     updateStatus();
@@ -172,7 +172,7 @@ void PanelPlayer::projectChanged() {
         m_watch.reset();
         m_alarmFile = m_project.alarms.write();
         m_alarms.setFile(m_project.alarms);
-        if (m_session && !m_alarms.definitions().empty()) m_watch = std::make_unique<AlarmWatch>(*m_session, m_alarms);
+        if (m_run && !m_alarms.definitions().empty()) m_watch = std::make_unique<AlarmWatch>(*m_run, m_alarms);
     }
     if (m_project.recipes.write() != m_recipes.write()) {
         m_recipes = m_project.recipes;
@@ -242,14 +242,14 @@ void PanelPlayer::setPosition(std::optional<history::Position> position) {
     if (!m_values) return;
     m_values->setPosition(position);
     if (m_recording && !position) {
-        const history::Statistics there = m_recording->history->statistics();
+        const history::Statistics there = m_recording->history().statistics();
         if (there.end > there.first) position = there.end - 1;
     }
     scene().setAlarmPosition(position ? std::optional<quint64>(*position) : std::nullopt);
     frame();
 }
 
-void PanelPlayer::setRecording(std::optional<PanelRecording> recording) {
+void PanelPlayer::setRecording(std::shared_ptr<const session::Run> recording) {
     if (!recording && !m_recording) return;
     closeAnswer();
     if (scene().pressedView()) scene().release(QPointF(-1e6, -1e6)); // what is down on the controller does not stay so
@@ -257,26 +257,19 @@ void PanelPlayer::setRecording(std::optional<PanelRecording> recording) {
     m_recording = std::move(recording);
     m_languageAsked.clear();
     if (!m_values) {
-        m_values = std::make_unique<PlcValues>(m_session);
+        m_values = std::make_unique<PlcValues>(nullptr);
         if (!m_project.texts.settings().variable.isEmpty())
             m_languageBinding = m_values->bind(m_project.texts.settings().variable);
         scene().setValues(m_values.get());
     }
-    m_values->setRecording(m_recording);
+    m_values->setRun(m_recording ? m_recording.get() : m_run);
     if (m_recording) {
         m_recordedAlarms.clear();
         m_recordedAlarms.setFile(m_project.alarms);
         if (const auto clock = m_values->clockAtZero()) m_recordedAlarms.setClockAtZero(*clock);
-        if (m_recording->program && !m_recordedAlarms.definitions().empty()) {
-            const AlarmSource source{
-                m_recording->history, [program = m_recording->program] { return program; },
-                [compile = m_recording->compile, program = m_recording->program](const std::string& text) {
-                    return compile(text, *program);
-                },
-                [recording = *m_recording](const std::string& text) { return recording.recompile(text); }};
-            m_recordedEvaluator = std::make_unique<AlarmEvaluator>(source, m_recordedAlarms.definitions());
-        }
-    } else if (!m_session) {
+        if (m_recording->program() && !m_recordedAlarms.definitions().empty())
+            m_recordedEvaluator = std::make_unique<AlarmEvaluator>(*m_recording, m_recordedAlarms.definitions());
+    } else if (!m_run) {
         scene().setValues(nullptr);
         m_values.reset();
         m_languageBinding = {};
@@ -308,24 +301,25 @@ QString PanelPlayer::post(const WriteRequest& write, const QString& comment) {
     };
     if (m_isLocked && write.kind != WriteKind::Release) return no(say(SystemText::LogInFirst));
     if (m_recording && write.kind != WriteKind::Release) return no(say(SystemText::InThePast));
-    if (!m_session || !m_values) return no(say(SystemText::NoController));
+    if (!m_run || !m_values) return no(say(SystemText::NoController));
     const std::string path = write.target.toStdString();
     if (write.kind == WriteKind::Release) {
-        if (m_pressed.remove(write.target)) m_session->release(path);
+        if (m_pressed.remove(write.target)) m_run->release(path);
         return {};
     }
     if (m_values->position()) return no(say(SystemText::InThePast));
     const PanelScene* shownIn = nullptr;
     if (const ElementView* view = viewOf(write.element, &shownIn); view && !shownIn->isAllowed(*view))
         return no(say(SystemText::OnlyFor).arg(titlesOf(shownIn->rolesFor(*view))));
-    const controller::State state = m_session->status().state;
+    const controller::State state = m_run->status().state;
     if (state == controller::State::Stopped || state == controller::State::Fault)
         return no(say(SystemText::NotRunning));
-    const auto target = m_session->expression(path);
+    const auto program = m_run->program();
+    const auto target = m_run->expression(path, {}, *program);
     if (!target) return no(kit::messageText(target.error().message, language()));
     const std::optional<image::Place> place = target->place();
     if (!place) return no(say(SystemText::NotWritable));
-    for (const controller::Forced& forced : m_session->forces())
+    for (const controller::Forced& forced : m_run->forces())
         if (forced.place.offset == place->offset && forced.place.bit == place->bit)
             return no(say(SystemText::IsForced));
     const Result<types::Value> value = toPlc(target->types(), target->type(), write.value);
@@ -339,13 +333,13 @@ QString PanelPlayer::post(const WriteRequest& write, const QString& comment) {
     record(QStringLiteral("write"), write.target, m_values->value(before).toLiteral(), write.value.toLiteral(), from,
            comment);
     if (write.kind == WriteKind::Write) {
-        m_session->write(path, *value, origin);
+        m_run->write({path, *place, program}, *value, origin);
         return {};
     }
     const Result<types::Value> released = toPlc(target->types(), target->type(), write.released);
     if (!released) return no(kit::messageText(released.error().message, language()));
     m_pressed.insert(write.target, write.released);
-    m_session->press(path, *value, *released, origin);
+    m_run->press({path, *place, program}, *value, *released, origin);
     return {};
 }
 
@@ -418,8 +412,8 @@ void PanelPlayer::frame() {
         if (const auto clock = m_values->clockAtZero(); clock && !m_values->isPast()) m_alarms.setClockAtZero(*clock);
         followLanguageVariable();
         evaluateRecorded();
-        if (m_session && !m_station) // taken once, by who keeps what all share
-            for (const Error& refusal : m_session->takeRefusals()) refuse(kit::messageText(refusal, language()));
+        if (m_run && !m_station) // taken once, by who keeps what all share
+            for (const Error& refusal : m_run->takeRefusals()) refuse(kit::messageText(refusal, language()));
     }
     if (m_logIn.expire(std::chrono::steady_clock::now())) {
         record(QStringLiteral("log out"), {}, {}, {}, {}, QStringLiteral("timeout"));

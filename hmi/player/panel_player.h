@@ -1,6 +1,6 @@
 // Plays panels on a controller: values from the newest snapshot, writes posted to the scan, keypad, language, alarms,
 // and what the controller's state means for what is seen. A widget for a dock or full screen, also used for pictures.
-// The project and the session must outlive it; main thread.
+// The project and the run must outlive it; main thread.
 #pragma once
 #include "editor/kit/ask_why.h"
 #include "hmi/people/audit_trail.h"
@@ -26,7 +26,7 @@ class PopUp;
 class PanelPlayer final : public QWidget {
     Q_OBJECT
 public:
-    PanelPlayer(const PanelProject& project, session::Session* session, QWidget* parent = nullptr);
+    PanelPlayer(const PanelProject& project, session::Run* run, QWidget* parent = nullptr);
     ~PanelPlayer() override;
 
     bool showPanel(const QString& name);
@@ -59,12 +59,12 @@ public:
     void setLanguage(const QString& tag);
     QString language() const { return m_view->scene().language(); }
     /// Another controller (after a new build), or none.
-    void setSession(session::Session* session);
-    session::Session* session() const { return m_session; }
+    void setRun(session::Run* run);
+    session::Run* run() const { return m_run; }
     /// The time slider: a recorded position, or none for the present.
     void setPosition(std::optional<history::Position> position);
     /// A recording from a file in the place of the controller, as its past: nothing can be written. None goes back.
-    void setRecording(std::optional<PanelRecording> recording);
+    void setRecording(std::shared_ptr<const session::Run> recording);
     void setFullScreen(bool full);
     /// Shows everything, writes nothing and says that one must log in first (browsers before their login).
     void setLocked(bool locked) { m_isLocked = locked; }
@@ -166,7 +166,7 @@ private:
     std::string shownState() const;
     struct Look;
     const PanelProject& m_project;
-    session::Session* m_session;
+    session::Run* m_run;
     Navigation m_navigation;
     LogIn m_logIn;
     AuditTrail m_audit;
@@ -181,7 +181,7 @@ private:
     std::unique_ptr<AlarmWatch> m_watch;
     void closeAnswer();
     QPointer<PanelWhy> m_why;
-    std::optional<PanelRecording> m_recording;
+    std::shared_ptr<const session::Run> m_recording;
     AlarmBook m_recordedAlarms; // those of the recording
     std::unique_ptr<AlarmEvaluator> m_recordedEvaluator;
     PanelPlayer* m_station = nullptr; // keeps the alarms; null: this one does

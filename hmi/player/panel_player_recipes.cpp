@@ -59,8 +59,8 @@ void PanelPlayer::editValue(const RecipeRequest& request) {
     const Recipe* recipe = m_recipes.find(request.recipe);
     const RecipeVariable* variable = recipe ? recipe->variable(request.variable) : nullptr;
     const RecipeSet* set = recipe ? recipe->find(request.set) : nullptr;
-    if (!variable || !set || !m_session) return;
-    const auto target = m_session->expression(request.variable.toStdString());
+    if (!variable || !set || !m_run) return;
+    const auto target = m_run->expression(request.variable.toStdString());
     if (!target) return refuse(kit::messageText(target.error().message, language()));
     const ValueFacts facts = factsOf(target->types(), target->type(), true);
     const bool isNumber =
@@ -80,9 +80,9 @@ void PanelPlayer::editValue(const RecipeRequest& request) {
         Recipe* inner = changed.find(request.recipe);
         RecipeSet* taken = inner ? inner->find(request.set) : nullptr;
         const RecipeVariable* row = inner ? inner->variable(request.variable) : nullptr;
-        if (!taken || !row || !m_session) return;
+        if (!taken || !row || !m_run) return;
         const QString text = asked.kind == EntryKind::Text ? value.text() : value.toLiteral();
-        if (const auto good = recipeValue(driver::checkedOf(m_session->program()), *row, text); !good)
+        if (const auto good = recipeValue(driver::checkedOf(m_run->program()), *row, text); !good)
             return refuse(kit::messageText(good.error().message, language()));
         const QString before = taken->values.value(row->variable);
         taken->values.insert(row->variable, text);
@@ -98,24 +98,24 @@ void PanelPlayer::writeSet(const RecipeRequest& request) {
     const Recipe* recipe = m_recipes.find(request.recipe);
     const RecipeSet* set = recipe ? recipe->find(request.set) : nullptr;
     if (!set) return;
-    if (!m_session || !m_values) return refuse(say(SystemText::NoController));
+    if (!m_run || !m_values) return refuse(say(SystemText::NoController));
     if (m_values->isPast()) return refuse(say(SystemText::InThePast));
-    const controller::State state = m_session->status().state;
+    const controller::State state = m_run->status().state;
     if (state == controller::State::Stopped || state == controller::State::Fault)
         return refuse(say(SystemText::NotRunning));
     const QString name = request.recipe + u'/' + request.set;
-    const auto done = writeRecipe(*m_session, *recipe, *set, ("recipe " + name).toStdString());
+    const auto done = writeRecipe(*m_run, *recipe, *set, ("recipe " + name).toStdString());
     if (!done) return refuse(kit::messageText(done.error(), language()));
     record(QStringLiteral("recipe write"), name, {}, {}, m_panelName + QStringLiteral(", ") + request.element);
 }
 
 void PanelPlayer::readSet(const RecipeRequest& request) {
-    if (!m_session) return refuse(systemText(m_project.texts, SystemText::NoController, language()));
+    if (!m_run) return refuse(systemText(m_project.texts, SystemText::NoController, language()));
     RecipeFile changed = m_recipes;
     Recipe* recipe = changed.find(request.recipe);
     RecipeSet* set = recipe ? recipe->find(request.set) : nullptr;
     if (!set) return;
-    auto values = readRecipe(*m_session, *recipe);
+    auto values = readRecipe(*m_run, *recipe);
     if (!values) return refuse(kit::messageText(values.error(), language()));
     set->values = std::move(*values);
     if (keepRecipes(std::move(changed)))

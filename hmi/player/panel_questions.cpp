@@ -44,13 +44,13 @@ void PanelPlayer::askWhy(kit::AskWhy question, const QString& expression) {
     if (isSignalConnected(QMetaMethod::fromSignal(&PanelPlayer::whyRequested)))
         return emit whyRequested(question, expression); // the studio answers in its own view
     closeAnswer();
-    const history::History* history = m_recording ? m_recording->history : m_session ? &m_session->history() : nullptr;
-    if (!history || history->statistics().scans == 0)
+    const session::Run* run = m_recording ? m_recording.get() : m_run;
+    if (!run || run->history().statistics().scans == 0)
         return refuse(systemText(m_project.texts, SystemText::NoController, language()));
-    const auto program = m_recording ? m_recording->program : m_session->program();
+    const auto program = run->program();
     OperatorNames names = program ? operatorNames(m_project, *program, language()) : OperatorNames();
-    m_why = new PanelWhy(*history, question, expression, m_values ? m_values->position() : std::nullopt, language(),
-                         std::move(names), this);
+    m_why = new PanelWhy(run->history(), question, expression, m_values ? m_values->position() : std::nullopt,
+                         language(), std::move(names), this);
     m_why->setGeometry(rect().adjusted(width() / 12, height() / 12, -width() / 12, -height() / 12));
     static_cast<QWidget*>(m_why.data())->show();
     m_why->setFocus();

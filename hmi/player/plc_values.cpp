@@ -6,51 +6,30 @@
 
 namespace plc::hmi {
 
-history::Recompile PanelRecording::recompile(const std::string& text) const {
-    return [compile = compile, text](const image::CompiledProgram& program) {
-        auto compiled = compile(text, program);
-        return compiled ? std::move(*compiled) : expression::Expression();
-    };
-}
-
-PlcValues::PlcValues(session::Session* session)
-    : m_session(session), m_program(session ? session->program() : nullptr) {
-    refresh();
-}
-
-history::Recompile PlcValues::recompile(const QString& text) const {
-    return m_recording ? m_recording->recompile(text.toStdString()) : m_session->recompile(text.toStdString());
-}
+PlcValues::PlcValues(const session::Run* run) : m_run(run), m_program(run ? run->program() : nullptr) { refresh(); }
 
 /// For images of `m_program`: the running one, or the version that the past ran under.
 void PlcValues::compile(Binding& binding) {
     const std::string text = binding.text.toStdString();
     binding.lastBytes.clear();
+    binding.compiled = {};
+    binding.problem.clear();
     const auto failed = [&](const QString& problem) {
-        binding.compiled = {};
         binding.problem = problem;
         binding.value = Value::none(problem);
     };
-    if (m_recording) {
-        if (!m_program) return failed(kit::messageText(errors::NoLongerRecorded()));
-        auto compiled = m_recording->compile(text, *m_program);
-        if (!compiled) return failed(kit::messageText(compiled.error().message));
-        binding.compiled = std::move(*compiled);
-    } else {
-        if (!m_session) return failed({});
-        auto compiled = m_session->expression(text);
-        if (!compiled) {
-            binding.facts = {};
-            return failed(kit::messageText(compiled.error().message));
-        }
-        binding.facts = factsOf(compiled->types(), compiled->type(), compiled->place().has_value());
-        binding.compiled = m_program && m_program != m_session->program() ? m_session->recompile(text)(*m_program)
-                                                                          : std::move(*compiled);
-        binding.problem.clear();
-        return;
+    if (!m_run) return failed({});
+    if (!m_program && !m_run->isLive()) return failed(kit::messageText(errors::NoLongerRecorded()));
+    const auto newest = m_run->program();
+    auto compiled = m_run->expression(text, {}, m_program ? *m_program : *newest);
+    const auto isNow = m_program && m_program != newest ? m_run->expression(text) : compiled;
+    const auto& shape = isNow ? isNow : compiled; // what is entered goes to the newest version
+    if (!shape) {
+        binding.facts = {};
+        return failed(kit::messageText(compiled.error().message));
     }
-    binding.problem.clear();
-    binding.facts = factsOf(binding.compiled.types(), binding.compiled.type(), binding.compiled.place().has_value());
+    binding.facts = factsOf(shape->types(), shape->type(), shape->place().has_value());
+    if (compiled) binding.compiled = std::move(*compiled); // else that version did not have it
 }
 
 BindingId PlcValues::bind(const QString& expression) {
@@ -81,56 +60,59 @@ void PlcValues::setPosition(std::optional<history::Position> position) {
     refresh();
 }
 
-void PlcValues::setRecording(std::optional<PanelRecording> recording) {
-    m_recording = std::move(recording);
+void PlcValues::setRun(const session::Run* run) {
+    m_run = run;
     m_position.reset();
     m_image.clear();
-    m_program.reset(); // everything is compiled anew
+    m_program.reset(); // everything is compiled again
     m_scan = ~uint64_t(0);
     refresh();
 }
 
 std::optional<history::Position> PlcValues::shownPosition() const {
-    if (m_position || !m_recording) return m_position;
-    const history::Statistics there = m_recording->history->statistics();
+    if (m_position || !m_run || m_run->isLive()) return m_position;
+    const history::Statistics there = m_run->history().statistics();
     return there.end > there.first ? std::optional(there.end - 1) : std::nullopt;
+}
+
+void PlcValues::runUnder(const std::shared_ptr<const image::CompiledProgram>& program) {
+    if (!program || program == m_program) return;
+    m_program = program;
+    for (Binding& binding : m_bindings) compile(binding);
+    m_scan = ~uint64_t(0);
+}
+
+bool PlcValues::refreshPast(bool changed) {
+    const std::optional<history::Position> position = shownPosition();
+    if (!position || (m_scan == *position && !m_image.empty())) return changed;
+    // The past may have run under another version of the program: expressions are compiled for its layout.
+    std::shared_ptr<const image::CompiledProgram> program;
+    m_image = m_run->history().seek(*position, &program);
+    m_pastStamp = m_run->history().stamp(*position);
+    runUnder(program);
+    m_scan = *position;
+    evaluate();
+    return true;
 }
 
 bool PlcValues::refresh() {
     const controller::State before = m_status.state;
-    m_status = m_session ? m_session->status() : session::Status();
-    bool changed = before != m_status.state;
-    const auto runUnder = [this](const std::shared_ptr<const image::CompiledProgram>& program) {
-        if (!program || program == m_program) return;
-        m_program = program;
-        for (Binding& binding : m_bindings) compile(binding);
-        m_scan = ~uint64_t(0);
-    };
-    if (isPast()) {
-        const std::optional<history::Position> position = shownPosition();
-        if (!position || (m_scan == *position && !m_image.empty())) return changed;
-        // The past may have run under another version of the program: expressions are compiled for its layout.
-        std::shared_ptr<const image::CompiledProgram> program;
-        m_image = history()->seek(*position, &program);
-        m_pastStamp = history()->stamp(*position);
-        runUnder(program);
-        m_scan = *position;
-        evaluate();
-        return true;
-    }
-    if (!m_session) {
+    m_status = m_run ? m_run->status() : session::Status();
+    const bool changed = before != m_status.state;
+    if (!m_run) {
         if (m_image.empty() && m_scan != ~uint64_t(0)) return changed;
         m_image.clear();
         m_scan = 0;
         evaluate();
         return true;
     }
-    runUnder(m_session->program());
+    if (isPast()) return refreshPast(changed);
+    runUnder(m_run->program());
     // A scan that has not ended since the last frame has nothing new, but at a breakpoint values change within a scan.
     if (m_status.scans == m_scan && m_status.state != controller::State::Halted && !m_image.empty() && !changed)
         return false;
     m_scan = m_status.scans;
-    m_image = m_session->snapshot();
+    m_image = m_run->snapshot();
     evaluate();
     return true;
 }
@@ -200,8 +182,8 @@ std::vector<CurvePiece> PlcValues::curve(BindingId id, double seconds, int bucke
     if (!id.isValid()) return out;
     const Binding& binding = m_bindings[static_cast<size_t>(id.index)];
     if (!binding.compiled.isValid()) return out;
-    if (!this->history()) return out;
-    const history::History& history = *this->history();
+    if (!m_run) return out;
+    const history::History& history = m_run->history();
     const history::Statistics there = history.statistics();
     if (there.scans == 0) return out;
     const history::Position last = shownPosition().value_or(there.end - 1);
@@ -221,8 +203,8 @@ std::vector<CurvePiece> PlcValues::curve(BindingId id, double seconds, int bucke
     for (const history::PositionRange& range : ranges) {
         const auto share = static_cast<size_t>(
             static_cast<double>(buckets) * static_cast<double>(range.end - range.begin) / static_cast<double>(count));
-        const auto part = history.series(binding.compiled, recompile(binding.text), range.begin, range.end,
-                                         std::max<size_t>(1, share));
+        const auto part = history.series(binding.compiled, m_run->recompile(binding.text.toStdString()), range.begin,
+                                         range.end, std::max<size_t>(1, share));
         series.insert(series.end(), part.begin(), part.end());
     }
     const auto secondsOf = [&](history::Position position) {
@@ -242,7 +224,7 @@ std::vector<CurvePiece> PlcValues::curve(BindingId id, double seconds, int bucke
 
 Freshness PlcValues::freshness() const {
     if (isPast()) return Freshness::Past;
-    if (!m_session) return Freshness::Disconnected;
+    if (!m_run) return Freshness::Disconnected;
     switch (m_status.state) {
     case controller::State::Stopped:
         return Freshness::Stopped;

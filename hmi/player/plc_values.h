@@ -1,39 +1,28 @@
-// The values of a running (or recorded) controller for panels: expressions over the newest snapshot, or over the
-// recorded image that the time slider has chosen, or over a recording from a file. Owned by the player; main thread.
-// The session must outlive it.
+// The values of a run for panels: expressions over the newest snapshot, or over the recorded image that the time slider
+// has chosen; a run that is over is shown at its newest scan. Owned by the player; main thread. The run must outlive
+// it.
 #pragma once
 #include "hmi/player/plc_convert.h"
 #include "hmi/view/value_source.h"
-#include "projects/session/session.h"
+#include "projects/session/run.h"
 
 #include <QStringList>
 
 namespace plc::hmi {
 
-/// A recording from a file, in the place of a controller.
-struct PanelRecording {
-    const history::History* history = nullptr;
-    std::shared_ptr<const image::CompiledProgram> program; // of the newest scan
-    std::function<Result<expression::Expression>(const std::string& text, const image::CompiledProgram& program)>
-        compile;
-    std::shared_ptr<const void> owner; // keeps the history alive
-
-    history::Recompile recompile(const std::string& text) const;
-};
-
 class PlcValues final : public ValueSource {
 public:
-    explicit PlcValues(session::Session& session) : PlcValues(&session) {}
-    explicit PlcValues(session::Session* session); // null: only recordings can be shown
+    explicit PlcValues(const session::Run& run) : PlcValues(&run) {}
+    explicit PlcValues(const session::Run* run); // null: nothing to show yet
 
     /// Takes the newest snapshot if there is one; at most once per frame. True if values may have changed.
     bool refresh();
     /// A past scan of the recording, or none for the present.
     void setPosition(std::optional<history::Position> position);
     std::optional<history::Position> position() const { return m_position; }
-    /// A recording from a file instead of the controller, at its newest scan until a position is set; none goes back.
-    void setRecording(std::optional<PanelRecording> recording);
-    bool isPast() const { return m_recording || m_position; }
+    /// Another run, at its newest scan until a position is set; null: nothing to show.
+    void setRun(const session::Run* run);
+    bool isPast() const { return m_position || (m_run && !m_run->isLive()); }
     const session::Status& status() const { return m_status; }
 
     BindingId bind(const QString& expression) override;
@@ -57,15 +46,12 @@ private:
         std::vector<std::byte> lastBytes;
     };
     void compile(Binding& binding);
+    void runUnder(const std::shared_ptr<const image::CompiledProgram>& program);
+    bool refreshPast(bool changed);
     void evaluate();
-    const history::History* history() const {
-        return m_recording ? m_recording->history : m_session ? &m_session->history() : nullptr;
-    }
     /// The scan that is shown when it is not the present one.
     std::optional<history::Position> shownPosition() const;
-    history::Recompile recompile(const QString& text) const;
-    session::Session* m_session;
-    std::optional<PanelRecording> m_recording;
+    const session::Run* m_run;
     session::Status m_status;
     std::shared_ptr<const image::CompiledProgram> m_program;
     std::vector<Binding> m_bindings;

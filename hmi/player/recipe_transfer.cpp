@@ -46,19 +46,18 @@ Result<std::vector<session::Assignment>> assignmentsOf(const driver::Checked& ch
     return out;
 }
 
-Result<void> writeRecipe(session::Session& session, const Recipe& recipe, const RecipeSet& set,
-                         const std::string& origin) {
-    auto assignments = assignmentsOf(driver::checkedOf(session.program()), recipe, set);
+Result<void> writeRecipe(session::Run& run, const Recipe& recipe, const RecipeSet& set, const std::string& origin) {
+    auto assignments = assignmentsOf(driver::checkedOf(run.program()), recipe, set);
     if (!assignments) return assignments.error();
-    session.writeTogether(std::move(*assignments), origin);
+    run.writeTogether(std::move(*assignments), origin);
     return {};
 }
 
-Result<QMap<QString, QString>> readRecipe(const session::Session& session, const Recipe& recipe) {
-    const std::vector<std::byte> image = session.snapshot();
+Result<QMap<QString, QString>> readRecipe(const session::Run& run, const Recipe& recipe) {
+    const std::vector<std::byte> image = run.snapshot();
     QMap<QString, QString> out;
     for (const RecipeVariable& one : recipe.variables) {
-        const auto expression = session.expression(one.variable.toStdString());
+        const auto expression = run.expression(one.variable.toStdString());
         if (!expression) return expression.error();
         const expression::Outcome outcome = expression->evaluate(image);
         if (!outcome.hasValue()) return Error{outcome.reason, one.variable.toStdString()};

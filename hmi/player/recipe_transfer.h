@@ -2,7 +2,7 @@
 // holds, as a set. Functions; main thread.
 #pragma once
 #include "hmi/recipes/recipe_file.h"
-#include "projects/session/session.h"
+#include "projects/session/run.h"
 
 namespace plc::hmi {
 
@@ -11,12 +11,11 @@ Result<types::Value> recipeValue(const driver::Checked& checked, const RecipeVar
 /// Every variable of the recipe, in its order; the first thing that is wrong otherwise.
 Result<std::vector<session::Assignment>> assignmentsOf(const driver::Checked& checked, const Recipe& recipe,
                                                        const RecipeSet& set);
-/// Posts all of them for the start of one scan. What the scan refuses is among the session's refusals, nothing of the
+/// Posts all of them for the start of one scan. What the scan refuses is among the run's refusals, nothing of the
 /// set is written then.
-Result<void> writeRecipe(session::Session& session, const Recipe& recipe, const RecipeSet& set,
-                         const std::string& origin);
+Result<void> writeRecipe(session::Run& run, const Recipe& recipe, const RecipeSet& set, const std::string& origin);
 /// The values of the newest scan.
-Result<QMap<QString, QString>> readRecipe(const session::Session& session, const Recipe& recipe);
+Result<QMap<QString, QString>> readRecipe(const session::Run& run, const Recipe& recipe);
 
 struct RecipeFinding {
     QString recipe, set, variable;

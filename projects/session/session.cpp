@@ -15,8 +15,9 @@ namespace plc::session {
 using controller::EventKind;
 using PlcState = controller::State;
 
-Session::State::State(driver::Built first, Settings s)
-    : settings(std::move(s)), history(settings.historyBudget), controller(first.program, settings.controller) {
+Session::State::State(driver::Built first, Settings s, std::shared_ptr<Versions> v)
+    : settings(std::move(s)), versions(std::move(v)), history(settings.historyBudget),
+      controller(first.program, settings.controller) {
     adopt(std::make_shared<const driver::Built>(std::move(first)));
     loadRetained();
     controller::setLeaveHook(controller, [this] { return leavesLongScan(); });
@@ -56,7 +57,7 @@ void Session::State::optimise(std::shared_ptr<const driver::Built> built) {
 }
 
 Session::Session(driver::Built built, Settings settings)
-    : m(std::make_unique<State>(std::move(built), std::move(settings))) {}
+    : m(std::make_unique<State>(std::move(built), std::move(settings), versions())) {}
 
 Session::~Session() { end(); }
 
@@ -199,10 +200,10 @@ void Session::reset(controller::ResetKind kind) {
     m->post(When::Leave, [s = m.get(), kind] { s->controller.reset(kind); });
 }
 
-void Session::write(std::string path, types::Value value, std::string origin) {
+void Session::write(Target target, types::Value value, std::string origin) {
     m->post(When::Now,
-            [s = m.get(), path = std::move(path), value = std::move(value), origin = std::move(origin)]() mutable {
-                s->writes.write(std::move(path), std::move(value), std::move(origin));
+            [s = m.get(), target = std::move(target), value = std::move(value), origin = std::move(origin)]() mutable {
+                s->writes.write(std::move(target), std::move(value), std::move(origin));
                 if (!s->isQueueing.load()) s->writes.apply(s->controller, false, s->newRefusals);
             });
 }
@@ -215,18 +216,18 @@ void Session::writeTogether(std::vector<Assignment> values, std::string origin) 
     });
 }
 
-void Session::press(std::string path, types::Value pressed, types::Value released, std::string origin) {
-    m->post(When::Now, [s = m.get(), path = std::move(path), pressed = std::move(pressed),
+void Session::press(Target target, types::Value pressed, types::Value released, std::string origin) {
+    m->post(When::Now, [s = m.get(), target = std::move(target), pressed = std::move(pressed),
                         released = std::move(released), origin = std::move(origin)]() mutable {
-        s->writes.press(std::move(path), std::move(pressed), std::move(released), std::move(origin));
+        s->writes.press(std::move(target), std::move(pressed), std::move(released), std::move(origin));
         if (!s->isQueueing.load())
             s->writes.apply(s->controller, s->controller.state() == PlcState::Running, s->newRefusals);
     });
 }
 
-void Session::release(std::string path) {
-    m->post(When::Now, [s = m.get(), path = std::move(path)]() mutable {
-        s->writes.release(std::move(path));
+void Session::release(Target target) {
+    m->post(When::Now, [s = m.get(), target = std::move(target)]() mutable {
+        s->writes.release(std::move(target));
         if (!s->isQueueing.load())
             s->writes.apply(s->controller, s->controller.state() == PlcState::Running, s->newRefusals);
     });
@@ -300,13 +301,6 @@ void Session::latest(Snapshot& into) const {
         return;
     }
     (void)m->published.read([&](const Snapshot& newest) { into = newest; });
-}
-
-std::vector<std::byte> Session::snapshot(uint64_t* scan) const {
-    Snapshot newest;
-    latest(newest);
-    if (scan) *scan = newest.scan;
-    return std::move(newest.image);
 }
 
 // ---------------------------------------------------------------- other programs, other times
@@ -440,19 +434,6 @@ std::vector<std::pair<std::string, types::Value>> Session::frameVariables(size_t
     latest(now);
     if (now.isHalted && now.program) read(*now.program, now.image, wanted);
     return variables;
-}
-
-Result<expression::Expression> Session::expression(const std::string& text, const std::string& scope) const {
-    return m->versions->expression(built(), text, scope);
-}
-
-history::Recompile Session::recompile(const std::string& text, const std::string& scope) const {
-    return [versions = m->versions, text, scope](const image::CompiledProgram& program) {
-        const std::shared_ptr<const driver::Built> built = versions->of(&program);
-        if (!built) return expression::Expression();
-        Result<expression::Expression> compiled = versions->expression(*built, text, scope);
-        return compiled ? std::move(*compiled) : expression::Expression();
-    };
 }
 
 } // namespace plc::session

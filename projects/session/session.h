@@ -2,10 +2,9 @@
 // stepped by the caller. Command line, `stepwise test`, panel player and studio all use this (D9). The functions may be
 // called from any thread unless they say otherwise; they post to the scan thread and read published snapshots (D8).
 #pragma once
+#include "projects/session/run.h"
 #include "runtime/compiler/driver/driver.h"
-#include "runtime/controller/controller.h"
 #include "runtime/debug/breakpoint.h"
-#include "runtime/history/history.h"
 
 #include <functional>
 #include <memory>
@@ -14,7 +13,6 @@
 namespace plc::session {
 
 using controller::FaultFrame;
-using controller::Nanoseconds;
 using debug::Breakpoint;
 using debug::Step;
 
@@ -22,29 +20,6 @@ enum class Pace : uint8_t { Real, Factor, Fastest };
 struct RunMode {
     Pace pace = Pace::Fastest; // Fastest: virtual time
     double factor = 1.0;       // Factor: PLC seconds per second
-};
-
-struct Status {
-    controller::State state = controller::State::Stopped;
-    uint64_t scans = 0; // finished scans
-    Nanoseconds time{}; // of the last scan
-    double load = 0;    // share of wall time spent in scans, 0..1
-    int64_t lastScanNs = 0;
-    std::optional<controller::Fault> fault, simulationFault;
-    history::Position position = 0; // newest recorded
-    uint64_t halts = 0;             // how often the scan came to stand; its frames are at hand
-    uint64_t skippedScans = 0;
-    Message retainProblem;
-};
-
-/// A finished scan, or the state at a breakpoint, with the version of the program it belongs to.
-struct Snapshot {
-    std::vector<std::byte> image; // empty: nothing yet
-    std::shared_ptr<const image::CompiledProgram> program;
-    uint64_t scan = 0;
-    Nanoseconds time{};
-    history::Position position = 0;
-    bool isHalted = false;
 };
 
 struct Settings {
@@ -55,24 +30,19 @@ struct Settings {
     bool record = true;
 };
 
-/// One of several values that belong together.
-struct Assignment {
-    std::string path;
-    types::Value value;
-};
-
-class Session {
+class Session final : public Run {
 public:
     explicit Session(driver::Built built, Settings settings = {});
-    ~Session(); // ends it
+    ~Session() override; // ends it
     /// Stops the scan thread and writes what is retained; what was recorded can still be read. It cannot run again.
     void end();
 
     [[nodiscard]] const driver::Built& built() const;
-    [[nodiscard]] std::shared_ptr<const image::CompiledProgram> program() const;
+    [[nodiscard]] std::shared_ptr<const image::CompiledProgram> program() const override;
     [[nodiscard]] history::History& history();
-    [[nodiscard]] const history::History& history() const;
-    [[nodiscard]] Status status() const;
+    [[nodiscard]] const history::History& history() const override;
+    [[nodiscard]] Status status() const override;
+    [[nodiscard]] bool isLive() const override { return true; }
 
     // --- caller-stepped (command line, tests): no scan thread
     [[nodiscard]] controller::Controller& controller(); // only while no scan thread runs
@@ -90,30 +60,24 @@ public:
     void singleScan();
     void stop();
     void reset(controller::ResetKind kind);
-    /// `origin`: who it comes from, in words ("panel Main, button Start"); the journal keeps it.
-    void write(std::string path, types::Value value, std::string origin = {});
-    /// All of them before one scan, or none: what is refused then is among the refusals.
-    void writeTogether(std::vector<Assignment> values, std::string origin = {});
-    /// Momentary button: released no earlier than after every cyclic task ran once with the press.
-    void press(std::string path, types::Value pressed, types::Value released, std::string origin = {});
-    void release(std::string path);
-    void force(std::string path, types::Value value, std::string origin = {});
-    void unforce(std::string path);
-    void unforceAll();
-    [[nodiscard]] std::vector<controller::Forced> forces() const;
+    void write(Target target, types::Value value, std::string origin = {}) override;
+    void writeTogether(std::vector<Assignment> values, std::string origin = {}) override;
+    void press(Target target, types::Value pressed, types::Value released, std::string origin = {}) override;
+    void release(Target target) override;
+    void force(std::string path, types::Value value, std::string origin = {}) override;
+    void unforce(std::string path) override;
+    void unforceAll() override;
+    [[nodiscard]] std::vector<controller::Forced> forces() const override;
     [[nodiscard]] std::vector<controller::TaskStatistics> taskStatistics() const;
     void resetTaskStatistics();
     void resetStatistics();
     /// Index counts from the first event of the session; of very many only the newest are kept.
     [[nodiscard]] std::vector<controller::Event> eventsSince(size_t index) const;
-    /// Refusals of posted commands (unknown path, wrong type, forced): text per command, oldest first, taken once.
-    [[nodiscard]] std::vector<Error> takeRefusals();
+    [[nodiscard]] std::vector<Error> takeRefusals() override;
     /// The work on the optimised code, while it goes on; cancelled, the quick code stays. Else null.
     [[nodiscard]] std::shared_ptr<Progress> optimising() const;
-    /// Newest finished image (a copy of the published snapshot); at a breakpoint the image as it is now.
-    [[nodiscard]] std::vector<std::byte> snapshot(uint64_t* scan = nullptr) const;
-    /// The same with all that belongs to it; `into` keeps its memory from call to call.
-    void latest(Snapshot& into) const;
+    /// Of the newest finished scan (a copy of what is published); at a breakpoint the image as it is now.
+    void latest(Snapshot& into) const override;
     /// Takes effect at the next scan boundary; `done` runs on the scan thread. `breakpoints`: those of the new program,
     /// in the place of the present ones.
     void changeProgram(driver::Built built, std::function<void(const controller::OnlineChangeReport&)> done,
@@ -131,12 +95,6 @@ public:
     [[nodiscard]] Message haltProblem() const;
     /// Name and value of the locals of a frame of haltFrames(); after a fault, of the fault's call path as it was then.
     [[nodiscard]] std::vector<std::pair<std::string, types::Value>> frameVariables(size_t frame) const;
-
-    /// Cached by text, scope and program version; any thread.
-    [[nodiscard]] Result<expression::Expression> expression(const std::string& text,
-                                                            const std::string& scope = {}) const;
-    /// For History::series over online changes.
-    [[nodiscard]] history::Recompile recompile(const std::string& text, const std::string& scope = {}) const;
 
 private:
     struct State;

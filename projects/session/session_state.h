@@ -26,11 +26,11 @@ struct Command {
 };
 
 struct Session::State final : controller::ScanObserver {
-    State(driver::Built first, Settings s);
+    State(driver::Built first, Settings s, std::shared_ptr<Versions> v);
     ~State() override;
 
     Settings settings;
-    std::shared_ptr<Versions> versions = std::make_shared<Versions>();
+    std::shared_ptr<Versions> versions;                 // the run's
     std::atomic<const driver::Built*> current{nullptr}; // kept alive by `versions`
     history::History history;
 

@@ -22,19 +22,22 @@ bool allRanSince(const std::vector<uint64_t>& before, const std::vector<uint64_t
 
 } // namespace
 
-void WriteQueue::sortIn(const image::Layout& layout, Request request, std::vector<Error>& refusals) {
-    const Result<image::Place> place = layout.find(request.path);
-    if (!place) {
-        refusals.push_back({place.error().message, request.path});
-        return;
+void WriteQueue::sortIn(const image::CompiledProgram& program, Request request, std::vector<Error>& refusals) {
+    const image::Layout& layout = program.layout;
+    if (request.target.program.get() != &program) { // not looked up yet, or for another version
+        const Result<image::Place> found = layout.find(request.target.path);
+        if (!found) {
+            refusals.push_back({found.error().message, request.target.path});
+            return;
+        }
+        request.target.place = *found;
     }
-    request.place = *place;
-    const auto sharesBytes = [&](const image::Place& other) { return overlap(*layout.types, other, *place); };
+    const image::Place place = request.target.place;
+    const auto sharesBytes = [&](const image::Place& other) { return overlap(*layout.types, other, place); };
     auto lane = std::find_if(m_lanes.begin(), m_lanes.end(),
                              [&](const Lane& l) { return std::any_of(l.places.begin(), l.places.end(), sharesBytes); });
     if (lane == m_lanes.end()) lane = m_lanes.insert(m_lanes.end(), Lane{});
-    if (std::find(lane->places.begin(), lane->places.end(), *place) == lane->places.end())
-        lane->places.push_back(*place);
+    if (std::find(lane->places.begin(), lane->places.end(), place) == lane->places.end()) lane->places.push_back(place);
     lane->waiting.push_back(std::move(request));
 }
 
@@ -47,14 +50,13 @@ void WriteQueue::rebind(const image::CompiledProgram& program, std::vector<Error
         held.place = place ? *place : image::Place{};
     }
     for (Lane& lane : lanes)
-        for (Request& request : lane.waiting) sortIn(program.layout, std::move(request), refusals);
+        for (Request& request : lane.waiting) sortIn(program, std::move(request), refusals);
 }
 
 void WriteQueue::apply(controller::Controller& controller, bool areScansComing, std::vector<Error>& refusals) {
     if (isEmpty()) return;
     if (&controller.program() != m_program) rebind(controller.program(), refusals);
-    for (; !m_fresh.empty(); m_fresh.pop_front())
-        sortIn(controller.program().layout, std::move(m_fresh.front()), refusals);
+    for (; !m_fresh.empty(); m_fresh.pop_front()) sortIn(controller.program(), std::move(m_fresh.front()), refusals);
     const uint64_t next = controller.nextScan();
     for (Lane& lane : m_lanes) {
         while (!lane.waiting.empty() && (!areScansComing || lane.writtenBefore != next)) {
@@ -71,7 +73,7 @@ void WriteQueue::apply(controller::Controller& controller, bool areScansComing, 
 bool WriteQueue::carryOut(Request& request, controller::Controller& controller, bool areScansComing,
                           std::vector<Error>& refusals) {
     const auto held =
-        std::find_if(m_held.begin(), m_held.end(), [&](const Held& h) { return h.place == request.place; });
+        std::find_if(m_held.begin(), m_held.end(), [&](const Held& h) { return h.place == request.target.place; });
     types::Value value = request.value;
     if (request.kind == Kind::Release) {
         if (held == m_held.end()) return true; // the press was refused
@@ -81,12 +83,13 @@ bool WriteQueue::carryOut(Request& request, controller::Controller& controller, 
     }
     if (held != m_held.end()) m_held.erase(held);
     controller.actFor(request.origin);
-    const Result<void> done = controller.write(request.path, value);
+    const Result<void> done = controller.write(request.target.path, request.target.place, value);
     controller.actFor({});
     if (!done)
         refusals.push_back(done.error());
     else if (request.kind == Kind::Press)
-        m_held.push_back({request.path, request.place, request.released, request.origin, controller.cyclicRuns()});
+        m_held.push_back(
+            {request.target.path, request.target.place, request.released, request.origin, controller.cyclicRuns()});
     return true;
 }
 

@@ -1,7 +1,7 @@
 // Writes that wait for their scan: writes to one variable keep their order, one per scan, and the release of a
 // momentary button waits until every cyclic task has run once with the press. Scan thread.
 #pragma once
-#include "runtime/controller/controller.h"
+#include "projects/session/run.h"
 
 #include <deque>
 
@@ -9,14 +9,13 @@ namespace plc::session {
 
 class WriteQueue {
 public:
-    void write(std::string path, types::Value value, std::string origin = {}) {
-        m_fresh.push_back({Kind::Write, std::move(path), {}, std::move(value), {}, std::move(origin)});
+    void write(Target target, types::Value value, std::string origin = {}) {
+        m_fresh.push_back({Kind::Write, std::move(target), std::move(value), {}, std::move(origin)});
     }
-    void press(std::string path, types::Value pressed, types::Value released, std::string origin = {}) {
-        m_fresh.push_back(
-            {Kind::Press, std::move(path), {}, std::move(pressed), std::move(released), std::move(origin)});
+    void press(Target target, types::Value pressed, types::Value released, std::string origin = {}) {
+        m_fresh.push_back({Kind::Press, std::move(target), std::move(pressed), std::move(released), std::move(origin)});
     }
-    void release(std::string path) { m_fresh.push_back({Kind::Release, std::move(path), {}, {}, {}, {}}); }
+    void release(Target target) { m_fresh.push_back({Kind::Release, std::move(target), {}, {}, {}}); }
     [[nodiscard]] bool isEmpty() const { return m_fresh.empty() && m_lanes.empty(); }
     /// At a scan boundary: carries out what may be. `areScansComing`: else nothing has to wait. Refusals go to
     /// `refusals`.
@@ -26,8 +25,7 @@ private:
     enum class Kind : uint8_t { Write, Press, Release };
     struct Request {
         Kind kind;
-        std::string path;
-        image::Place place;
+        Target target;
         types::Value value, released;
         std::string origin;
     };
@@ -44,7 +42,7 @@ private:
         std::string origin;
         std::vector<uint64_t> runs; // of the cyclic tasks at the press
     };
-    void sortIn(const image::Layout& layout, Request request, std::vector<Error>& refusals);
+    void sortIn(const image::CompiledProgram& program, Request request, std::vector<Error>& refusals);
     void rebind(const image::CompiledProgram& program, std::vector<Error>& refusals);
     /// False: it has to wait.
     [[nodiscard]] bool carryOut(Request& request, controller::Controller& controller, bool areScansComing,

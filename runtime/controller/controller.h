@@ -100,6 +100,8 @@ public:
     [[nodiscard]] Result<types::Value> read(std::string_view path) const;
     Result<void> write(std::string_view path, const types::Value& value);
     Result<void> write(image::Place place, const types::Value& value);
+    /// Of a path whose place is known.
+    Result<void> write(std::string_view path, image::Place place, const types::Value& value);
     Result<void> force(std::string_view path, const types::Value& value);
     Result<void> release(std::string_view path);
     void releaseAll();

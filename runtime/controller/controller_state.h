@@ -108,6 +108,8 @@ struct Controller::State_ {
     class Edge;
     void report(EventKind kind, Message text);
     /// Something from outside acts now.
+    /// The value as it was fitted to the place.
+    [[nodiscard]] Result<types::Value> write(image::Place place, const types::Value& value);
     void touch(image::OutsideKind kind, std::string text = {});
     void touch(image::OutsideKind kind, const image::Place& place, std::string text = {});
     /// Tells the observers what the scan to come begins from.

@@ -33,22 +33,32 @@ Result<types::Value> Controller::read(std::string_view path) const {
 Result<void> Controller::write(std::string_view path, const types::Value& value) {
     const Result<image::Place> place = m->layout().find(path);
     if (!place) return place.error();
-    Result<void> done = write(*place, value);
-    if (!done) return Error{done.error().message, std::string(path)};
-    m->report(EventKind::Write, shownWrite(m->layout(), path, *fitted(*m->layout().types, value, place->type)));
+    return write(path, *place, value);
+}
+
+Result<void> Controller::write(std::string_view path, image::Place place, const types::Value& value) {
+    const Result<types::Value> written = m->write(place, value);
+    if (!written) return Error{written.error().message, std::string(path)};
+    m->report(EventKind::Write, shownWrite(m->layout(), path, *written));
     return {};
 }
 
 Result<void> Controller::write(image::Place place, const types::Value& value) {
-    const types::TypeTable& types = *m->layout().types;
-    if (const Forced* forced = m->forces.overlapping(types, place)) return Error{errors::IsForced(forced->path), {}};
-    if (isConstant(m->layout(), place)) return Error{errors::ConstantNotWritten(), {}};
-    const Result<types::Value> fit = fitted(types, value, place.type);
-    if (!fit) return fit.error();
-    types::writeValue(types, place.type, *fit, m->image.span().subspan(place.offset), place.bit);
-    markWritten(m->dirtyPages, place.offset, place.bit >= 0 ? 1 : types[place.type].size);
-    m->touch(image::OutsideKind::Write, place);
+    const Result<types::Value> written = m->write(place, value);
+    if (!written) return written.error();
     return {};
+}
+
+Result<types::Value> Controller::State_::write(image::Place place, const types::Value& value) {
+    const types::TypeTable& types = *layout().types;
+    if (const Forced* forced = forces.overlapping(types, place)) return Error{errors::IsForced(forced->path), {}};
+    if (isConstant(layout(), place)) return Error{errors::ConstantNotWritten(), {}};
+    Result<types::Value> fit = fitted(types, value, place.type);
+    if (!fit) return fit;
+    types::writeValue(types, place.type, *fit, image.span().subspan(place.offset), place.bit);
+    markWritten(dirtyPages, place.offset, place.bit >= 0 ? 1 : types[place.type].size);
+    touch(image::OutsideKind::Write, place);
+    return fit;
 }
 
 Result<void> Controller::force(std::string_view path, const types::Value& value) {

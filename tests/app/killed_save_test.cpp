@@ -4,8 +4,8 @@
 #include "tests/app/killed_save.h"
 #include "tests/support/paths.h"
 
-#include "editor/analysis/workspace.h"
 #include "editor/trace/trace_setup.h"
+#include "editor/workspace/workspace.h"
 #include "hmi/player/panel_project.h"
 #include "projects/session/session.h"
 #include "projects/storage/project_file.h"

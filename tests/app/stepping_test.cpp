@@ -177,9 +177,12 @@ TEST_F(SteppingTest, BreakpointsStayAtTheirLinesWhenTheTextIsEdited) {
     editor().applyEdits({{{FileId(), 0, 0}, "// first\n// second\n"}});
     EXPECT_EQ(window->control().breakpoints()[0].line, lineOf("pulse(IN"));
     EXPECT_EQ(marked(), lineOf("pulse(IN"));
+    const auto haltsAgainAfter = [&](uint64_t halts) {
+        return waitFor([&] { return isHalted() && window->control().status().halts > halts; });
+    };
+    uint64_t halts = window->control().status().halts;
     window->action("run.start")->trigger();
-    QTest::qWait(200);
-    ASSERT_TRUE(waitFor([&] { return isHalted(); }));
+    ASSERT_TRUE(haltsAgainAfter(halts));
     EXPECT_EQ(textOfLine(marked()), "pulse(IN := NOT pulse.Q, PT := T#100ms);");
     // One that is set in the edited text is one of the statement under it.
     window->control().setBreakpoints({});
@@ -188,12 +191,13 @@ TEST_F(SteppingTest, BreakpointsStayAtTheirLinesWhenTheTextIsEdited) {
     EXPECT_TRUE(waitFor([&] { return isHalted() && marked() == lineOf("counter := counter + 1"); }))
         << textOfLine(marked());
     // After the online change it is the same statement, too.
+    QSignalSpy built(&window->control(), &editor::RunControl::buildFinished);
     window->action("run.change")->trigger();
-    QTest::qWait(300);
+    ASSERT_TRUE(waitFor([&] { return built.count() == 1; }));
+    halts = window->control().status().halts;
     window->action("run.start")->trigger();
-    QTest::qWait(300);
-    EXPECT_TRUE(waitFor([&] { return isHalted() && marked() == lineOf("counter := counter + 1"); }))
-        << textOfLine(marked());
+    EXPECT_TRUE(haltsAgainAfter(halts));
+    EXPECT_TRUE(waitFor([&] { return marked() == lineOf("counter := counter + 1"); })) << textOfLine(marked());
     EXPECT_EQ(window->control().session()->built().input->files[0].text.substr(0, 8), "// first");
 }
 
@@ -204,8 +208,7 @@ TEST_F(SteppingTest, RunToCursorStartsTheControllerAndSaysWhenThereIsNoCode) {
     QSignalSpy said(&window->control(), &editor::RunControl::messageAdded);
     editor().setCursorPosition(lineOf("END_PROGRAM") - 1, 0);
     QTest::keyClick(window.get(), Qt::Key_F10, Qt::ControlModifier);
-    QTest::qWait(100);
-    EXPECT_EQ(said.count(), 1);
+    EXPECT_TRUE(waitFor([&] { return said.count() == 1; }));
     EXPECT_TRUE(isHalted()) << "it does not run on without an end";
 }
 

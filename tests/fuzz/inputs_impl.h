@@ -2,7 +2,7 @@
 #pragma once
 #include "tests/fuzz/inputs.h"
 
-#include "editor/trace/session_recording.h"
+#include "editor/trace/run_recording.h"
 #include "editor/trace/trace_setup.h"
 #include "hmi/alarms/alarm_file.h"
 #include "hmi/texts/text_table.h"
@@ -122,7 +122,7 @@ void readProjectFile(const std::string& bytes) {
 }
 
 void readRecording(const std::string& bytes) {
-    const auto recording = trace::FileRecording::open(scratch().write("a.stwrec", bytes));
+    const auto recording = trace::RunRecording::open(scratch().write("a.stwrec", bytes));
     if (!recording) return;
     const auto [first, end] = (*recording)->extent();
     (void)(*recording)->samples("Main.x", first, std::min(end, first + 1000));

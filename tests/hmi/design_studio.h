@@ -25,7 +25,7 @@ struct Studio {
         project.startPanel = QStringLiteral("main");
         context = std::make_unique<DesignContext>(project);
         context->setChecked(built.checked);
-        context->setSession(&session);
+        context->setRun(&session);
         designer = std::make_unique<PanelDesigner>(*context, QStringLiteral("main"));
         designer->resize(1400, 900);
         designer->show();

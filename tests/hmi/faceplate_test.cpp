@@ -266,7 +266,7 @@ struct Studio {
 
     explicit Studio(const std::string& elements) : plant(elements) {
         context.setChecked(plant.built.checked);
-        context.setSession(&session);
+        context.setRun(&session);
         designer = std::make_unique<PanelDesigner>(context, QStringLiteral("main"));
         designer->resize(1400, 900);
         designer->show();

@@ -279,7 +279,7 @@ TEST(Player, SaysWhenTheControllerStoppedOrFaultedAndVeilsTheOldValues) {
     EXPECT_TRUE(status->stateText().startsWith(QStringLiteral("Styringen har en fejl")))
         << status->stateText().toStdString();
     EXPECT_EQ(machine.write("Main.divisor", Value::ofInteger(1)).toStdString(), "Ikke skrevet: Styringen kører ikke.");
-    machine.player->setSession(nullptr);
+    machine.player->setRun(nullptr);
     machine.player->frame();
     EXPECT_EQ(status->stateText().toStdString(), "Ingen styring");
 }

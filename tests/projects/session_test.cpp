@@ -263,8 +263,9 @@ TEST(Session, AnyThreadMayPostAndReadWhileScansRun) {
     Session session(program());
     session.startThread(fastest());
     std::atomic<bool> isDone{false};
+    std::atomic<int> rounds{0};
     const auto use = [&](int number) {
-        for (int i = 0; !isDone; ++i) {
+        for (int i = 0; !isDone; ++i, ++rounds) {
             session.write("x", dint(i));
             if (i % 5 == number) session.force("lamp", boolean(i % 2));
             if (i % 7 == number) session.unforceAll();
@@ -285,7 +286,7 @@ TEST(Session, AnyThreadMayPostAndReadWhileScansRun) {
         }
     };
     std::thread a(use, 1), b(use, 2);
-    std::this_thread::sleep_for(700ms);
+    EXPECT_TRUE(eventually([&] { return rounds > 1500 && session.status().scans > 100; }));
     isDone = true;
     a.join();
     b.join();

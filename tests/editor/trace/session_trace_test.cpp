@@ -2,10 +2,11 @@
 // online change and files keep the story straight; names complete from the compiled program.
 #include "editor/kit/plot_view.h"
 #include "editor/trace/program_variables.h"
-#include "editor/trace/session_recording.h"
+#include "editor/trace/run_recording.h"
 #include "editor/trace/trace_feed.h"
 #include "editor/trace/trace_picture.h"
 #include "editor/trace/trace_view.h"
+#include "projects/session/session.h"
 #include "runtime/compiler/jit/jit.h"
 
 #include <QApplication>
@@ -95,7 +96,7 @@ double logged(session::Session& session, const std::string& name, size_t i) {
 
 TEST(SessionTrace, EverySampleIsWhatTheProgramWroteDown) {
     session::Session session(build(Logger));
-    const SessionRecording recording(session);
+    const RunRecording recording(session);
     TraceFeed feed(recording, std::make_shared<history::ColumnStore>());
     feed.setExpressions({"Main.level", "Main.pulse", "Main.phase", "Main.level * 2.0 + 1.0"});
     for (int i = 0; i < 20; ++i) { // the window comes now and then
@@ -124,7 +125,7 @@ TEST(SessionTrace, EverySampleIsWhatTheProgramWroteDown) {
 
 TEST(SessionTrace, ARunningPlcLosesNoScanWhileTheWindowIsBusy) {
     session::Session session(build(Logger));
-    const SessionRecording recording(session);
+    const RunRecording recording(session);
     TraceView view;
     view.resize(900, 500);
     view.setRecording(&recording);
@@ -175,7 +176,7 @@ END_CONFIGURATION
 
 TEST(SessionTrace, EveryExecutedScanOfOneMillisecondIsThereAndSkippedOnesAreCountedAndMarked) {
     session::Session session(build(Late));
-    const SessionRecording recording(session);
+    const RunRecording recording(session);
     TraceView view;
     view.resize(900, 500);
     view.setRecording(&recording);
@@ -229,7 +230,7 @@ VAR big : LINT := 9007199254740993; top : ULINT := 18446744073709551614; long : 
 big := big + 2; top := top + 1; long := long + LTIME#1ns; small := small + 1;
 END_PROGRAM
 )"));
-    const SessionRecording recording(session);
+    const RunRecording recording(session);
     runScans(session, 1);
     QTemporaryDir folder;
     TraceOutput out;
@@ -254,7 +255,7 @@ END_PROGRAM
 
 TEST(SessionTrace, TheTriggerSeesEveryScanHoweverFewAreDrawn) {
     session::Session session(build(Logger));
-    const SessionRecording recording(session);
+    const RunRecording recording(session);
     runScans(session, 100);
     TraceOutput out;
     out.setup = setupOf({"Main.level"});
@@ -267,7 +268,7 @@ TEST(SessionTrace, TheTriggerSeesEveryScanHoweverFewAreDrawn) {
 
 TEST(SessionTrace, GoingBackShowsTheNewBranch) {
     session::Session session(build(Logger));
-    const SessionRecording recording(session);
+    const RunRecording recording(session);
     TraceFeed feed(recording, std::make_shared<history::ColumnStore>());
     feed.setExpressions({"Main.n"});
     runScans(session, 300);
@@ -289,7 +290,7 @@ TEST(SessionTrace, AnOnlineChangeLeavesAGapWhereThePathDidNotExist) {
     const std::string before = "PROGRAM Main VAR a : INT; END_VAR a := a + 1; END_PROGRAM";
     const std::string after = "PROGRAM Main VAR a : INT; b : INT; END_VAR a := a + 1; b := a * 2; END_PROGRAM";
     session::Session session(build(before));
-    const SessionRecording recording(session);
+    const RunRecording recording(session);
     TraceFeed feed(recording, std::make_shared<history::ColumnStore>());
     runScans(session, 100);
     feed.setExpressions({"Main.a", "Main.b"});
@@ -316,9 +317,9 @@ TEST(SessionTrace, ASavedRecordingDrawsTheSame) {
     session::Session session(build(Logger));
     runScans(session, 500);
     ASSERT_TRUE(session.history().save(file));
-    const auto opened = FileRecording::open(file);
+    const auto opened = RunRecording::open(file);
     ASSERT_TRUE(opened) << opened.error().english();
-    const SessionRecording live(session);
+    const RunRecording live(session);
     TraceFeed a(live, std::make_shared<history::ColumnStore>()), b(**opened, std::make_shared<history::ColumnStore>());
     for (TraceFeed* feed : {&a, &b}) {
         feed->setExpressions({"Main.level", "Main.phase", "Main.pulse AND Main.n > 100"});
@@ -329,7 +330,7 @@ TEST(SessionTrace, ASavedRecordingDrawsTheSame) {
     EXPECT_EQ(live.find("Main.n = 123", 0, history::History::Direction::Forward),
               (*opened)->find("Main.n = 123", 0, history::History::Direction::Forward));
     EXPECT_FALSE((*opened)->typeOf("Main.nothing"));
-    EXPECT_FALSE(FileRecording::open(folder.filePath("missing.rec").toStdString()));
+    EXPECT_FALSE(RunRecording::open(folder.filePath("missing.rec").toStdString()));
 
     TraceOutput out;
     out.setup = setupOf({"Main.level", "Main.pulse", "Main.phase"});
@@ -345,7 +346,7 @@ TEST(SessionTrace, TheViewOpensSavesAndComparesRecordings) {
     QDir(folder.path()).mkdir("traces");
     session::Session session(build(Logger));
     runScans(session, 300);
-    const SessionRecording live(session);
+    const RunRecording live(session);
     ASSERT_TRUE(live.save(folder.filePath("old.rec").toStdString()));
     runScans(session, 300);
     TraceView view;

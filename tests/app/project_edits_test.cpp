@@ -24,7 +24,7 @@ namespace {
 
 using editor::StEditor;
 
-class AuditTest : public StudioTest {
+class ProjectEditsTest : public StudioTest {
 protected:
     void SetUp() override {
         write("src/motor.st", "/// Turns.\n{attribute 'note'}\nFUNCTION_BLOCK Motor\nVAR_INPUT\n    run : BOOL; // on\n"
@@ -61,7 +61,7 @@ protected:
     }
 };
 
-TEST_F(AuditTest, ARenameOverFilesTestsIncludedIsTakenBackByOneUndo) {
+TEST_F(ProjectEditsTest, ARenameOverFilesTestsIncludedIsTakenBackByOneUndo) {
     const std::string motor = text("src/motor.st"), line = text("src/line.st"), test = text("tests/line.st");
     StEditor& here = open("src/motor.st"); // the others stay closed
     here.goTo(place("src/motor.st", "run : BOOL"));
@@ -85,7 +85,7 @@ TEST_F(AuditTest, ARenameOverFilesTestsIncludedIsTakenBackByOneUndo) {
     EXPECT_EQ(here.utf8().find("run"), std::string::npos);
 }
 
-TEST_F(AuditTest, AUnitLeavesWithItsCommentsAndOnlyTheStatementsThatReferToIt) {
+TEST_F(ProjectEditsTest, AUnitLeavesWithItsCommentsAndOnlyTheStatementsThatReferToIt) {
     open("src/line.st");
     press("Delete and Comment Out the Uses");
     window->deleteUnit("src/motor.st", place("src/motor.st", "Motor"), place("src/motor.st", "END_FUNCTION_BLOCK") + 18,
@@ -99,7 +99,7 @@ TEST_F(AuditTest, AUnitLeavesWithItsCommentsAndOnlyTheStatementsThatReferToIt) {
     EXPECT_TRUE(window->workspace().files().contains("src/motor.st")) << "one undo brings the file back";
 }
 
-TEST_F(AuditTest, OfALineWithSeveralStatementsOnlyOneIsCommentedOut) {
+TEST_F(ProjectEditsTest, OfALineWithSeveralStatementsOnlyOneIsCommentedOut) {
     const auto model = window->workspace().presentModel();
     ASSERT_NE(model, nullptr);
     write("src/f.st", "FUNCTION F : INT\nF := 1;\nEND_FUNCTION\n");
@@ -114,7 +114,7 @@ TEST_F(AuditTest, OfALineWithSeveralStatementsOnlyOneIsCommentedOut) {
                                 "// IF F() > 0 THEN\n//     x := 3;\n// END_IF\nx := 4;\nEND_PROGRAM\n");
 }
 
-TEST_F(AuditTest, ReplacingInAllFilesWithGroupsIsUndoneAsOne) {
+TEST_F(ProjectEditsTest, ReplacingInAllFilesWithGroupsIsUndoneAsOne) {
     const std::string motor = text("src/motor.st"), line = text("src/line.st");
     StEditor& here = open("src/motor.st");
     auto fields = window->search().findChildren<QLineEdit*>();
@@ -129,19 +129,17 @@ TEST_F(AuditTest, ReplacingInAllFilesWithGroupsIsUndoneAsOne) {
     QTest::keyClick(&here, Qt::Key_Z, Qt::ControlModifier);
     EXPECT_EQ(here.utf8(), motor);
     EXPECT_EQ(text("src/line.st"), line);
-    QTest::qWait(200);
-    EXPECT_EQ(marks(here), 0);
+    EXPECT_TRUE(waitFor([&] { return marks(here) == 0; }));
 }
 
-TEST_F(AuditTest, BothSidesOfASplitMarkOnlyWhatChanged) {
+TEST_F(ProjectEditsTest, BothSidesOfASplitMarkOnlyWhatChanged) {
     StEditor& here = open("src/motor.st");
     window->action("view.split")->trigger();
     StEditor& second = window->tabs().currentPage()->active();
     ASSERT_NE(&second, &here);
     second.goTo(place("src/motor.st", "IF run"));
     QTest::keyClicks(&second, "x");
-    QTest::qWait(300);
-    EXPECT_EQ(here.utf8(), second.utf8());
+    EXPECT_TRUE(waitFor([&] { return here.utf8() == second.utf8() && marks(here) == 1; }));
     EXPECT_EQ(text("src/motor.st"), here.utf8());
     EXPECT_EQ(marks(here), 1);
     window->action("file.save")->trigger();
@@ -149,7 +147,7 @@ TEST_F(AuditTest, BothSidesOfASplitMarkOnlyWhatChanged) {
     EXPECT_EQ(marks(second), 0);
 }
 
-TEST_F(AuditTest, TypingInAColumnKeepsTheColumn) {
+TEST_F(ProjectEditsTest, TypingInAColumnKeepsTheColumn) {
     StEditor& here = editor();
     const std::string before = here.utf8();
     here.goTo(static_cast<uint32_t>(before.find("    counter : INT")));
@@ -160,7 +158,7 @@ TEST_F(AuditTest, TypingInAColumnKeepsTheColumn) {
     EXPECT_FALSE(here.isListActive());
 }
 
-TEST_F(AuditTest, NothingIsOfferedInCommentsStringsAndPragmas) {
+TEST_F(ProjectEditsTest, NothingIsOfferedInCommentsStringsAndPragmas) {
     StEditor& here = editor();
     for (const char* opener : {"// cou", "(* cou", "'cou", "{attribute cou"}) {
         const auto at = static_cast<uint32_t>(here.utf8().find("counter := counter"));
@@ -175,7 +173,7 @@ TEST_F(AuditTest, NothingIsOfferedInCommentsStringsAndPragmas) {
     EXPECT_EQ(here.utf8(), kMain);
 }
 
-TEST_F(AuditTest, TheHelpOfAnOuterCallComesBackBehindTheInnerOne) {
+TEST_F(ProjectEditsTest, TheHelpOfAnOuterCallComesBackBehindTheInnerOne) {
     const auto model = window->workspace().presentModel();
     const auto file = *model->fileOf("src/main.st");
     const auto help = [&](std::string written) {
@@ -193,7 +191,7 @@ TEST_F(AuditTest, TheHelpOfAnOuterCallComesBackBehindTheInnerOne) {
     EXPECT_FALSE(help("pulse( // IN := ")) << "not in a comment";
 }
 
-TEST_F(AuditTest, HoverShowsThePinsOfALibraryBlock) {
+TEST_F(ProjectEditsTest, HoverShowsThePinsOfALibraryBlock) {
     const auto model = window->workspace().presentModel();
     const auto file = *model->fileOf("src/main.st");
     const auto hover = model->hover(file, place("src/main.st", "TON"));
@@ -207,7 +205,7 @@ TEST_F(AuditTest, HoverShowsThePinsOfALibraryBlock) {
     EXPECT_NE(window->tabs().currentEditor()->utf8().find("FUNCTION_BLOCK TON"), std::string::npos);
 }
 
-TEST_F(AuditTest, AnUnknownMemberIsDeclaredInItsBlock) {
+TEST_F(ProjectEditsTest, AnUnknownMemberIsDeclaredInItsBlock) {
     StEditor& here = open("src/line.st");
     const uint32_t at = place("src/line.st", "b := a;");
     here.applyEdits({{{FileId(), at, at}, "drive.speed := 1.5; "}});
@@ -218,7 +216,7 @@ TEST_F(AuditTest, AnUnknownMemberIsDeclaredInItsBlock) {
         << text("src/motor.st");
 }
 
-TEST_F(AuditTest, AnUnknownNameBecomesAnInputWhenWanted) {
+TEST_F(ProjectEditsTest, AnUnknownNameBecomesAnInputWhenWanted) {
     StEditor& here = editor();
     const auto at = static_cast<uint32_t>(here.utf8().find("counter := counter"));
     here.applyEdits({{{FileId(), at, at}, "level := 1.5;\n"}});
@@ -235,7 +233,7 @@ TEST_F(AuditTest, AnUnknownNameBecomesAnInputWhenWanted) {
         << here.utf8();
 }
 
-TEST_F(AuditTest, TheTableOfDeclarationsAddsMovesCommentsAndRenames) {
+TEST_F(ProjectEditsTest, TheTableOfDeclarationsAddsMovesCommentsAndRenames) {
     StEditor& here = open("src/line.st");
     window->action("view.table")->trigger();
     auto& table = window->tabs().currentPage()->table();
@@ -273,7 +271,7 @@ TEST_F(AuditTest, TheTableOfDeclarationsAddsMovesCommentsAndRenames) {
     EXPECT_NE(text("tests/line.st").find("Line.drive.run"), std::string::npos);
 }
 
-TEST_F(AuditTest, TheTreeIsArrangedByFileAndShowsWhatLibrariesHold) {
+TEST_F(ProjectEditsTest, TheTreeIsArrangedByFileAndShowsWhatLibrariesHold) {
     EXPECT_EQ(item("Motor")->data(0, Qt::UserRole + 6).toString(), "motor.st") << "the file stands behind each unit";
     QTreeWidgetItem* timer = item("TON");
     ASSERT_NE(timer, nullptr) << "what a library offers";
@@ -299,7 +297,7 @@ TEST_F(AuditTest, TheTreeIsArrangedByFileAndShowsWhatLibrariesHold) {
     EXPECT_EQ(item("drives.st"), nullptr);
 }
 
-TEST_F(AuditTest, AnExampleIsOpenedAsACopy) {
+TEST_F(ProjectEditsTest, AnExampleIsOpenedAsACopy) {
     QTemporaryDir projects;
     Settings().setProjectsFolder(projects.path());
     const QString example = folder.path() + "/shipped/press";
@@ -319,7 +317,7 @@ TEST_F(AuditTest, AnExampleIsOpenedAsACopy) {
     EXPECT_EQ(window->workspace().text("src/main.st").substr(0, 7), "PROGRAM");
 }
 
-TEST_F(AuditTest, AFileOfAnOlderEditorKeepsItsLettersAndItsLineEnds) {
+TEST_F(ProjectEditsTest, AFileOfAnOlderEditorKeepsItsLettersAndItsLineEnds) {
     write("src/old.st", "PROGRAM Old\r\nVAR\r\n    x : INT; // \xB0"
                         "C \x80\r\nEND_VAR\r\nIF x > 1 THEN\r\nEND_PROGRAM\r\n");
     ASSERT_TRUE(waitFor([&] { return window->workspace().files().contains("src/old.st"); }));
@@ -339,7 +337,7 @@ TEST_F(AuditTest, AFileOfAnOlderEditorKeepsItsLettersAndItsLineEnds) {
     EXPECT_TRUE(bytes.contains("THEN\r\n    \r\nEND_IF;\r\n")) << bytes.toStdString();
 }
 
-TEST_F(AuditTest, AReloadFromOutsideCanBeTakenBack) {
+TEST_F(ProjectEditsTest, AReloadFromOutsideCanBeTakenBack) {
     StEditor& here = open("src/motor.st");
     const std::string before = here.utf8();
     write("src/motor.st", "FUNCTION_BLOCK Motor\nEND_FUNCTION_BLOCK\n");
@@ -350,7 +348,7 @@ TEST_F(AuditTest, AReloadFromOutsideCanBeTakenBack) {
     EXPECT_TRUE(window->workspace().isModified("src/motor.st"));
 }
 
-TEST_F(AuditTest, AFileDeletedOutsideStaysWhileItIsEditedHere) {
+TEST_F(ProjectEditsTest, AFileDeletedOutsideStaysWhileItIsEditedHere) {
     StEditor& here = open("src/motor.st");
     QTest::keyClicks(&here, "//");
     ASSERT_TRUE(QFile::remove(folder.path() + "/src/motor.st"));
@@ -362,7 +360,7 @@ TEST_F(AuditTest, AFileDeletedOutsideStaysWhileItIsEditedHere) {
     EXPECT_TRUE(waitFor([&] { return !window->workspace().files().contains("src/line.st"); }));
 }
 
-TEST_F(AuditTest, ANewUnitsDialogRefusesTakenNamesAndBeginsWhereOneIs) {
+TEST_F(ProjectEditsTest, ANewUnitsDialogRefusesTakenNamesAndBeginsWhereOneIs) {
     NewUnitDialog dialog(window->workspace().files(), {"motor"}, window.get());
     dialog.preset("block", "src/line.st");
     EXPECT_EQ(dialog.templateId(), "block");
@@ -382,7 +380,7 @@ TEST_F(AuditTest, ANewUnitsDialogRefusesTakenNamesAndBeginsWhereOneIs) {
     EXPECT_TRUE(mayCreate());
 }
 
-TEST_F(AuditTest, AnEmptyProjectAndOneWithoutAProgramAreQuiet) {
+TEST_F(ProjectEditsTest, AnEmptyProjectAndOneWithoutAProgramAreQuiet) {
     QTemporaryDir empty;
     QDir(empty.path()).mkpath("src");
     QFile file(empty.path() + "/project.json");

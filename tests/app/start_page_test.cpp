@@ -26,7 +26,7 @@
 namespace plc::app {
 namespace {
 
-TEST(Newcomer, SeesTraceAndPanelAndIsToldWhatToPress) {
+TEST(StartPageTest, SeesTraceAndPanelAndIsToldWhatToPress) {
     QSettings("Stepwise", "Stepwise").clear();
     QTemporaryDir folder; // a copy: what a run retains belongs to its project
     QElapsedTimer timer;
@@ -62,7 +62,7 @@ TEST(Newcomer, SeesTraceAndPanelAndIsToldWhatToPress) {
     Settings().setSawTour();
 }
 
-TEST(Newcomer, FindsAPictureOfEveryExampleOnTheStartPage) {
+TEST(StartPageTest, FindsAPictureOfEveryExampleOnTheStartPage) {
     Settings settings;
     StartPage page(settings);
     const QDir folder(StartPage::examplesFolder());

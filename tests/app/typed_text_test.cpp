@@ -14,7 +14,7 @@
 namespace plc::app {
 namespace {
 
-class TypingTest : public StudioTest {
+class TypedTextTest : public StudioTest {
 protected:
     [[nodiscard]] qsizetype count(const char* word) { return QString::fromStdString(editor().utf8()).count(word); }
     /// Types the name into the dialog that opens next and accepts it.
@@ -29,7 +29,7 @@ protected:
     }
 };
 
-TEST_F(TypingTest, AnEndBelowTheOneThatEnterHasWrittenIsThatOne) {
+TEST_F(TypedTextTest, AnEndBelowTheOneThatEnterHasWrittenIsThatOne) {
     typeAtEnd("IF done THEN");
     QTest::keyClick(editor().viewport(), Qt::Key_Return);
     ASSERT_EQ(count("END_IF"), 2) << "one came by itself";
@@ -43,7 +43,7 @@ TEST_F(TypingTest, AnEndBelowTheOneThatEnterHasWrittenIsThatOne) {
     EXPECT_EQ(count("END_IF; // done"), 1) << editor().utf8();
 }
 
-TEST_F(TypingTest, AnEndThatClosesAnotherBlockIsWritten) {
+TEST_F(TypedTextTest, AnEndThatClosesAnotherBlockIsWritten) {
     typeAtEnd("IF done THEN");
     QTest::keyClick(editor().viewport(), Qt::Key_Return);
     QTest::keyClicks(editor().viewport(), "IF pulse.Q THEN counter := 1; ");
@@ -54,7 +54,7 @@ TEST_F(TypingTest, AnEndThatClosesAnotherBlockIsWritten) {
     EXPECT_EQ(count("END_IF"), 3) << "and this one is the outer one's";
 }
 
-TEST_F(TypingTest, EnterInTheWatchLineTakesTheNameThatWasBegun) {
+TEST_F(TypedTextTest, EnterInTheWatchLineTakesTheNameThatWasBegun) {
     window->showDock("watch");
     auto* line = window->watch().findChild<kit::ExpressionEdit*>();
     ASSERT_NE(line, nullptr);
@@ -73,7 +73,7 @@ TEST_F(TypingTest, EnterInTheWatchLineTakesTheNameThatWasBegun) {
     EXPECT_EQ(line->text(), "");
 }
 
-TEST_F(TypingTest, ANewDocumentHasTheKeyboard) {
+TEST_F(TypedTextTest, ANewDocumentHasTheKeyboard) {
     (void)window->projectTree();
     window->watch().tree().setFocus();
     answerWithName("Mixer");

@@ -5,9 +5,9 @@
 namespace plc::app {
 namespace {
 
-class BesideTest : public StudioTest {};
+class SplitViewTest : public StudioTest {};
 
-TEST_F(BesideTest, AnotherFileIsEditedBesideTheOneInFront) {
+TEST_F(SplitViewTest, AnotherFileIsEditedBesideTheOneInFront) {
     write("src/other.st", "FUNCTION Twice : INT\nVAR_INPUT\n    x : INT;\nEND_VAR\nTwice := 2 * x;\nEND_FUNCTION\n");
     ASSERT_TRUE(waitFor([&] { return window->workspace().files().contains("src/other.st"); }) ||
                 window->openProject(folder.path()));

@@ -14,7 +14,7 @@
 namespace plc::app {
 namespace {
 
-class UsesTest : public StudioTest {
+class PanelUsesTest : public StudioTest {
 protected:
     void SetUp() override {
         write("hmi/overview.panel.json",
@@ -31,7 +31,7 @@ protected:
     }
 };
 
-TEST_F(UsesTest, UsesInPanelsAreCountedAndLeadThere) {
+TEST_F(PanelUsesTest, UsesInPanelsAreCountedAndLeadThere) {
     window->action("edit.uses")->trigger();
     EXPECT_TRUE(rows(0).contains("hmi/overview.panel.json: count")) << rows(0).join(" | ").toStdString();
     EXPECT_TRUE(rows(0).contains("hmi/overview.panel.json: entry"));
@@ -43,13 +43,13 @@ TEST_F(UsesTest, UsesInPanelsAreCountedAndLeadThere) {
     EXPECT_EQ(designer->selection().ids(), hmi::ElementIds{"entry"});
 }
 
-TEST_F(UsesTest, FindInAllFilesCoversPanels) {
+TEST_F(PanelUsesTest, FindInAllFilesCoversPanels) {
     window->search().openSearch("Main.limit");
     window->search().search();
     EXPECT_EQ(rows(0).filter("hmi/overview.panel.json").size(), 2);
 }
 
-TEST_F(UsesTest, ARenameShowsWhatItChangesFirst) {
+TEST_F(PanelUsesTest, ARenameShowsWhatItChangesFirst) {
     QStringList shown;
     QTimer::singleShot(150, qApp, [&] {
         auto* dialog = qobject_cast<RenameDialog*>(QApplication::activeModalWidget());

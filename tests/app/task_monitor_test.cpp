@@ -75,5 +75,48 @@ TEST_F(StudioTest, PreparedValuesAreWrittenTogetherAndARefusedOneStays) {
     EXPECT_FALSE(row(2)->toolTip(3).isEmpty()) << "and says why";
 }
 
+TEST_F(StudioTest, SameNamesInTwoTasksStayApart) {
+    write("src/two.st", "PROGRAM Other\nVAR counter : INT := 500; END_VAR\nEND_PROGRAM\n"
+                        "CONFIGURATION C\nRESOURCE R ON PLC\nTASK Fast(INTERVAL := T#10ms, PRIORITY := 1);\nTASK "
+                        "Slow(INTERVAL := T#50ms, PRIORITY := 2);\nPROGRAM Main WITH Fast : Main;\n"
+                        "PROGRAM Other WITH Slow : Other;\nEND_RESOURCE\nEND_CONFIGURATION\n");
+    ASSERT_TRUE(waitFor([&] { return window->workspace().files().contains("src/two.st"); }));
+    analysed();
+    window->watch().setExpressions({"Main.counter", "Other.counter"});
+    window->showDock("watch");
+    window->action("run.start")->trigger();
+    ASSERT_TRUE(waitFor([&] { return window->control().value("Main.counter").text.toInt() > 3; }));
+    window->watch().refresh();
+    EXPECT_EQ(window->watch().tree().topLevelItem(1)->text(1), "500");
+    EXPECT_NE(window->watch().tree().topLevelItem(0)->text(1), "500");
+}
+
+TEST_F(StudioTest, TheLogTellsWhatHappenedAndTheMonitorWhatItCost) {
+    const auto listIn = [&](const QString& dock) {
+        window->showDock(dock);
+        return window->dock(dock)->findChild<QTreeWidget*>();
+    };
+    QTreeWidget* log = listIn("log");
+    window->action("run.start")->trigger();
+    ASSERT_TRUE(waitFor([&] { return window->control().status().scans > 20; }));
+    window->watch().setExpressions({"Main.limit"});
+    window->watch().tree().topLevelItem(0)->setText(3, "5");
+    window->action("run.force")->trigger();
+    const auto logged = [&](const QString& word) {
+        for (int i = 0; i < log->topLevelItemCount(); ++i)
+            for (int c = 0; c < log->columnCount(); ++c)
+                if (log->topLevelItem(i)->text(c).contains(word, Qt::CaseInsensitive)) return true;
+        return false;
+    };
+    EXPECT_TRUE(waitFor([&] { return logged("force") || logged("limit"); }));
+    QTreeWidget* tasks = listIn("tasks");
+    ASSERT_TRUE(waitFor([&] { return tasks->topLevelItemCount() > 0; }));
+    EXPECT_TRUE(waitFor([&] {
+        return tasks->topLevelItem(0)->text(1).toInt() > 0 || tasks->topLevelItem(0)->text(2).toInt() > 0;
+    })) << "its count";
+    window->action("run.stop")->trigger();
+    EXPECT_TRUE(waitFor([&] { return logged("stop"); }));
+}
+
 } // namespace
 } // namespace plc::app

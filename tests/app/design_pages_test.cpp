@@ -20,7 +20,7 @@
 namespace plc::app {
 namespace {
 
-class DesignTest : public StudioTest {
+class DesignPagesTest : public StudioTest {
 protected:
     void SetUp() override {
         write("hmi/overview.panel.json",
@@ -69,7 +69,7 @@ protected:
     }
 };
 
-TEST_F(DesignTest, AClosedDesignerOutlivesItsProjectByAMoment) {
+TEST_F(DesignPagesTest, AClosedDesignerOutlivesItsProjectByAMoment) {
     ASSERT_NE(openFromTree("overview"), nullptr);
     const QString folder = window->workspace().folder();
     window->closeProject();
@@ -80,7 +80,7 @@ TEST_F(DesignTest, AClosedDesignerOutlivesItsProjectByAMoment) {
     EXPECT_NE(openFromTree("overview"), nullptr);
 }
 
-TEST_F(DesignTest, IsOpenedFromTheTreeEditedUndoneAndSeenLive) {
+TEST_F(DesignPagesTest, IsOpenedFromTheTreeEditedUndoneAndSeenLive) {
     hmi::PanelDesigner* designer = openFromTree("overview");
     ASSERT_NE(designer, nullptr);
     const size_t before = designer->document().panel().elements().size();
@@ -107,7 +107,7 @@ TEST_F(DesignTest, IsOpenedFromTheTreeEditedUndoneAndSeenLive) {
     EXPECT_TRUE(file.readAll().contains("Main.done"));
 }
 
-TEST_F(DesignTest, AClosedTabAsksForWhatWasDrawn) {
+TEST_F(DesignPagesTest, AClosedTabAsksForWhatWasDrawn) {
     hmi::PanelDesigner* designer = openFromTree("overview");
     ASSERT_NE(designer, nullptr);
     drop(*designer, "Main.done", {300, 200});
@@ -122,9 +122,9 @@ TEST_F(DesignTest, AClosedTabAsksForWhatWasDrawn) {
     EXPECT_TRUE(file.readAll().contains("Main.done"));
 }
 
-TEST_F(DesignTest, ABindingThatBreaksInTheCodeIsAProblemThatLeadsToTheElement) {
+TEST_F(DesignPagesTest, ABindingThatBreaksInTheCodeIsAProblemThatLeadsToTheElement) {
     ASSERT_TRUE(waitFor([&] { return window->live().design() != nullptr; }));
-    QTest::qWait(900);
+    ASSERT_TRUE(waitFor([&] { return window->live().design()->checked().analysis != nullptr; }));
     EXPECT_TRUE(problemPlaces().filter("overview.panel.json").isEmpty()) << problemPlaces().join('\n').toStdString();
     // The variable gets another name in the code alone, as by hand.
     std::string text = editor().utf8();

@@ -16,7 +16,7 @@
 namespace plc::app {
 namespace {
 
-class LayoutTest : public StudioTest {
+class PerspectivesTest : public StudioTest {
 protected:
     QStringList shownDocks() {
         QStringList out;
@@ -27,7 +27,7 @@ protected:
     }
 };
 
-TEST_F(LayoutTest, ADoubleClickOnATabGivesTheEditorAllTheRoom) {
+TEST_F(PerspectivesTest, ADoubleClickOnATabGivesTheEditorAllTheRoom) {
     const QStringList before = shownDocks();
     const int width = window->tabs().width();
     QTabBar* bar = window->tabs().tabBar();
@@ -37,7 +37,7 @@ TEST_F(LayoutTest, ADoubleClickOnATabGivesTheEditorAllTheRoom) {
     EXPECT_TRUE(waitFor([&] { return shownDocks() == before; }));
 }
 
-TEST_F(LayoutTest, EachWorkHasItsDocksAndKeepsWhatWasMoved) {
+TEST_F(PerspectivesTest, EachWorkHasItsDocksAndKeepsWhatWasMoved) {
     window->action("view.debugging")->trigger();
     QStringList wanted = Perspectives::docksOf(Perspective::Debugging);
     wanted.sort();
@@ -51,7 +51,7 @@ TEST_F(LayoutTest, EachWorkHasItsDocksAndKeepsWhatWasMoved) {
     EXPECT_FALSE(shownDocks().contains("forces")) << "it was closed there";
 }
 
-TEST_F(LayoutTest, TheWindowFitsIntoASmallScreen) {
+TEST_F(PerspectivesTest, TheWindowFitsIntoASmallScreen) {
     window->resize(1024, 700);
     EXPECT_TRUE(waitFor([&] { return window->width() <= 1024 && window->height() <= 700; }))
         << window->width() << " x " << window->height();
@@ -59,7 +59,7 @@ TEST_F(LayoutTest, TheWindowFitsIntoASmallScreen) {
     EXPECT_GT(window->tabs().height(), 150);
 }
 
-TEST_F(LayoutTest, OpeningAProjectKeepsTheSizeOfTheWindow) {
+TEST_F(PerspectivesTest, OpeningAProjectKeepsTheSizeOfTheWindow) {
     window->closeProject();
     window->resize(1024, 700);
     ASSERT_TRUE(waitFor([&] { return window->size() == QSize(1024, 700); }));
@@ -68,7 +68,7 @@ TEST_F(LayoutTest, OpeningAProjectKeepsTheSizeOfTheWindow) {
     EXPECT_EQ(window->size(), QSize(1024, 700));
 }
 
-TEST_F(LayoutTest, ClickingWithAltPutsOneMoreCaret) {
+TEST_F(PerspectivesTest, ClickingWithAltPutsOneMoreCaret) {
     const auto at = [&](const char* text) {
         const auto position = static_cast<long>(editor().utf8().find(text));
         using S = QsciScintillaBase;
@@ -83,7 +83,7 @@ TEST_F(LayoutTest, ClickingWithAltPutsOneMoreCaret) {
     window->workspace().revert("src/main.st");
 }
 
-TEST_F(LayoutTest, TheNextOccurrenceIsSelectedToo) {
+TEST_F(PerspectivesTest, TheNextOccurrenceIsSelectedToo) {
     const auto at = static_cast<uint32_t>(editor().utf8().find("limit"));
     editor().goTo(at, 5);
     QTest::keyClick(editor().viewport(), Qt::Key_J, Qt::AltModifier);
@@ -93,7 +93,7 @@ TEST_F(LayoutTest, TheNextOccurrenceIsSelectedToo) {
     window->workspace().revert("src/main.st");
 }
 
-TEST_F(LayoutTest, AChangedFileThatIsNotOpenIsMarkedInTheTree) {
+TEST_F(PerspectivesTest, AChangedFileThatIsNotOpenIsMarkedInTheTree) {
     write("src/other.st", "FUNCTION Twice : INT\nVAR_INPUT x : INT; END_VAR\nTwice := 2 * x;\nEND_FUNCTION\n");
     ASSERT_TRUE(waitFor([&] { return window->workspace().files().contains("src/other.st"); }));
     QTreeWidget& tree = window->projectTree().tree();
@@ -108,7 +108,7 @@ TEST_F(LayoutTest, AChangedFileThatIsNotOpenIsMarkedInTheTree) {
     EXPECT_EQ(note(), "other.st");
 }
 
-TEST_F(LayoutTest, TheTreeShowsNothingOfTheCompilersOwn) {
+TEST_F(PerspectivesTest, TheTreeShowsNothingOfTheCompilersOwn) {
     write("src/steps.st", "PROGRAM Steps\nVAR go : BOOL; END_VAR\nINITIAL_STEP A: END_STEP\nTRANSITION FROM A TO B := "
                           "go; END_TRANSITION\nSTEP B: END_STEP\nTRANSITION FROM B TO A := NOT go; "
                           "END_TRANSITION\nEND_PROGRAM\n");

@@ -1,4 +1,4 @@
-#include "editor/analysis/workspace.h"
+#include "editor/workspace/workspace.h"
 
 #include "editor/kit/post.h"
 #include "projects/storage/project_file.h"

@@ -43,7 +43,7 @@ const char* const kPanel =
     R"({"elements": [{"kind": "lamp", "id": "Lamp", "rect": [40, 40, 120, 120], "value": "Main.lamp"},
                   {"kind": "button", "id": "Start", "rect": [200, 40, 120, 60], "target": "start"}]})";
 
-class InsideTest : public StudioTest {
+class WhyViewTest : public StudioTest {
 protected:
     void SetUp() override {
         write("hmi/overview.panel.json", kPanel);
@@ -99,7 +99,7 @@ protected:
     std::string answer() { return why().text().toStdString(); }
 };
 
-TEST_F(InsideTest, TheTextsMenuAnswersWhyAndAClickGoesToPlaceAndScan) {
+TEST_F(WhyViewTest, TheTextsMenuAnswersWhyAndAClickGoesToPlaceAndScan) {
     runUntilLamp();
     editor().goTo(at("lamp := TRUE") + 1);
     chooseInNextMenu("askWhy");
@@ -122,7 +122,7 @@ TEST_F(InsideTest, TheTextsMenuAnswersWhyAndAClickGoesToPlaceAndScan) {
     EXPECT_EQ(editor().selectedText(), "lamp := TRUE;");
 }
 
-TEST_F(InsideTest, TheKeyAsksAboutTheSelection) {
+TEST_F(WhyViewTest, TheKeyAsksAboutTheSelection) {
     runUntilLamp();
     editor().goTo(at("start AND NOT stop"), 18);
     QTest::keyClick(editor().viewport(), Qt::Key_W, Qt::ControlModifier | Qt::AltModifier);
@@ -130,7 +130,7 @@ TEST_F(InsideTest, TheKeyAsksAboutTheSelection) {
     EXPECT_NE(answer().find("start AND NOT stop is TRUE"), std::string::npos) << answer();
 }
 
-TEST_F(InsideTest, WhyNotNamesTheChangesThatWouldMakeIt) {
+TEST_F(WhyViewTest, WhyNotNamesTheChangesThatWouldMakeIt) {
     window->action("run.start")->trigger();
     ASSERT_TRUE(waitFor([&] { return window->control().value("Main.n").text.toInt() > 5; }));
     window->showDock("watch");
@@ -142,7 +142,7 @@ TEST_F(InsideTest, WhyNotNamesTheChangesThatWouldMakeIt) {
     EXPECT_NE(answer().find("start were TRUE"), std::string::npos) << answer();
 }
 
-TEST_F(InsideTest, AQuestionCanBeCancelledAndANewOneReplacesIt) {
+TEST_F(WhyViewTest, AQuestionCanBeCancelledAndANewOneReplacesIt) {
     runUntilLamp();
     // The desk is busy with something long, so that the questions wait; it looks whether anybody still does.
     std::atomic<bool> isAt{false}, mayEnd{false};
@@ -168,7 +168,7 @@ TEST_F(InsideTest, AQuestionCanBeCancelledAndANewOneReplacesIt) {
     EXPECT_NE(answer().find("start"), std::string::npos) << answer();
 }
 
-TEST_F(InsideTest, WorkThatNobodyWaitsForHearsOfIt) {
+TEST_F(WhyViewTest, WorkThatNobodyWaitsForHearsOfIt) {
     runUntilLamp();
     std::atomic<bool> isAt{false}, hasHeard{false}, isFinished{false};
     const auto longOne = [&](editor::InsideDesk::Bench& bench) -> editor::InsideDesk::Finish {
@@ -196,7 +196,7 @@ TEST_F(InsideTest, WorkThatNobodyWaitsForHearsOfIt) {
     window->control().disconnectSession(); // does not wait for what nobody will hear
 }
 
-TEST_F(InsideTest, TheWatchListsAllChangesWithTheirWriters) {
+TEST_F(WhyViewTest, TheWatchListsAllChangesWithTheirWriters) {
     runUntilLamp();
     window->showDock("watch");
     window->watch().setExpressions({"Main.lamp", "Main.n"});
@@ -221,7 +221,7 @@ TEST_F(InsideTest, TheWatchListsAllChangesWithTheirWriters) {
     }
 }
 
-TEST_F(InsideTest, ThePanelsElementAndTheTreeAskToo) {
+TEST_F(WhyViewTest, ThePanelsElementAndTheTreeAskToo) {
     window->showDock("panel");
     runUntilLamp();
     hmi::PanelPlayer& player = *window->live().player();
@@ -236,7 +236,7 @@ TEST_F(InsideTest, ThePanelsElementAndTheTreeAskToo) {
     EXPECT_NE(answer().find("its initial value"), std::string::npos) << answer();
 }
 
-TEST_F(InsideTest, APlayerWithoutAStudioAnswersOverThePanel) {
+TEST_F(WhyViewTest, APlayerWithoutAStudioAnswersOverThePanel) {
     runUntilLamp();
     hmi::PanelPlayer player(window->live().panels(), window->control().session());
     player.showPanel("overview");
@@ -253,7 +253,7 @@ TEST_F(InsideTest, APlayerWithoutAStudioAnswersOverThePanel) {
     EXPECT_TRUE(waitFor([&] { return !player.answer(); }));
 }
 
-TEST_F(InsideTest, APlayerAnswersInTheOperatorsWords) {
+TEST_F(WhyViewTest, APlayerAnswersInTheOperatorsWords) {
     runUntilLamp();
     const auto write = [](const QString& path, const QByteArray& bytes) {
         QFile file(path);
@@ -291,7 +291,7 @@ TEST_F(InsideTest, APlayerAnswersInTheOperatorsWords) {
     EXPECT_TRUE(waitFor([&] { return !player.answer(); }));
 }
 
-TEST_F(InsideTest, TheTraceAsksAtItsCursor) {
+TEST_F(WhyViewTest, TheTraceAsksAtItsCursor) {
     runUntilLamp();
     window->showDock("trace");
     trace::TraceView& trace = window->live().traceView();
@@ -306,7 +306,7 @@ TEST_F(InsideTest, TheTraceAsksAtItsCursor) {
     EXPECT_NE(answer().find("Main.lamp is FALSE"), std::string::npos) << answer();
 }
 
-TEST_F(InsideTest, WhatCannotBeAnsweredIsSaid) {
+TEST_F(WhyViewTest, WhatCannotBeAnsweredIsSaid) {
     window->inside().ask(kit::AskWhy::Why, "Main.lamp");
     EXPECT_EQ(why().tree().topLevelItemCount(), 0);
     runUntilLamp();
@@ -325,7 +325,7 @@ TEST_F(InsideTest, WhatCannotBeAnsweredIsSaid) {
     EXPECT_EQ(why().tree().topLevelItemCount(), 0);
 }
 
-TEST_F(InsideTest, ARecordingFromAFileAnswersTheSame) {
+TEST_F(WhyViewTest, ARecordingFromAFileAnswersTheSame) {
     runUntilLamp();
     const QString path = folder.path() + "/lamp.rec";
     ASSERT_TRUE(window->live().saveRecording(path));

@@ -1,6 +1,6 @@
-#include "editor/analysis/path_completion.h"
+#include "editor/workspace/path_completion.h"
 
-#include "editor/analysis/workspace.h"
+#include "editor/workspace/workspace.h"
 
 #include <algorithm>
 

@@ -21,7 +21,7 @@
 namespace plc::app {
 namespace {
 
-class TreeTest : public StudioTest {
+class ProjectTreeTest : public StudioTest {
 protected:
     void SetUp() override {
         write("src/motor.st", "FUNCTION_BLOCK Motor\nVAR_INPUT run : BOOL; END_VAR\nVAR_OUTPUT turns : DINT; "
@@ -68,7 +68,7 @@ protected:
     }
 };
 
-TEST_F(TreeTest, AVariableIsDraggedIntoTheWatch) {
+TEST_F(ProjectTreeTest, AVariableIsDraggedIntoTheWatch) {
     QTreeWidgetItem* counter = item("counter");
     ASSERT_NE(counter, nullptr);
     const std::unique_ptr<QMimeData> mime(tree().model()->mimeData(
@@ -87,7 +87,7 @@ TEST_F(TreeTest, AVariableIsDraggedIntoTheWatch) {
     EXPECT_TRUE(window->watch().expressions().contains("Main.counter"));
 }
 
-TEST_F(TreeTest, ABlockIsDeletedAndItsUsesCommentedOut) {
+TEST_F(ProjectTreeTest, ABlockIsDeletedAndItsUsesCommentedOut) {
     const auto at = static_cast<uint32_t>(editor().utf8().find("    pulse : TON;"));
     editor().applyEdits({{{FileId(), at, at}, "    drive : Motor;\n"}});
     analysed();
@@ -100,7 +100,7 @@ TEST_F(TreeTest, ABlockIsDeletedAndItsUsesCommentedOut) {
     EXPECT_EQ(window->search().results().topLevelItemCount(), 2) << "declaration and use are listed";
 }
 
-TEST_F(TreeTest, APanelIsRenamedWithTheButtonsThatLeadToIt) {
+TEST_F(ProjectTreeTest, APanelIsRenamedWithTheButtonsThatLeadToIt) {
     select("details");
     typeInto("motor");
     QTest::keyClick(&tree(), Qt::Key_F2);
@@ -111,7 +111,7 @@ TEST_F(TreeTest, APanelIsRenamedWithTheButtonsThatLeadToIt) {
     EXPECT_NE(window->live().panels().find("motor"), nullptr);
 }
 
-TEST_F(TreeTest, ATraceIsMadeRenamedAndDeleted) {
+TEST_F(ProjectTreeTest, ATraceIsMadeRenamedAndDeleted) {
     typeInto("second");
     window->action("file.newTrace")->trigger();
     EXPECT_TRUE(waitFor([&] { return item("second") != nullptr; }));
@@ -126,7 +126,7 @@ TEST_F(TreeTest, ATraceIsMadeRenamedAndDeleted) {
     EXPECT_FALSE(QFile::exists(folder.path() + "/traces/third.trace.json"));
 }
 
-TEST_F(TreeTest, AVariableIsRenamedFromTheTree) {
+TEST_F(ProjectTreeTest, AVariableIsRenamedFromTheTree) {
     select("counter");
     QTimer names; // the dialog shows what changes
     QObject::connect(&names, &QTimer::timeout, qApp, [] {
