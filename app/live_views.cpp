@@ -197,9 +197,11 @@ void LiveViews::connectPlayer() {
             [this](const QString& reason) { emit message(reason, true); });
     connect(m_player, &hmi::PanelPlayer::panelChanged, m_panelChoice, &QComboBox::setCurrentText);
     connect(m_player, &hmi::PanelPlayer::whyRequested, this, &LiveViews::whyRequested);
-    // What the operator changes is what the editor shows, unless it has changes of its own.
+    // What the operator changes is what the editor shows. An editor with changes of its own has not seen it: to it the
+    // file is one that somebody else wrote, and it asks before one of the two is lost.
     connect(m_player, &hmi::PanelPlayer::recipesSaved, this, [this] {
-        if (!m_design || m_design->areRecipesChanged()) return;
+        if (!m_design) return;
+        if (m_design->areRecipesChanged()) return m_panels->disk->forget(m_panels->recipesPath());
         m_panels->recipes = m_player->recipes();
         m_design->recipesReplaced();
     });

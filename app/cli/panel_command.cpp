@@ -108,9 +108,6 @@ int pictures(const Arguments& arguments, const projects::Project& project, const
     for (const std::string& language : arguments.values("--language"))
         if (language != "all") options.languages += QString::fromStdString(language);
     for (const std::string& panel : arguments.values("--panel")) options.panels += QString::fromStdString(panel);
-    options.theme = QString::fromStdString(arguments.value("--theme").value_or(""));
-    if (!options.theme.isEmpty() && options.theme != "light" && options.theme != "dark" && options.theme != "contrast")
-        return wrongUse({errors::ThemeIs(), options.theme.toStdString()});
     if (const auto text = arguments.value("--scale")) {
         options.scale = std::atof(text->c_str());
         if (!(options.scale >= 0.25 && options.scale <= 8)) return wrongUse({errors::PanelScaleRange(), *text});
@@ -122,8 +119,10 @@ int pictures(const Arguments& arguments, const projects::Project& project, const
     if (auto ran = runProject(arguments, session.built(), session, std::chrono::nanoseconds(0), "--at"); !ran)
         return wrongUse(ran.error());
     needApplication();
-    const hmi::PanelProject panels = hmi::loadPanelProject(project);
+    hmi::PanelProject panels = hmi::loadPanelProject(project);
     for (const Error& problem : panels.problems) std::cerr << problem.english() << "\n";
+    if (auto chosen = hmi::chooseTheme(panels, arguments.value("--theme").value_or("")); !chosen)
+        return wrongUse(chosen.error());
     const auto paths = hmi::renderPanels(panels, &session, options);
     if (!paths) return wrongUse(paths.error());
     for (const QString& path : *paths) std::cout << path.toStdString() << "\n";
@@ -146,8 +145,10 @@ int play(const Arguments& arguments, const projects::Project& project) {
     QApplication application(count, words);
     kit::Theme::install(application, kit::ThemeChoice::System);
     session::Session session(std::move(built));
-    const hmi::PanelProject panels = hmi::loadPanelProject(project);
+    hmi::PanelProject panels = hmi::loadPanelProject(project);
     for (const Error& problem : panels.problems) std::cerr << problem.english() << "\n";
+    if (auto chosen = hmi::chooseTheme(panels, arguments.value("--theme").value_or("")); !chosen)
+        return wrongUse(chosen.error());
     if (panels.panels.empty()) return wrongUse({errors::NoPanelInProject(), project.name});
     return hmi::playPanels(panels, session, QString::fromStdString(arguments.value("--panel").value_or("")),
                            arguments.has("--full-screen"));
@@ -211,7 +212,7 @@ Command panelCommand() {
           {"--at", "10s", "the pictures are of this moment of a run; the check compares bars and charts with that run"},
           {"--set", "PATH=VALUE[@TIME]", "write before the first scan at or after TIME (repeatable)"},
           {"--force", "PATH=VALUE[@TIME]", "force likewise (repeatable)"},
-          {"--theme", "light|dark|contrast", "another theme than the panel's own"},
+          {"--theme", "NAME", "another theme than the panel's own: light, dark, contrast, or one of hmi/themes"},
           {"--scale", "1", "pixels of the picture per pixel of the panel"},
           {"--alarm-history", "", "print what was raised, gone and acknowledged while the panels were played, as CSV"},
           {"--play", "", "run the controller and show the panel in a window"},

@@ -92,8 +92,10 @@ int run(const Arguments& arguments) {
     if (auto set = setCalendarStart(arguments, *project, forSession); !set) return wrongUse(set.error());
     catchInterrupt();
     needApplication();
-    const hmi::PanelProject panels = hmi::loadPanelProject(*project);
+    hmi::PanelProject panels = hmi::loadPanelProject(*project);
     for (const Error& problem : panels.problems) std::cerr << problem.english() << "\n";
+    if (auto chosen = hmi::chooseTheme(panels, arguments.value("--theme").value_or("")); !chosen)
+        return wrongUse(chosen.error());
     std::unique_ptr<devices::Engine> engine;
     if (arguments.has("--devices")) {
         auto made = makeEngine(*project, &built.program->layout);
@@ -134,6 +136,7 @@ Command serveCommand() {
           {"--recording-size", "256M", "bytes of the recording on disk, oldest deleted first; 0 for none"},
           {"--real-time", "", "ask for locked memory and SCHED_FIFO; says what was granted"},
           {"--core", "N", "the scan thread on this core alone, with --real-time"},
+          {"--theme", "NAME", "show all panels in this theme: light, dark, contrast, or one of hmi/themes"},
           {"--devices", "", "connect the devices of devices.json"},
           {"--stats", "", "task statistics at the end"},
           {"--start", "DT#2026-01-01-06:00:00", "calendar at the first scan"},

@@ -4,6 +4,7 @@
 #include "app/cli/panel_findings.h"
 
 #include "hmi/player/text_exchange.h"
+#include "hmi/player/text_pictures.h"
 #include "projects/storage/project_file.h"
 
 #include <iostream>
@@ -31,13 +32,30 @@ Result<hmi::XliffOptions> optionsOf(const Arguments& arguments, const hmi::Panel
     return options;
 }
 
-int exportTexts(const Arguments& arguments, const hmi::PanelProject& project, const std::string& path) {
+/// A picture of the place of each text, in the language that is translated from; by key, their files.
+Result<QMap<QString, QStringList>> makePictures(const Arguments& arguments, const hmi::PanelProject& project) {
+    QMap<QString, QStringList> files;
+    const auto folder = arguments.value("--pictures");
+    if (!folder) return files;
+    needApplication();
+    const QString first = project.texts.settings().languages.value(0);
+    const auto made = hmi::writeTextPictures(project, QString::fromStdString(*folder),
+                                             QString::fromStdString(arguments.value("--from").value_or(toUtf8(first))));
+    if (!made) return made.error();
+    for (const hmi::TextPicture& one : *made) files[one.key] += one.file;
+    std::cerr << made->size() << " pictures in " << *folder << "\n";
+    return files;
+}
+
+int exportTexts(const Arguments& arguments, const hmi::PanelProject& project, const std::string& path,
+                const QMap<QString, QStringList>& pictures) {
     std::string bytes;
     if (isCsv(path)) {
         bytes = project.texts.table().write();
     } else {
-        const auto options = optionsOf(arguments, project);
+        auto options = optionsOf(arguments, project);
         if (!options) return wrongUse(options.error());
+        for (auto one = pictures.cbegin(); one != pictures.cend(); ++one) options->places[one.key()] += one.value();
         bytes = hmi::writeXliff(project.texts.table(), *options);
     }
     if (auto written = projects::writeFileAtomically(path, bytes); !written) return wrongUse(written.error());
@@ -65,7 +83,10 @@ int run(const Arguments& arguments) {
     if (!project) return wrongUse(project.error());
     hmi::PanelProject panels = hmi::loadPanelProject(*project);
     if (!panels.hasTexts) return wrongUse({errors::NoTextTable(), project->name});
-    if (const auto path = arguments.value("--export")) return exportTexts(arguments, panels, *path);
+    const auto pictures = makePictures(arguments, panels);
+    if (!pictures) return wrongUse(pictures.error());
+    if (const auto path = arguments.value("--export")) return exportTexts(arguments, panels, *path, *pictures);
+    if (arguments.has("--pictures")) return kGood;
     if (const auto path = arguments.value("--import")) return importTexts(arguments, panels, *path);
     return wrongUse({errors::TextsNeedProject(), ""});
 }
@@ -74,13 +95,14 @@ int run(const Arguments& arguments) {
 
 Command textsCommand() {
     return {{"texts",
-             "PROJECT --export FILE | --import FILE [OPTIONS]",
+             "PROJECT --export FILE | --import FILE | --pictures DIR [OPTIONS]",
              "Gives the operators' texts to translators as XLIFF and takes their translations back.",
              {{"--export", "FILE", "writes the texts: XLIFF, or the whole table where FILE ends with .csv"},
               {"--import", "FILE", "takes the translations of an XLIFF file and reports what does not fit"},
               {"--language", "TAG", "the language that is translated into"},
               {"--from", "TAG", "the language that is translated from; else the project's first"},
               {"--xliff", "2|1.2", "the version of XLIFF that is written"},
+              {"--pictures", "DIR", "a picture of the place of each text, and index.html; --export names them"},
               {"--missing", "", "only texts that have no translation yet"},
               {"--preview", "", "with --import: report only, write nothing"}},
              "stepwise texts projects/examples/alarm_texts --export alarm_texts.de.xlf --language de"},

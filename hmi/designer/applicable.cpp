@@ -21,7 +21,13 @@ const std::vector<Rule>& rules() {
         {ElementKind::Button, "write", "action", {"write"}},
         {ElementKind::Button, "panel", "action", {"panel"}},
         {ElementKind::Button, "tag", "action", {"language"}},
+        {ElementKind::Button, "theme", "action", {"theme"}},
         {ElementKind::CellGrid, "target", "action", {"toggle", "select"}},
+        {ElementKind::Group, "columns", "layout", {"grid"}},
+        {ElementKind::Group, "cellWidth", "layout", {"grid"}},
+        {ElementKind::Group, "gap", "layout", {"row", "column", "either", "grid"}},
+        {ElementKind::Group, "padding", "layout", {"row", "column", "either", "grid"}},
+        {ElementKind::Group, "across", "layout", {"row", "column", "either"}},
         {ElementKind::DateTime, "seconds", "shows", {"dateTime", "time"}},
     };
     return all;

@@ -1,5 +1,6 @@
 #include "hmi/designer/arrange.h"
 
+#include "hmi/model/cells.h"
 #include "hmi/model/walk.h"
 
 #include <QHash>
@@ -163,6 +164,57 @@ Edit makeGroup(const Panel& panel, const ElementIds& selection, ElementId* group
     for (const ElementId& one : ids) lowest = std::min(lowest, panel.indexOf(one));
     list.edits.push_back({InsertElement{lowest, frame.fields()}});
     for (const ElementId& one : ids) list.edits.push_back(setProperty(panel, one, "parent", toUtf8(id)));
+    return {list};
+}
+
+namespace {
+
+/// Elements in rows from above, within a row from the left: those belong to one row whose middles are within half a
+/// height.
+ElementIds asSeen(const Panel& panel, const ElementIds& ids) {
+    ElementIds out = ids;
+    const auto rect = [&](const ElementId& id) { return panel.find(id)->rect(); };
+    std::sort(out.begin(), out.end(),
+              [&](const ElementId& a, const ElementId& b) { return rect(a).top() < rect(b).top(); });
+    for (auto row = out.begin(); row != out.end();) {
+        const double middle = rect(*row).center().y();
+        const auto end = std::find_if(row, out.end(), [&](const ElementId& id) { return rect(id).top() > middle; });
+        std::sort(row, end, [&](const ElementId& a, const ElementId& b) { return rect(a).left() < rect(b).left(); });
+        row = end;
+    }
+    return out;
+}
+
+} // namespace
+
+Edit layOut(const Panel& panel, const ElementIds& selection, const char* layout, ElementId* group) {
+    const ElementIds ids = outermost(panel, selection);
+    const Element* only = ids.size() == 1 ? panel.find(ids.front()) : nullptr;
+    const bool isGroup = only && only->kind() == ElementKind::Group;
+    ElementId id = isGroup ? only->id() : ElementId();
+    EditList list;
+    Panel scratch = panel;
+    const auto perform = [&](const Edit& edit) {
+        applyTo(scratch, edit);
+        list.edits.push_back(edit);
+    };
+    if (!isGroup) perform(makeGroup(panel, ids, &id));
+    if (group) *group = id;
+    const ElementIds contents = asSeen(scratch, scratch.childrenOf(id));
+    // The frame keeps its contents' size and has room for its margin.
+    const double margin = isGroup ? 0 : Element::make(ElementKind::Group, id, {}).number("padding");
+    const QRectF rect = scratch.find(id) ? scratch.find(id)->rect() : QRectF();
+    perform(setProperty(scratch, id, "rect", rectToJson(rect.adjusted(-margin, -margin, margin, margin))));
+    perform(putIntoCells(scratch, contents, id, 0));
+    perform(setProperty(scratch, id, "layout", layout));
+    if (std::string_view(layout) == "grid" && !contents.empty()) {
+        int columns = 1;
+        const double first = scratch.find(contents.front())->rect().center().y();
+        while (static_cast<size_t>(columns) < contents.size() &&
+               scratch.find(contents[static_cast<size_t>(columns)])->rect().top() <= first)
+            ++columns;
+        perform(setProperty(scratch, id, "columns", columns));
+    }
     return {list};
 }
 

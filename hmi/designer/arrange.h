@@ -22,6 +22,9 @@ Edit makeSameSize(const Panel& panel, const ElementIds& ids, SameSize what);
 Edit reorder(const Panel& panel, const ElementIds& ids, Order order);
 /// Puts the elements into a new group; `group` receives its id.
 Edit makeGroup(const Panel& panel, const ElementIds& ids, ElementId* group = nullptr);
+/// A group that lays the elements out ("row", "column", "grid"), in the order in which they are seen. One group that is
+/// selected alone takes the layout itself.
+Edit layOut(const Panel& panel, const ElementIds& ids, const char* layout, ElementId* group = nullptr);
 Edit dissolveGroups(const Panel& panel, const ElementIds& ids);
 Edit setLocked(const Panel& panel, const ElementIds& ids, bool locked);
 

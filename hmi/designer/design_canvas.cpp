@@ -35,6 +35,7 @@ DesignCanvas::DesignCanvas(PanelDocument& document, Selection& selection, Design
     m_scene.setAlarms(&m_alarms);
     m_scene.setLanguage(context.language());
     m_scene.setFaceplates(context.project().panelLookup());
+    m_scene.setThemes(context.project().themes);
     m_scene.setRecipes(&context.project().recipes);
     m_scene.setPanel(document.panel());
     m_scene.refresh(0);
@@ -315,6 +316,7 @@ void DesignCanvas::beginMove(QPointF) {
 void DesignCanvas::moveTo(QPointF at, bool freely) {
     const ElementIds ids = movable();
     if (ids.empty()) return;
+    if (liesInCells(ids)) return showCell(ids, at);
     QPointF offset = at - m_drag.from;
     m_guides.clear();
     if (m_snaps && !freely) {
@@ -460,6 +462,7 @@ void DesignCanvas::mouseReleaseEvent(QMouseEvent* event) {
     if (isClick && !(event->modifiers() & (Qt::ShiftModifier | Qt::ControlModifier)) && m_selection.ids().size() > 1 &&
         m_selection.contains(m_drag.pressed))
         m_selection.set({m_drag.pressed});
+    if (m_drag.mode == Mode::Move) endMove(toPanel(event->position()));
     m_drag.mode = Mode::Idle;
     m_guides.clear();
     viewport()->setCursor(m_space ? Qt::OpenHandCursor : Qt::ArrowCursor);

@@ -91,6 +91,12 @@ private:
     QPointF origin() const;
     ElementId elementAt(QPointF at, bool inside) const;
     ElementIds movable() const;
+    bool liesInCells(const ElementIds& ids) const;
+    Edit cellEdit(const ElementIds& ids, QPointF at) const;
+    void showCell(const ElementIds& ids, QPointF at);
+    void endMove(QPointF at);
+    /// An insertion at a point that lies in a row or grid goes into its cell.
+    Edit withCells(const Edit& inserted, const ElementIds& added, QPointF at) const;
     SnapField snapField(const ElementIds& without) const;
     int handleAt(QPoint at) const;
     int pointAt(QPoint at) const;

@@ -127,7 +127,7 @@ void DesignCanvas::insertElements(const Json& elements, QPointF at) {
     }
     ElementIds added;
     const Edit edit = pasted(m_document.panel(), placed, corner, &added);
-    m_document.perform(tr("Insert"), edit);
+    m_document.perform(tr("Insert"), withCells(edit, added, at));
     m_selection.set(added);
 }
 

@@ -256,6 +256,9 @@ void PanelDesigner::makeActions() {
     add(QStringLiteral("group"), tr("Group"), Icon::Group, QKeySequence(Qt::CTRL | Qt::Key_G), [this] { group(); });
     add(QStringLiteral("ungroup"), tr("Ungroup"), Icon::Ungroup, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_G),
         [this] { ungroup(); });
+    add(QStringLiteral("lay-row"), tr("Lay out in a row"), Icon::AlignMiddle, {}, [this] { layOut("row"); });
+    add(QStringLiteral("lay-column"), tr("Lay out in a column"), Icon::AlignCenter, {}, [this] { layOut("column"); });
+    add(QStringLiteral("lay-grid"), tr("Lay out in a grid"), Icon::Grid, {}, [this] { layOut("grid"); });
     addEdit(QStringLiteral("lock"), tr("Lock"), Icon::Lock, QKeySequence(Qt::CTRL | Qt::Key_L), [=] {
         bool all = true;
         for (const ElementId& id : ids()) all &= panel().find(id)->isSet("locked");
@@ -314,6 +317,7 @@ QToolBar* PanelDesigner::makeToolBar() {
     for (const auto& [name, title] :
          {std::pair{"light", tr("Light")}, std::pair{"dark", tr("Dark")}, std::pair{"contrast", tr("High contrast")}})
         themes->addItem(title, QString::fromLatin1(name));
+    for (const auto& [name, theme] : m_context.project().themes.own()) themes->addItem(name, name);
     const auto showTheme = [this, themes] {
         themes->setCurrentIndex(themes->findData(m_document.panel().text("theme")));
     };
@@ -343,9 +347,11 @@ QToolBar* PanelDesigner::makeToolBar() {
 
 void PanelDesigner::updateActions() {
     const size_t count = m_selection.ids().size();
-    for (const char* name : {"cut", "copy", "duplicate", "duplicate-array", "delete", "align-left", "align-center",
-                             "align-right", "align-top", "align-middle", "align-bottom", "front", "forward", "backward",
-                             "back", "group", "ungroup", "lock"})
+    for (const char* name :
+         {"cut",          "copy",        "duplicate", "duplicate-array", "delete",       "align-left",
+          "align-center", "align-right", "align-top", "align-middle",    "align-bottom", "front",
+          "forward",      "backward",    "back",      "group",           "ungroup",      "lock",
+          "lay-row",      "lay-column",  "lay-grid"})
         m_actions.value(QString::fromLatin1(name))->setEnabled(count > 0);
     m_actions.value(QStringLiteral("arrange-array"))->setEnabled(selectedFaceplate());
     for (const char* name : {"same-width", "same-height", "same-size"})
@@ -367,6 +373,9 @@ void PanelDesigner::showMenu(QPoint at) {
                              "",
                              "group",
                              "ungroup",
+                             "lay-row",
+                             "lay-column",
+                             "lay-grid",
                              "lock",
                              "",
                              "front",
@@ -463,6 +472,13 @@ void PanelDesigner::sayRefusal(const QString& reason) {
 void PanelDesigner::group() {
     ElementId id;
     m_document.perform(tr("Group"), makeGroup(m_document.panel(), m_selection.ids(), &id));
+    m_selection.set({id});
+}
+
+void PanelDesigner::layOut(const char* layout) {
+    if (m_selection.ids().empty()) return;
+    ElementId id;
+    m_document.perform(tr("Lay out"), hmi::layOut(m_document.panel(), m_selection.ids(), layout, &id));
     m_selection.set({id});
 }
 

@@ -57,6 +57,7 @@ public slots:
     void arrangeOverArray();
     void group();
     void ungroup();
+    void layOut(const char* layout);
     void selectAll();
     /// Corrects what the finding of that number is about, as one undo step.
     void fixFinding(size_t index);

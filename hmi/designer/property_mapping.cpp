@@ -157,6 +157,8 @@ std::vector<kit::PropertyDescriptor> gridRows(const PropertyDescriptor& property
             const bool isSymbol = property.type == PropertyType::Symbol;
             row.choices.push_back({word, isSymbol ? symbolTitle(word) : choiceTitle(property.key, choice), {}});
         }
+        if (property.key == "theme")
+            for (const auto& [name, theme] : context.project().themes.own()) row.choices.push_back({name, name, {}});
         break;
     case PropertyType::Color:
         row.kind = kit::PropertyKind::Enumeration;

@@ -1,5 +1,10 @@
 #include "hmi/model/document.h"
 
+#include "hmi/model/cells.h"
+#include "hmi/model/layout.h"
+
+#include <utility>
+
 namespace plc::hmi {
 
 /// Holds an edit and, once done, its inverse; undo and redo swap the two.
@@ -8,7 +13,12 @@ public:
     EditCommand(PanelDocument& document, const QString& title, Edit edit, int gesture)
         : QUndoCommand(title), m_document(document), m_next(std::move(edit)), m_gesture(gesture) {}
 
-    void redo() override { m_next = m_document.apply(m_next); }
+    void redo() override {
+        m_next = m_document.apply(m_next);
+        if (!std::exchange(m_isFirst, false)) return; // later the inverse holds both
+        const Edit rest = arrangement(m_document.panel());
+        if (!rest.isEmpty()) m_next = Edit{EditList{{m_document.apply(rest), m_next}}};
+    }
     void undo() override { m_next = m_document.apply(m_next); }
     int id() const override { return m_gesture > 0 ? 1 : -1; }
 
@@ -23,17 +33,19 @@ private:
     PanelDocument& m_document;
     Edit m_next;
     int m_gesture;
+    bool m_isFirst = true;
 };
 
-PanelDocument::PanelDocument(Panel panel, QObject* parent) : QObject(parent), m_panel(std::move(panel)) {}
+PanelDocument::PanelDocument(const Panel& panel, QObject* parent)
+    : QObject(parent), m_panel(laidOut(panel, panel.size())) {}
 
 void PanelDocument::perform(const QString& title, const Edit& edit, int gesture) {
     if (edit.isEmpty()) return;
     m_undo.push(new EditCommand(*this, title, edit, gesture));
 }
 
-void PanelDocument::reset(Panel panel) {
-    m_panel = std::move(panel);
+void PanelDocument::reset(const Panel& panel) {
+    m_panel = laidOut(panel, panel.size());
     m_undo.clear();
     emit changed(Touched{{}, true, true});
 }

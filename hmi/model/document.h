@@ -11,15 +11,16 @@ namespace plc::hmi {
 class PanelDocument final : public QObject {
     Q_OBJECT
 public:
-    explicit PanelDocument(Panel panel, QObject* parent = nullptr);
+    explicit PanelDocument(const Panel& panel, QObject* parent = nullptr);
 
     const Panel& panel() const { return m_panel; }
     QUndoStack& undoStack() { return m_undo; }
-    /// Performs an edit as one undo step. Steps in a row with the same gesture (above 0) become one.
+    /// Performs an edit as one undo step, with what rows and grids move after it. Steps in a row with the same gesture
+    /// (above 0) become one.
     void perform(const QString& title, const Edit& edit, int gesture = 0);
     int newGesture() { return ++m_lastGesture; }
     /// Replaces everything, for a file that changed on disk; the undo history is dropped.
-    void reset(Panel panel);
+    void reset(const Panel& panel);
     bool isClean() const { return m_undo.isClean(); }
     void setClean() { m_undo.setClean(); }
 

@@ -1,9 +1,11 @@
 #include "hmi/model/layout.h"
 
+#include "hmi/model/cells.h"
+
 #include <QHash>
 
+#include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace plc::hmi {
 
@@ -44,25 +46,54 @@ QSizeF sizeFor(const Panel& panel, QSizeF screen) {
             std::max(own.height(), std::floor(screen.height() / scale))};
 }
 
+namespace {
+
+/// Places elements outer ones first, however they are ordered; a circle of groups ends at the guard.
+class Placing {
+public:
+    Placing(const Panel& panel, QSizeF size) : m_was(QPointF(), panel.size()), m_now(QPointF(), size) {
+        for (const Element& element : panel.elements()) m_before.insert(element.id(), &element);
+        for (const Element& element : panel.elements())
+            if (const Element* outer = outerOf(element); outer && hasCells(*outer))
+                m_inCells[outer->id()].push_back(&element);
+    }
+
+    QRectF of(const Element& element, int depth = 0) {
+        if (const auto known = m_done.constFind(element.id()); known != m_done.constEnd()) return *known;
+        const Element* outer = depth < 32 ? outerOf(element) : nullptr;
+        if (!outer) return m_done[element.id()] = placed(element, m_was, m_now);
+        const QRectF around = of(*outer, depth + 1);
+        if (!hasCells(*outer)) return m_done[element.id()] = placed(element, outer->rect(), around);
+        const std::vector<const Element*>& contents = m_inCells[outer->id()];
+        const std::vector<QRectF> cells = cellsOf(*outer, around, contents);
+        for (size_t i = 0; i < cells.size(); ++i) m_done[contents[i]->id()] = cells[i];
+        return m_done[element.id()];
+    }
+
+private:
+    const Element* outerOf(const Element& element) const {
+        const Element* outer = m_before.value(element.parent());
+        return outer && outer->id() != element.id() ? outer : nullptr;
+    }
+
+    QRectF m_was, m_now;
+    QHash<ElementId, const Element*> m_before;
+    QHash<ElementId, std::vector<const Element*>> m_inCells;
+    QHash<ElementId, QRectF> m_done;
+};
+
+} // namespace
+
 Panel laidOut(const Panel& panel, QSizeF size) {
-    const QRectF was(QPointF(), panel.size()), now(QPointF(), size);
-    if (was == now) return panel;
+    const bool isOther = QSizeF(panel.size()) != size;
+    if (!isOther && std::none_of(panel.elements().begin(), panel.elements().end(), hasCells)) return panel;
     Panel out = panel;
-    out.set("size", Json::array({static_cast<int>(size.width()), static_cast<int>(size.height())}));
-    QHash<ElementId, const Element*> before;
-    for (const Element& element : panel.elements()) before.insert(element.id(), &element);
-    QHash<ElementId, QRectF> done;
-    // Outer ones first, however they are ordered; a circle of groups ends at the guard.
-    const std::function<QRectF(const Element&, int)> placeOf = [&](const Element& element, int depth) -> QRectF {
-        if (const auto known = done.constFind(element.id()); known != done.constEnd()) return *known;
-        const Element* outer = before.value(element.parent());
-        QRectF rect = outer && outer != &element && depth < 32
-                          ? placed(element, outer->rect(), placeOf(*outer, depth + 1))
-                          : placed(element, was, now);
-        done.insert(element.id(), rect);
-        return rect;
-    };
-    for (Element& element : out.elements()) element.set("rect", rectToJson(placeOf(*before.value(element.id()), 0)));
+    if (isOther) out.set("size", Json::array({static_cast<int>(size.width()), static_cast<int>(size.height())}));
+    Placing placing(panel, size);
+    for (size_t i = 0; i < panel.elements().size(); ++i) {
+        const QRectF rect = placing.of(panel.elements()[i]);
+        if (rect != panel.elements()[i].rect()) out.elements()[i].set("rect", rectToJson(rect));
+    }
     return out;
 }
 

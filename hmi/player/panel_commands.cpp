@@ -41,6 +41,8 @@ QImage renderPanel(const PanelProject& project, session::Session* session, const
     scene.setAlarms(&alarms);
     scene.setLanguage(language);
     scene.setFaceplates(project.panelLookup());
+    scene.setThemes(project.themes);
+    scene.setTheme(project.theme);
     scene.setRecipes(&project.recipes);
     scene.setPanel(panel);
     scene.setValues(values.get());

@@ -35,6 +35,8 @@ PanelPlayer::PanelPlayer(const PanelProject& project, session::Run* run, QWidget
     scene().setFolder(project.folder);
     scene().setPicturesOutside(project.picturesOutside);
     scene().setFaceplates(project.panelLookup());
+    scene().setThemes(project.themes);
+    scene().setTheme(project.theme);
     m_recipes = project.recipes;
     scene().setRecipes(&m_recipes);
     scene().setTexts(&project.texts);
@@ -182,6 +184,17 @@ void PanelPlayer::projectChanged() {
     if (m_recording) setRecording(m_recording);
     if (!m_project.texts.settings().languages.contains(language()))
         setLanguage(m_project.texts.settings().languages.value(0));
+}
+
+void PanelPlayer::setTheme(const QString& name) {
+    scene().setTheme(name);
+    for (PopUp* popUp : popUps()) popUp->scene().setTheme(scene().themeName());
+    emit themeChanged(name);
+}
+
+void PanelPlayer::setReducedMotion(bool reduced) {
+    scene().setReducedMotion(reduced);
+    for (PopUp* popUp : popUps()) popUp->scene().setReducedMotion(reduced);
 }
 
 void PanelPlayer::setLanguage(const QString& tag) {

@@ -31,6 +31,7 @@ public:
 
     bool showPanel(const QString& name);
     QString panelName() const { return m_panelName; }
+    const PanelPlace& place() const { return m_navigation.current(); }
     /// Where the operator is: the way back, pop-ups.
     Navigation& navigation() { return m_navigation; }
     /// The panels over the present one, the last on top.
@@ -57,6 +58,9 @@ public:
     /// Texts, languages or alarms of the project changed.
     void projectChanged();
     void setLanguage(const QString& tag);
+    /// Another theme than the panels' own; empty: theirs.
+    void setTheme(const QString& name);
+    void setReducedMotion(bool reduced);
     QString language() const { return m_view->scene().language(); }
     /// Another controller (after a new build), or none.
     void setRun(session::Run* run);
@@ -106,6 +110,7 @@ public:
 
 signals:
     void languageChanged(const QString& tag);
+    void themeChanged(const QString& name);
     void panelChanged(const QString& name);
     void writeRefused(const QString& reason);
     /// Logged in or out; empty: nobody is.

@@ -62,6 +62,9 @@ void PanelPlayer::connectScene(PanelScene& scene) {
     connect(&scene, &PanelScene::recipeRequested, this,
             [this, &scene](const RecipeRequest& request) { answerRecipe(request, scene); });
     connect(&scene, &PanelScene::languageRequested, this, &PanelPlayer::requestLanguage);
+    // Not while the button that asks for it is still at work: its view goes.
+    connect(&scene, &PanelScene::themeRequested, this,
+            [this](const QString& name) { kit::post(this, [this, name] { setTheme(name); }); });
 }
 
 // ---- several panels as one
@@ -119,6 +122,8 @@ void PanelPlayer::syncPopUps() {
         inner.setFolder(m_project.folder);
         inner.setPicturesOutside(m_project.picturesOutside);
         inner.setFaceplates(m_project.panelLookup());
+        inner.setThemes(m_project.themes);
+        inner.setReducedMotion(scene().isMotionReduced());
         inner.setRecipes(&m_recipes);
         inner.setTexts(&m_project.texts);
         inner.setAlarms(&alarms());
@@ -129,7 +134,7 @@ void PanelPlayer::syncPopUps() {
         connectScene(inner);
         connect(popUp, &Overlay::cancelled, this, [this] { kit::post(this, [this] { m_navigation.closePopUp(); }); });
         Panel shown = withArguments(*panel, completed(parametersOf(*panel), wanted[i].arguments));
-        shown.set("theme", toUtf8(scene().panel().text("theme")));
+        shown.set("theme", toUtf8(scene().themeName()));
         popUp->showPanel(shown);
     }
 }

@@ -1,5 +1,6 @@
 #include "hmi/player/panel_project.h"
 
+#include "hmi/model/errors.h"
 #include "projects/storage/project_file.h"
 
 #include <QDir>
@@ -31,6 +32,7 @@ CheckInput PanelProject::checkInput() const {
     input.folder = folder;
     input.picturesOutside = picturesOutside;
     input.frame = frame;
+    input.themes = themes;
     input.startPanel = startPanel;
     input.standard = standard;
     for (const Role& role : people.roles()) input.roles += role.name;
@@ -53,6 +55,9 @@ QString PanelProject::panelPath(const QString& name) const {
 QString PanelProject::textsPath() const { return QDir(folder).filePath(QStringLiteral("hmi/texts.csv")); }
 QString PanelProject::recipesPath() const { return QDir(folder).filePath(QStringLiteral("hmi/recipes.json")); }
 QString PanelProject::peoplePath() const { return QDir(folder).filePath(QStringLiteral("hmi/people.json")); }
+QString PanelProject::themePath(const QString& name) const {
+    return QDir(folder).filePath(QStringLiteral("hmi/themes/%1.json").arg(name));
+}
 QString PanelProject::alarmsPath() const { return QDir(folder).filePath(QStringLiteral("hmi/alarms.json")); }
 
 QString PanelProject::placeOf(const QString& path) const { return QDir(folder).relativeFilePath(path); }
@@ -123,6 +128,18 @@ bool PanelProject::readRecipes() {
     });
 }
 
+void PanelProject::readThemes() {
+    themes.clear();
+    const QDir at(folder + QStringLiteral("/hmi/themes"));
+    for (const QString& file : at.entryList({QStringLiteral("*.json")}, QDir::Files, QDir::Name))
+        readInto(*this, at.filePath(file), [&](const std::string& bytes, const QString& place) -> Result<void> {
+            auto theme = PanelTheme::parse(bytes, place);
+            if (!theme) return theme.error();
+            themes.set(file.chopped(5), std::move(*theme));
+            return {};
+        });
+}
+
 bool PanelProject::readPeople() {
     const bool isGood =
         readInto(*this, peoplePath(), [&](const std::string& bytes, const QString& place) -> Result<void> {
@@ -141,6 +158,15 @@ QStringList panelsOnDisk(const QString& folder) {
          QDir(folder + QStringLiteral("/hmi")).entryList({QStringLiteral("*.panel.json")}, QDir::Files, QDir::Name))
         out += file.chopped(11);
     return out;
+}
+
+Result<void> chooseTheme(PanelProject& project, const std::string& name) {
+    std::vector<std::string> names;
+    for (const QString& one : project.themes.names()) names.push_back(toUtf8(one));
+    if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end())
+        return Error{errors::NoSuchTheme(name, names), project.folder.toStdString()};
+    project.theme = QString::fromStdString(name);
+    return {};
 }
 
 PanelProject loadPanelProject(const projects::Project& project) {
@@ -163,6 +189,7 @@ PanelProject loadPanelProject(const projects::Project& project) {
     if (QFileInfo::exists(out.alarmsPath())) out.readAlarms();
     if (QFileInfo::exists(out.peoplePath())) out.readPeople();
     if (QFileInfo::exists(out.recipesPath())) out.readRecipes();
+    out.readThemes();
     for (const QString& name : panelsOnDisk(out.folder)) out.readPanel(name);
     if (out.startPanel.endsWith(QStringLiteral(".panel.json"))) out.startPanel.chop(11);
     if (out.find(out.startPanel)) return out;

@@ -21,7 +21,9 @@ struct PanelProject {
     std::vector<NamedPanel> panels; // by name
     TextCatalog texts;
     AlarmFile alarms;
-    QString frame; // the panel around the others: header, footer, navigation; empty: none
+    PanelThemes themes; // hmi/themes/NAME.json besides the built-in ones
+    QString theme;      // shown in place of each panel's own; empty: that
+    QString frame;      // the panel around the others: header, footer, navigation; empty: none
     PeopleFile people;
     RecipeFile recipes;
     bool hasTexts = false, hasAlarms = false;
@@ -51,10 +53,15 @@ struct PanelProject {
     /// What could not be understood gives nobody a right.
     bool readPeople();
     bool readRecipes();
+    /// All of hmi/themes; one that cannot be understood is left out.
+    void readThemes();
+    QString themePath(const QString& name) const;
 };
 
 /// The panels in the folder, by name.
 QStringList panelsOnDisk(const QString& folder);
+/// Shows all panels in this theme; an empty name is each panel's own.
+Result<void> chooseTheme(PanelProject& project, const std::string& name);
 PanelProject loadPanelProject(const projects::Project& project);
 /// Write only files whose bytes changed, and none that another program has changed since it was read.
 Result<void> savePanel(const PanelProject& project, const NamedPanel& panel);

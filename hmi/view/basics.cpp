@@ -74,24 +74,27 @@ void SymbolView::setUp() {
     m_state = bindProperty("state");
     m_warning = bindProperty("warning");
     m_fault = bindProperty("fault");
+    m_closed = bindProperty("closed");
+    m_transit = bindProperty("transit");
+    m_manual = bindProperty("manual");
+    m_service = bindProperty("service");
     m_level = bindProperty("level");
 }
 
 bool SymbolView::update() {
-    const auto before = std::tuple(m_running, m_isWarning, m_isFault, m_shownLevel);
-    m_running = isTrue(m_state);
-    m_isWarning = isTrue(m_warning);
-    m_isFault = isTrue(m_fault);
+    const auto before = std::pair(m_now, m_shownLevel);
+    m_now = {isTrue(m_state),   isTrue(m_warning), isTrue(m_fault),  isTrue(m_closed),
+             isTrue(m_transit), isTrue(m_manual),  isTrue(m_service)};
     const double full = num("levelMax");
     const std::optional<double> level = number(m_level, full * 0.6);
     m_shownLevel = level && full != 0 ? static_cast<int>(std::clamp(*level / full, 0.0, 1.0) * 100) : 0;
-    if (!m_running) m_frame = 0;
-    return before != std::tuple(m_running, m_isWarning, m_isFault, m_shownLevel);
+    if (!m_now.running) m_frame = 0;
+    return before != std::pair(m_now, m_shownLevel);
 }
 
 bool SymbolView::advance(qint64 milliseconds) {
-    if (!m_running || !isMoving(text("symbol"))) return false;
-    const int frame = static_cast<int>(milliseconds / 100 % kSymbolFrames);
+    if (!m_now.running || !isMoving(text("symbol"))) return false;
+    const int frame = scene().isMotionReduced() ? 0 : static_cast<int>(milliseconds / 100 % kSymbolFrames);
     return std::exchange(m_frame, frame) != frame;
 }
 
@@ -107,15 +110,86 @@ TextBox SymbolView::label(const QString& forTag) const {
     return out;
 }
 
+/// Closed is filled dark, open is light, between the two is between the two.
+QColor SymbolView::bodyColor() const {
+    const QColor on = color("onColor"), off = color("offColor");
+    QColor body = m_now.running ? on : off;
+    if (m_closed.isBound() && !m_now.running && !m_now.closed)
+        body = QColor((on.red() + off.red()) / 2, (on.green() + off.green()) / 2, (on.blue() + off.blue()) / 2);
+    if (m_now.fault)
+        body = theme().color("alarm");
+    else if (m_now.warning || contradicts())
+        body = theme().color("warning");
+    body = stateColor(body);
+    return body.isValid() ? body : theme().color("off");
+}
+
+/// Colour alone must not tell: a fault, a warning and a contradiction have a mark with a shape of its own.
+void SymbolView::drawAlarmMark(QPainter& painter, const QRectF& art) {
+    const bool isWarning = m_now.warning || contradicts();
+    if (!m_now.fault && !isWarning) return;
+    m_blinking = m_now.fault;
+    const double side = std::clamp(std::min(art.width(), art.height()) * 0.3, 12.0, 30.0);
+    const QRectF mark(art.right() - side, art.top(), side, side);
+    const QColor ground = theme().color(m_now.fault ? "alarm" : "warning");
+    painter.setPen(QPen(theme().color("background"), 1.5));
+    painter.setBrush(ground);
+    if (!m_now.fault)
+        painter.drawPolygon(QPolygonF{QPointF(mark.center().x(), mark.top()), mark.bottomRight(), mark.bottomLeft()});
+    else if (isLit())
+        painter.drawRect(mark.adjusted(1, 1, -1, -1));
+    else
+        painter.drawEllipse(mark.adjusted(side * 0.3, side * 0.3, -side * 0.3, -side * 0.3));
+    if (m_now.fault && !isLit()) return;
+    painter.setPen(PanelTheme::inkOn(ground));
+    const QString sign = contradicts() && !m_now.fault && !m_now.warning ? QStringLiteral("?") : QStringLiteral("!");
+    drawText(painter, textBox(sign, m_now.fault ? mark : mark.adjusted(0, side * 0.15, 0, 0), side * 0.7,
+                              TextAlign::Center, "", true));
+}
+
+/// On its way: arrows to both sides. By hand: a hand. Out of service: crossed out.
+void SymbolView::drawStateMarks(QPainter& painter, const QRectF& art) const {
+    const double side = std::clamp(std::min(art.width(), art.height()) * 0.3, 12.0, 30.0);
+    const QColor ink = theme().color("text"), ground = theme().color("raised");
+    const auto plate = [&](const QRectF& mark) {
+        painter.setPen(QPen(ink, 1.2));
+        painter.setBrush(ground);
+        painter.drawRoundedRect(mark, side * 0.15, side * 0.15);
+        painter.setPen(QPen(ink, side * 0.11, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        painter.setBrush(Qt::NoBrush);
+    };
+    const auto line = [&](const QRectF& mark, std::initializer_list<QPointF> points) {
+        QPolygonF out;
+        for (const QPointF& one : points)
+            out += mark.topLeft() + QPointF(one.x() * mark.width(), one.y() * mark.height());
+        painter.drawPolyline(out);
+    };
+    if (m_now.service) {
+        painter.setPen(QPen(ink, std::max(1.5, side * 0.12), Qt::SolidLine, Qt::RoundCap));
+        painter.drawLine(art.topLeft() + QPointF(3, 3), art.bottomRight() - QPointF(3, 3));
+        painter.drawLine(art.topRight() + QPointF(-3, 3), art.bottomLeft() + QPointF(3, -3));
+    }
+    if (m_now.transit) {
+        const QRectF mark(art.right() - side, art.bottom() - side, side, side);
+        plate(mark);
+        line(mark, {{0.2, 0.5}, {0.8, 0.5}});
+        line(mark, {{0.36, 0.32}, {0.2, 0.5}, {0.36, 0.68}});
+        line(mark, {{0.64, 0.32}, {0.8, 0.5}, {0.64, 0.68}});
+    }
+    if (!m_now.manual) return;
+    const QRectF mark(art.left(), art.top(), side, side);
+    plate(mark);
+    line(mark, {{0.3, 0.6}, {0.3, 0.35}});
+    line(mark, {{0.44, 0.55}, {0.44, 0.22}});
+    line(mark, {{0.58, 0.55}, {0.58, 0.22}});
+    line(mark, {{0.72, 0.6}, {0.72, 0.32}});
+    line(mark, {{0.18, 0.55}, {0.34, 0.8}, {0.66, 0.8}, {0.72, 0.6}});
+}
+
 void SymbolView::draw(QPainter& painter) {
     SymbolLook look;
     look.symbol = text("symbol");
-    look.body = m_isFault     ? theme().color("alarm")
-                : m_isWarning ? theme().color("warning")
-                : m_running   ? color("onColor")
-                              : color("offColor");
-    look.body = stateColor(look.body);
-    if (!look.body.isValid()) look.body = theme().color("off");
+    look.body = bodyColor();
     look.line = theme().isDark() ? theme().color("text").darker(115) : QColor(0x33, 0x3A, 0x41);
     if (theme().kind() == PanelThemeKind::Contrast) look.line = theme().color("line");
     look.accent = theme().color("liquid");
@@ -132,30 +206,8 @@ void SymbolView::draw(QPainter& painter) {
     const double scale = painter.device()->devicePixelRatio() * std::hypot(transform.m11(), transform.m12());
     const QPixmap pixmap = symbolPixmap(look, (art.size() * std::max(0.1, scale)).toSize().expandedTo(QSize(1, 1)));
     painter.drawPixmap(art, pixmap, QRectF(pixmap.rect()));
-    // Colour alone must not tell: a fault has a mark with a shape of its own.
-    if (m_isFault || m_isWarning) {
-        m_blinking = m_isFault;
-        const double side = std::clamp(std::min(art.width(), art.height()) * 0.3, 12.0, 30.0);
-        const QRectF mark(art.right() - side, art.top(), side, side);
-        const QColor ground = theme().color(m_isFault ? "alarm" : "warning");
-        painter.setPen(QPen(theme().color("background"), 1.5));
-        painter.setBrush(ground);
-        if (m_isFault) {
-            if (isLit())
-                painter.drawRect(mark.adjusted(1, 1, -1, -1));
-            else
-                painter.drawEllipse(mark.adjusted(side * 0.3, side * 0.3, -side * 0.3, -side * 0.3));
-        } else {
-            painter.drawPolygon(
-                QPolygonF{QPointF(mark.center().x(), mark.top()), mark.bottomRight(), mark.bottomLeft()});
-        }
-        if (m_isWarning || isLit()) {
-            painter.setPen(PanelTheme::inkOn(ground));
-            TextBox sign = textBox(QStringLiteral("!"), m_isFault ? mark : mark.adjusted(0, side * 0.15, 0, 0),
-                                   side * 0.7, TextAlign::Center, "", true);
-            drawText(painter, sign);
-        }
-    }
+    drawStateMarks(painter, art);
+    drawAlarmMark(painter, art);
     painter.setPen(inkColor(theme().color("text")));
     drawText(painter, label(tag()));
 }

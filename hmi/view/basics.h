@@ -49,8 +49,19 @@ protected:
 private:
     QRectF artRect() const;
     TextBox label(const QString& tag) const;
-    Slot m_state, m_warning, m_fault, m_level;
-    bool m_running = false, m_isWarning = false, m_isFault = false;
+    QColor bodyColor() const;
+    void drawAlarmMark(QPainter& painter, const QRectF& art);
+    void drawStateMarks(QPainter& painter, const QRectF& art) const;
+    /// What the bindings say, after ISA-5.1 and ISA-101: each state has a shape of its own.
+    struct State {
+        bool running = false, warning = false, fault = false;
+        bool closed = false, transit = false, manual = false, service = false;
+        bool operator==(const State&) const = default;
+    };
+    /// Open and closed at once: a limit switch or its wire is broken.
+    bool contradicts() const { return m_now.running && m_now.closed; }
+    Slot m_state, m_warning, m_fault, m_closed, m_transit, m_manual, m_service, m_level;
+    State m_now;
     int m_shownLevel = 0; // percent
     int m_frame = 0;
 };

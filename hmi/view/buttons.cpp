@@ -160,6 +160,8 @@ void ButtonView::perform() {
         return scene().requestPanel(text("panel"));
     case ButtonAction::Language:
         return scene().requestLanguage(text("tag"));
+    case ButtonAction::Theme:
+        return scene().requestTheme(text("theme"));
     case ButtonAction::Acknowledge:
         return scene().request(AcknowledgeRequest{});
     case ButtonAction::PopUp:

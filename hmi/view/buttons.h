@@ -17,7 +17,8 @@ enum class ButtonAction {
     Close,
     Back,
     Home,
-    LogOut
+    LogOut,
+    Theme
 };
 enum class ButtonIcon { None, Play, Stop, Pause, Up, Down, Left, Right, Plus, Minus, Home, Reset };
 

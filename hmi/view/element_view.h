@@ -130,7 +130,8 @@ protected:
     Value typed(Slot slot, double number) const;
     void repaint();
 
-    bool m_blinking = false; // set by draw(): something of the element's own blinks
+    bool m_blinking = false;        // set by draw(): something of the element's own blinks
+    mutable bool m_isMarked = true; // to be painted; the scene's
 
 private:
     void evaluateAppearance();

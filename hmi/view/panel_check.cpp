@@ -259,6 +259,7 @@ struct Checker {
         scene.setFolder(input.folder);
         scene.setPicturesOutside(input.picturesOutside);
         scene.setFaceplates(input.panelLookup());
+        scene.setThemes(input.themes);
         scene.setPanel(named.panel);
         QSet<QString> said;
         for (const QString& tag : languages()) {

@@ -81,6 +81,7 @@ struct CheckInput {
     QStringList languages; // to measure in; empty: all of the project
     QStringList keysUsedElsewhere;
     bool picturesOutside = false; // the project allows pictures outside its folder
+    PanelThemes themes;           // of the project
     QString frame;                // of the project
     QStringList roles;            // of its people
     QStringList startPanels;      // of its people

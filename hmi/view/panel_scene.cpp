@@ -12,7 +12,19 @@ namespace plc::hmi {
 namespace {
 constexpr QPainter::RenderHints kHints =
     QPainter::Antialiasing | QPainter::TextAntialiasing | QPainter::SmoothPixmapTransform;
+
+/// Adding to a region takes a time that grows with it; when that much changed, all around it is painted as fast.
+QRegion regionOf(const std::vector<QRect>& rects) {
+    constexpr size_t kMost = 400;
+    QRegion out;
+    QRect around;
+    for (const QRect& rect : rects) {
+        around |= rect;
+        if (rects.size() <= kMost) out += rect;
+    }
+    return rects.size() <= kMost ? out : QRegion(around);
 }
+} // namespace
 
 PanelScene::PanelScene(QObject* parent)
     : QObject(parent), m_theme(&PanelTheme::of(PanelThemeKind::Light)), m_texts(&m_noTexts),
@@ -27,7 +39,7 @@ void PanelScene::setPanel(const Panel& panel) {
 
 void PanelScene::take(const Panel& panel) {
     m_designed = panel;
-    m_panel = m_screen.isEmpty() ? panel : laidOut(panel, sizeFor(panel, m_screen));
+    m_panel = laidOut(panel, m_screen.isEmpty() ? QSizeF(panel.size()) : sizeFor(panel, m_screen));
 }
 
 void PanelScene::setScreen(QSizeF screen) {
@@ -73,7 +85,7 @@ void PanelScene::setUser(const QString& name) {
 }
 
 void PanelScene::rebuild() {
-    m_theme = &PanelTheme::named(m_panel.text("theme"));
+    m_theme = &m_themes.named(themeName());
     // A button that is held while its panel goes away must come up.
     if (ElementView* held = std::exchange(m_pressed, nullptr)) held->release(QPointF(-1e6, -1e6), false);
     m_lastRects.clear();
@@ -100,6 +112,24 @@ void PanelScene::addView(const Element& element, bool isInner) {
 void PanelScene::setFaceplates(PanelLookup panels) {
     m_panels = std::move(panels);
     if (!m_views.empty()) rebuild();
+}
+
+void PanelScene::setThemes(const PanelThemes& themes) {
+    m_themes = themes;
+    rebuild(); // the old theme is gone
+}
+
+void PanelScene::setTheme(const QString& name) {
+    if (name == m_themeName) return;
+    m_themeName = name;
+    rebuild();
+}
+
+void PanelScene::setReducedMotion(bool reduced) {
+    if (reduced == m_isMotionReduced) return;
+    m_isMotionReduced = reduced;
+    m_allDirty = true;
+    emit dirtied();
 }
 
 void PanelScene::prepareAll() {
@@ -201,7 +231,7 @@ QRegion PanelScene::refresh(qint64 milliseconds) {
             if (!m_allDirty) markDirty(*view);
         }
     }
-    const bool lit = (milliseconds / 500) % 2 == 0;
+    const bool lit = m_isMotionReduced || (milliseconds / 500) % 2 == 0;
     const bool turned = lit != m_lit;
     m_lit = lit;
     m_frame = milliseconds;
@@ -210,11 +240,16 @@ QRegion PanelScene::refresh(qint64 milliseconds) {
     if (turned)
         for (const auto& view : m_views)
             if (view->m_blinking || view->appearance().blinks) markDirty(*view);
-    QRegion out = std::exchange(m_dirty, QRegion());
-    if (!std::exchange(m_allDirty, false)) return out;
-    for (const auto& view : m_views) m_lastRects.insert(view.get(), shownRect(*view));
+    const std::vector<QRect> dirty = std::exchange(m_dirty, {});
+    if (!std::exchange(m_allDirty, false)) return regionOf(dirty);
+    for (const auto& view : m_views) {
+        view->m_isMarked = true;
+        m_lastRects.insert(view.get(), shownRect(*view));
+    }
     return QRegion(QRect(QPoint(), size()));
 }
+
+bool PanelScene::takeMark(ElementView& view) const { return std::exchange(view.m_isMarked, false); }
 
 QTransform PanelScene::transformOf(const ElementView& view) const {
     QTransform transform;
@@ -287,13 +322,14 @@ QRectF PanelScene::shownRect(const ElementView& view) const {
     return transformOf(view).mapRect(QRectF(QPointF(), view.rect().size()).adjusted(-over, -over, over, over));
 }
 
-void PanelScene::addDirty(const ElementView&, const QRectF& rect) { m_dirty += rect.toAlignedRect(); }
+void PanelScene::addDirty(const ElementView&, const QRectF& rect) { m_dirty.push_back(rect.toAlignedRect()); }
 
 void PanelScene::markDirty(const ElementView& view) {
     const QRectF now = shownRect(view);
     const auto last = m_lastRects.constFind(&view);
     if (last != m_lastRects.constEnd() && *last != now) addDirty(view, *last);
     addDirty(view, now);
+    view.m_isMarked = true;
     m_lastRects.insert(&view, now);
     emit dirtied();
 }

@@ -39,6 +39,14 @@ public:
     /// The name of the panel that the operator is on, for navigation bars.
     void setCurrentPanel(const QString& name);
     const QString& currentPanel() const { return m_current; }
+    /// The project's themes besides the built-in ones; before the panel, or the panel is made again.
+    void setThemes(const PanelThemes& themes);
+    /// Another theme than the panel's own; empty: the panel's.
+    void setTheme(const QString& name);
+    QString themeName() const { return m_themeName.isEmpty() ? m_panel.text("theme") : m_themeName; }
+    /// Flow, rotation and blinking are shown by shape, without movement.
+    void setReducedMotion(bool reduced);
+    bool isMotionReduced() const { return m_isMotionReduced; }
     /// The screen's size, which panels with anchors take; empty: as designed.
     void setScreen(QSizeF screen);
     /// The project's recipes; they must outlive the scene. Called again when they are others.
@@ -79,6 +87,8 @@ public:
 
     /// Reads all values at a time in ms (any epoch); returns what must be painted anew. At most one repaint per frame.
     QRegion refresh(qint64 milliseconds);
+    /// Whether this view was among what had to be painted since it was asked last.
+    bool takeMark(ElementView& view) const;
     /// Painted between the background and the elements: the designer's grid.
     void setUnderlay(std::function<void(QPainter&)> underlay) { m_underlay = std::move(underlay); }
     /// Paints what lies in `clip`; with a region (in device coordinates of `toDevice`) only the elements that touch it.
@@ -121,6 +131,7 @@ public:
     void request(const AccessRequest& access) { emit accessRequested(access); }
     void requestPanel(const QString& name) { emit panelRequested(name); }
     void requestLanguage(const QString& tag) { emit languageRequested(tag); }
+    void requestTheme(const QString& name) { emit themeRequested(name); }
 
 signals:
     void writeRequested(const plc::hmi::WriteRequest& write);
@@ -134,6 +145,7 @@ signals:
     void accessRequested(const plc::hmi::AccessRequest& access);
     void panelRequested(const QString& name);
     void languageRequested(const QString& tag);
+    void themeRequested(const QString& name);
     void dirtied();
 
 private:
@@ -153,6 +165,8 @@ private:
     Arguments m_areaArguments;
     AccessCheck m_access;
     const RecipeFile* m_recipes = nullptr;
+    PanelThemes m_themes;
+    QString m_themeName; // in place of the panel's own
     const PanelTheme* m_theme;
     ValueSource* m_values = nullptr;
     TextCatalog m_noTexts;
@@ -161,13 +175,13 @@ private:
     PanelLookup m_panels;
     QString m_language, m_folder;
     bool m_picturesOutside = false;
-    bool m_designing = false, m_measuring = false, m_lit = true, m_allDirty = true;
+    bool m_designing = false, m_measuring = false, m_isMotionReduced = false, m_lit = true, m_allDirty = true;
     std::optional<quint64> m_alarmPosition;
     std::vector<std::unique_ptr<ElementView>> m_views;
     QHash<ElementId, ElementView*> m_byId;
     QSet<const ElementView*> m_inner;
     ElementView* m_pressed = nullptr;
-    QRegion m_dirty;
+    std::vector<QRect> m_dirty;
     std::function<void(QPainter&)> m_underlay;
     QHash<const ElementView*, QRectF> m_lastRects; // of those that move
     qint64 m_frame = -1;

@@ -1,6 +1,10 @@
 #include "hmi/view/panel_theme.h"
 
+#include "hmi/model/errors.h"
+#include "hmi/model/json.h"
 #include "hmi/view/colour_sight.h"
+#include "runtime/base/read_json.h"
+#include "runtime/base/text.h"
 
 #include <array>
 
@@ -77,6 +81,75 @@ QColor PanelTheme::series(int index) const { return color(QStringLiteral("series
 QStringList PanelTheme::roles() {
     QStringList out;
     for (const Role& role : kRoles) out += QString::fromLatin1(role.name);
+    return out;
+}
+
+namespace {
+
+Message unknownRole(const std::string& name) {
+    std::vector<std::string> roles;
+    for (const Role& role : kRoles) roles.emplace_back(role.name);
+    if (const std::optional<std::string> near = nearestName(name, roles))
+        return errors::ThemeRoleUnknownSuggest(name, *near);
+    return errors::ThemeRoleUnknown(name);
+}
+
+} // namespace
+
+Result<PanelTheme> PanelTheme::parse(const std::string& utf8, const QString& place) {
+    const JsonText<Json> json = readJson<Json>(utf8);
+    const std::string where = toUtf8(place);
+    if (!json.isGood()) return Error{errors::ThemeNotJson(), where + ":" + std::to_string(json.line)};
+    if (!json.value.is_object()) return Error{errors::ThemeNotJson(), where};
+    const Json base = json.value.value("base", Json("light"));
+    const QString name = base.is_string() ? toQString(base) : QString();
+    if (name != QStringLiteral("light") && name != QStringLiteral("dark") && name != QStringLiteral("contrast"))
+        return Error{errors::ThemeBaseUnknown(toUtf8(name)), where};
+    PanelTheme out = named(name);
+    const Json colors = json.value.value("colors", Json::object());
+    if (!colors.is_object()) return Error{errors::ThemeNotJson(), where};
+    for (const auto& [role, value] : colors.items()) {
+        if (!out.m_colors.contains(QString::fromStdString(role))) return Error{unknownRole(role), where};
+        const QColor color = value.is_string() ? QColor(toQString(value)) : QColor();
+        if (!color.isValid() || !toQString(value).startsWith(u'#'))
+            return Error{errors::ThemeColorWrong(role, Verbatim("#2A6CA6")), where};
+        out.m_colors[QString::fromStdString(role)] = color;
+    }
+    return out;
+}
+
+std::vector<PanelTheme::Weak> PanelTheme::weaknesses() const {
+    // What elements write on what: WCAG 2's figure for letters, and the one for things that must be seen.
+    struct Pair {
+        const char *ink, *ground;
+        double needed;
+    };
+    static constexpr Pair kPairs[] = {
+        {"text", "background", 4.5}, {"text", "surface", 4.5},     {"text", "raised", 4.5},   {"text", "inset", 4.5},
+        {"text", "button", 4.5},     {"muted", "background", 4.5}, {"muted", "surface", 4.5}, {"line", "background", 3},
+        {"alarm", "surface", 3},     {"measure", "surface", 3},    {"accent", "surface", 3},  {"segment", "glass", 3},
+        {"running", "off", 1.25},
+    };
+    std::vector<Weak> out;
+    for (const Pair& pair : kPairs)
+        if (const double is = contrast(color(pair.ink), color(pair.ground)); is < pair.needed)
+            out.push_back({QString::fromLatin1(pair.ink), QString::fromLatin1(pair.ground), is, pair.needed});
+    return out;
+}
+
+void PanelThemes::set(const QString& name, PanelTheme theme) {
+    m_own[name] = std::make_shared<const PanelTheme>(std::move(theme));
+}
+
+const PanelTheme& PanelThemes::named(const QString& name) const {
+    const auto found = m_own.find(name);
+    return found == m_own.end() ? PanelTheme::named(name) : *found->second;
+}
+
+QStringList PanelThemes::names() const {
+    QStringList out{QStringLiteral("light"), QStringLiteral("dark"), QStringLiteral("contrast")};
+    for (const auto& [name, theme] : m_own)
+        if (!out.contains(name)) out += name;
     return out;
 }
 

@@ -177,6 +177,7 @@ private:
             add(FindingKind::BadColor, true, id, place, badColor(text));
         if (property.type == PropertyType::Choice || property.type == PropertyType::Symbol)
             checkChoice(id, property, toUtf8(text), place);
+        if (property.hint == "theme" && !text.isEmpty()) checkTheme(id, text, place);
         if (property.type != PropertyType::Records) return;
         for (size_t row = 0; row < value.size(); ++row)
             checkFields(id, value[row], recordFields(property.hint), place + QStringLiteral("[%1].").arg(row), {});
@@ -202,8 +203,17 @@ private:
                      const QString& place) {
         std::vector<std::string> choices;
         for (const std::string_view one : property.choices()) choices.emplace_back(one);
+        if (property.key == "theme")
+            for (const auto& [name, theme] : m_input.themes.own()) choices.push_back(toUtf8(name));
         if (std::find(choices.begin(), choices.end(), text) == choices.end())
             add(FindingKind::WrongPropertyType, true, id, place, errors::ChoiceUnknown(text, choices));
+    }
+
+    void checkTheme(const ElementId& id, const QString& name, const QString& place) {
+        if (m_input.themes.has(name)) return;
+        std::vector<std::string> names;
+        for (const QString& one : m_input.themes.names()) names.push_back(toUtf8(one));
+        add(FindingKind::WrongPropertyType, true, id, place, errors::NoSuchTheme(toUtf8(name), names));
     }
 
     /// `low` must be less than `high` where both are given.

@@ -1,5 +1,7 @@
 #include "hmi/view/shapes.h"
 
+#include "hmi/view/panel_scene.h"
+
 #include <cmath>
 
 namespace plc::hmi {
@@ -167,11 +169,27 @@ bool PipeView::update() {
 }
 
 bool PipeView::advance(qint64 milliseconds) {
-    if (m_direction == 0) return false;
+    if (m_direction == 0 || scene().isMotionReduced()) return false;
     const double phase = static_cast<double>(milliseconds / 66 % 1000000) * 0.18 * m_direction;
     if (phase == m_phase) return false;
     m_phase = phase;
     return true;
+}
+
+/// The way of the flow without movement.
+void PipeView::drawArrows(QPainter& painter, const QPainterPath& path, double thickness) const {
+    const double length = path.length(), step = std::max(24.0, thickness * 3), half = thickness * 0.28;
+    painter.setPen(QPen(PanelTheme::inkOn(color("flowColor")), std::max(1.2, thickness * 0.16), Qt::SolidLine,
+                        Qt::RoundCap, Qt::RoundJoin));
+    const int count = std::clamp(static_cast<int>(length / step), 1, 500);
+    for (int i = 0; i < count; ++i) {
+        const double at = path.percentAtLength(length * (i + 0.5) / count);
+        const QPointF middle = path.pointAtPercent(at);
+        const double angle = path.angleAtPercent(at) * M_PI / 180;
+        const QPointF along = QPointF(std::cos(angle), -std::sin(angle)) * half * m_direction,
+                      side(-along.y(), along.x());
+        painter.drawPolyline(QPolygonF{middle - along + side, middle + along, middle - along - side});
+    }
 }
 
 void PipeView::draw(QPainter& painter) {
@@ -190,6 +208,7 @@ void PipeView::draw(QPainter& painter) {
         painter.strokePath(path, QPen(shine, thickness * 0.3, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
         return;
     }
+    if (scene().isMotionReduced()) return drawArrows(painter, path, thickness);
     QPen dashes(PanelTheme::inkOn(color("flowColor")), std::max(1.5, thickness * 0.22), Qt::CustomDashLine,
                 Qt::RoundCap, Qt::RoundJoin);
     dashes.setDashPattern({3.2, 3.2});

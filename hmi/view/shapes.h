@@ -57,6 +57,7 @@ protected:
     bool advance(qint64 milliseconds) override;
 
 private:
+    void drawArrows(QPainter& painter, const QPainterPath& path, double thickness) const;
     Slot m_flow;
     int m_direction = 0;
     double m_phase = 0;

@@ -76,6 +76,7 @@ public:
         if (m_input.standard.isChecked(StandardRule::TooManyPresses)) checkWays();
         if (m_input.standard.isChecked(StandardRule::InconsistentPlace)) checkPlaces();
         if (m_input.hasAlarms) checkAlarms();
+        if (m_input.standard.isChecked(StandardRule::LowContrast)) checkThemes();
         return std::move(m_found);
     }
 
@@ -111,6 +112,16 @@ private:
             for (const QString& name : ways.from(find(at)->panel)) reach(name, out.value(at) + 1);
         }
         return out;
+    }
+
+    void checkThemes() {
+        for (const auto& [name, theme] : m_input.themes.own())
+            for (const PanelTheme::Weak& weak : theme->weaknesses())
+                m_found.push_back(
+                    make(m_input, StandardRule::LowContrast, QStringLiteral("hmi/themes/%1.json").arg(name), {},
+                         QStringLiteral("colors.") + weak.ink,
+                         errors::ContrastTooLow(toUtf8(weak.ink), toUtf8(weak.ground), ratioText(weak.contrast),
+                                                toUtf8(name), ratioText(weak.needed))));
     }
 
     void checkWays() {

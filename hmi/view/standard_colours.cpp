@@ -12,17 +12,6 @@ namespace plc::hmi {
 
 namespace {
 
-using Themes = std::vector<std::pair<const char*, const PanelTheme*>>;
-
-const Themes& allThemes() {
-    static const Themes all = {{"light", &PanelTheme::of(PanelThemeKind::Light)},
-                               {"dark", &PanelTheme::of(PanelThemeKind::Dark)},
-                               {"contrast", &PanelTheme::of(PanelThemeKind::Contrast)}};
-    return all;
-}
-
-std::string ratio(double value) { return toUtf8(QString::number(std::floor(value * 10) / 10, 'f', 1)); }
-
 class ColourChecker {
 public:
     explicit ColourChecker(StandardFindings& out) : m_out(out), m_panel(out.panel()) {}
@@ -228,7 +217,9 @@ private:
         const double size = element.number("fontSize");
         const bool isLarge = size >= 24 || (size >= 18.66 && element.isSet("bold"));
         const double needed = isLarge ? 3 : 4.5;
-        for (const auto& [name, theme] : allThemes()) {
+        const PanelThemes& themes = m_out.input().themes;
+        for (const QString& name : themes.names()) {
+            const PanelTheme* theme = &themes.named(name);
             if (!isThemed && theme != &this->theme()) continue;
             const QColor front = theme->color(ink), back = theme->color(ground);
             if (!front.isValid() || !back.isValid() || contrast(front, back) >= needed) continue;
@@ -237,13 +228,13 @@ private:
                 contrast(theme->color("text"), back) >= needed) // the role that is made for it
                 fix = setProperty(m_panel, element.id(), "textColor", "text");
             return m_out.add(StandardRule::LowContrast, element.id(), QString::fromLatin1(property),
-                             errors::ContrastTooLow(toUtf8(ink), toUtf8(ground), ratio(contrast(front, back)),
-                                                    std::string(name), ratio(needed)),
+                             errors::ContrastTooLow(toUtf8(ink), toUtf8(ground), ratioText(contrast(front, back)),
+                                                    toUtf8(name), ratioText(needed)),
                              std::move(fix));
         }
     }
 
-    const PanelTheme& theme() const { return PanelTheme::named(m_panel.text("theme")); }
+    const PanelTheme& theme() const { return m_out.input().themes.named(m_panel.text("theme")); }
 
     static constexpr size_t kMostRows = 100;
     StandardFindings& m_out;
@@ -252,6 +243,8 @@ private:
 };
 
 } // namespace
+
+std::string ratioText(double contrast) { return toUtf8(QString::number(std::floor(contrast * 10) / 10, 'f', 1)); }
 
 void checkColours(StandardFindings& out) { ColourChecker(out).run(); }
 

@@ -150,6 +150,7 @@ private:
         scene.setMeasuring(true);
         scene.setTexts(&m_out.input().texts);
         scene.setFaceplates(m_out.input().panelLookup());
+        scene.setThemes(m_out.input().themes);
         scene.setPanel(m_panel);
         for (const QString& tag : m_out.input().texts.settings().languages) {
             scene.setLanguage(tag);

@@ -35,6 +35,7 @@ const char* missingOf(const Element& button) {
     if (action == QStringLiteral("write") && button.text("write").isEmpty()) return "write";
     if (isAnyOf(action, {"panel", "popup"}) && button.text("panel").isEmpty()) return "panel";
     if (action == QStringLiteral("language") && button.text("tag").isEmpty()) return "tag";
+    if (action == QStringLiteral("theme") && button.text("theme").isEmpty()) return "theme";
     return nullptr;
 }
 

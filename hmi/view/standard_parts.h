@@ -23,6 +23,8 @@ private:
     std::vector<Finding> m_found;
 };
 
+/// A contrast for messages: "4.4", never rounded up.
+std::string ratioText(double contrast);
 void checkColours(StandardFindings& out);
 void checkSizes(StandardFindings& out);
 void checkOverlaps(StandardFindings& out);

@@ -30,7 +30,8 @@ constexpr std::array kRows = {Row{"hello", ClientWord::Hello, Number},
                               Row{"language", ClientWord::Language, Text},
                               Row{"scale", ClientWord::Scale, Number},
                               Row{"login", ClientWord::LogIn, Text},
-                              Row{"logout", ClientWord::LogOut, Nothing}};
+                              Row{"logout", ClientWord::LogOut, Nothing},
+                              Row{"motion", ClientWord::Motion, Number}};
 
 bool read(const Json& from, const char* key, QString& into) {
     constexpr size_t kLongest = 256;

@@ -24,6 +24,7 @@ enum class ClientWord : uint8_t {
     Scale,    // number
     LogIn,    // text: the secret, more: the name
     LogOut,
+    Motion, // number: 0 for a person who asked the browser for less movement
 };
 
 struct ClientMessage {

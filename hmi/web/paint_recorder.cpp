@@ -3,6 +3,9 @@
 #include <QPainter>
 #include <QTextOption>
 
+#include <array>
+#include <optional>
+
 namespace plc::hmi::web {
 
 namespace {
@@ -101,11 +104,15 @@ void writePen(PaintBytes& out, const QPen& pen) {
 
 class PaintRecorder::Engine final : public QPaintEngine {
 public:
-    explicit Engine(PaintRecorder& owner) : QPaintEngine(AllFeatures), m_owner(owner) {}
+    explicit Engine(PaintRecorder& owner) : QPaintEngine(AllFeatures), m_owner(owner) {
+        constexpr qsizetype kRoom = 256; // kept while it is emptied and filled
+        m_scratch.bytes().reserve(kRoom);
+        for (QByteArray& one : m_written) one.reserve(kRoom);
+    }
     Type type() const override { return User; }
 
     bool begin(QPaintDevice*) override {
-        m_written.fill({});
+        forget();
         return true;
     }
     bool end() override { return true; }
@@ -186,37 +193,47 @@ private:
             out.rect(source);
         });
     }
+    // Written in place: a panel of 1,000 elements is 10,000 commands a frame.
     template <class Write> void command(Command kind, bool usesPen, bool usesBrush, const Write& write) {
         state(usesPen, usesBrush);
-        PaintBytes out;
-        out.byte(kind);
-        write(out);
-        add(out.bytes());
+        m_scratch.bytes().resize(0);
+        m_scratch.byte(kind);
+        write(m_scratch);
+        add(m_scratch.bytes());
     }
     void add(const QByteArray& bytes) {
         Recording& to = m_owner.m_recording;
-        to.bytes += bytes;
+        to.bytes.append(bytes);
         to.ends.push_back(static_cast<uint32_t>(to.bytes.size()));
     }
     /// A state is written only when a drawing command needs another one than the last that was written.
     template <class Write> void stateCommand(Command kind, const Write& write) {
-        PaintBytes out;
-        out.byte(kind);
-        write(out);
+        m_scratch.bytes().resize(0);
+        m_scratch.byte(kind);
+        write(m_scratch);
         QByteArray& known = m_written[kind == SetShift ? SetTransform : kind];
-        if (known == out.bytes()) return;
-        known = out.bytes();
-        add(out.bytes());
+        if (known == m_scratch.bytes()) return;
+        known.resize(0);
+        known.append(m_scratch.bytes());
+        add(known);
+    }
+    /// The same for values that are cheaper to compare than to write.
+    template <class T, class Write>
+    void stateOf(std::optional<T>& last, const T& now, Command kind, const Write& write) {
+        if (last && *last == now) return;
+        last = now;
+        stateCommand(kind, [&](PaintBytes& out) { write(out, now); });
     }
     void state(bool usesPen, bool usesBrush) {
         const QPainter& by = *painter();
         clip();
         transform();
-        if (usesPen) stateCommand(SetPen, [&](PaintBytes& out) { writePen(out, by.pen()); });
-        if (usesBrush) stateCommand(SetBrush, [&](PaintBytes& out) { writePaint(out, by.brush()); });
-        stateCommand(SetOpacity,
-                     [&](PaintBytes& out) { out.byte(static_cast<uint8_t>(std::lround(by.opacity() * 255))); });
-        stateCommand(SetCrisp, [&](PaintBytes& out) { out.byte(by.testRenderHint(QPainter::Antialiasing) ? 0 : 1); });
+        if (usesPen) stateOf(m_pen, by.pen(), SetPen, writePen);
+        if (usesBrush) stateOf(m_brush, by.brush(), SetBrush, writePaint);
+        stateOf(m_opacity, by.opacity(), SetOpacity,
+                [](PaintBytes& out, double opacity) { out.byte(static_cast<uint8_t>(std::lround(opacity * 255))); });
+        stateOf(m_isSmooth, by.testRenderHint(QPainter::Antialiasing), SetCrisp,
+                [](PaintBytes& out, bool isSmooth) { out.byte(isSmooth ? 0 : 1); });
     }
     QTransform deviceTransform() const {
         const double down = 1.0 / m_owner.m_sharpness;
@@ -224,6 +241,8 @@ private:
     }
     void transform() {
         const QTransform now = deviceTransform();
+        if (m_transform && *m_transform == now) return;
+        m_transform = now;
         if (now.type() <= QTransform::TxTranslate)
             return stateCommand(SetShift, [&](PaintBytes& out) { out.point({now.dx(), now.dy()}); });
         stateCommand(SetTransform, [&](PaintBytes& out) {
@@ -256,14 +275,25 @@ private:
     }
 
     PaintRecorder& m_owner;
+    PaintBytes m_scratch;
     std::array<QByteArray, 16> m_written; // state commands, by kind
+    std::optional<QPen> m_pen;            // what the last of them was made of
+    std::optional<QBrush> m_brush;
+    std::optional<QTransform> m_transform;
+    std::optional<double> m_opacity;
+    std::optional<bool> m_isSmooth;
     bool m_clipIsKnown = false;
     QRegion m_systemClip;
 
 public:
     /// The next command begins a piece that must make sense alone.
     void forget() {
-        m_written.fill({});
+        for (QByteArray& one : m_written) one.resize(0);
+        m_pen.reset();
+        m_brush.reset();
+        m_transform.reset();
+        m_opacity.reset();
+        m_isSmooth.reset();
         m_clipIsKnown = false;
     }
 };

@@ -4,6 +4,7 @@
 #include "hmi/view/glyph_sink.h"
 #include "hmi/web/paint_bytes.h"
 #include "hmi/web/paint_store.h"
+#include "hmi/web/shared_views.h"
 
 #include <QPaintDevice>
 #include <QPaintEngine>
@@ -11,17 +12,6 @@
 #include <memory>
 
 namespace plc::hmi::web {
-
-/// Commands one after another; `ends` says where each one ends.
-struct Recording {
-    QByteArray bytes;
-    std::vector<uint32_t> ends;
-    QString words; // texts in it, for screen readers
-    QByteArrayView command(size_t index) const {
-        const uint32_t begin = index == 0 ? 0 : ends[index - 1];
-        return QByteArrayView(bytes).sliced(begin, ends[index] - begin);
-    }
-};
 
 class PaintRecorder final : public QPaintDevice, public GlyphSink {
 public:

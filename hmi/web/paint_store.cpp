@@ -59,6 +59,7 @@ bool PaintStore::trim(size_t limit) {
     m_pictures.clear();
     m_pictureIds.clear();
     m_pictureSame.clear();
+    m_views.clear(); // they name letters by their numbers
     m_bytes = 0;
     ++m_edition;
     return true;

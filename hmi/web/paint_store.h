@@ -1,6 +1,8 @@
 // Letters and pictures that drawing commands name by number, each once for all browsers: outlines of glyphs, PNG of
 // pixmaps. Owned by the server of panels; main thread.
 #pragma once
+#include "hmi/web/shared_views.h"
+
 #include <QByteArray>
 #include <QGlyphRun>
 #include <QHash>
@@ -25,6 +27,7 @@ public:
     size_t bytes() const { return m_bytes; }
     /// Forgets everything when there is too much of it; browsers must then be given all again.
     bool trim(size_t limit);
+    SharedViews& views() { return m_views; }
     /// Changes when everything was forgotten.
     uint32_t edition() const { return m_edition; }
 
@@ -39,6 +42,7 @@ private:
     std::vector<QByteArray> m_glyphs, m_pictures;
     QHash<qint64, uint32_t> m_pictureIds;      // by cache key
     QHash<QByteArray, uint32_t> m_pictureSame; // by what is in it
+    SharedViews m_views;
     size_t m_bytes = 0;
     uint32_t m_edition = 0;
 };

@@ -20,6 +20,7 @@ PanelStream::PanelStream(PaintStore& store, PanelPlayer& player)
     : m_store(store), m_player(player), m_recorder(store, player.scene().size()), m_edition(store.edition()) {}
 
 void PanelStream::restart() {
+    m_own.clear();
     m_shown.clear();
     m_needsAll = m_isReset = true;
     m_hadOverlay = false;
@@ -31,24 +32,36 @@ void PanelStream::setSharpness(int sharpness) {
     m_needsAll = true;
 }
 
-QByteArray PanelStream::frame(qint64 milliseconds) {
+bool PanelStream::isRecorded(const QString& view, qint64 milliseconds) const {
+    const auto found = view.isEmpty() ? m_store.views().cend() : m_store.views().constFind(view);
+    return found != m_store.views().cend() && found->at == milliseconds &&
+           found->pieces.size() == m_player.scene().views().size();
+}
+
+void PanelStream::share(const QString& view, const QString& state, bool isBad) {
+    const auto found = view.isEmpty() ? m_store.views().end() : m_store.views().find(view);
+    if (found == m_store.views().end()) return;
+    found->state = state;
+    found->isBad = isBad;
+}
+
+QByteArray PanelStream::frame(qint64 milliseconds, const QString& view) {
     if (m_store.trim(kStoreLimit) || m_edition != m_store.edition()) {
         m_edition = m_store.edition();
         m_sentGlyphs = m_sentPictures = 0;
         restart();
     }
-    PanelScene& scene = m_player.scene();
-    const QRegion changed = scene.refresh(milliseconds);
-    const bool all = std::exchange(m_needsAll, false);
-    m_shown.resize(scene.views().size() + 1);
+    m_shown.resize(m_player.scene().views().size() + 1);
     PaintBytes elements;
-    if (all || !changed.isEmpty())
-        for (size_t i = 0; i < scene.views().size(); ++i) {
-            ElementView& view = *scene.views()[i];
-            if (all || !m_shown[i].isKnown || changed.intersects(scene.shownRect(view).toAlignedRect()) ||
-                changed.intersects(m_shown[i].bounds.toAlignedRect()))
-                element(i, view, elements);
-        }
+    const bool isShared = isRecorded(view, milliseconds);
+    if (!isShared) record(milliseconds);
+    if (!isShared && !view.isEmpty()) {
+        SharedView& shared = m_store.views()[view];
+        shared.at = milliseconds;
+        shared.pieces = m_own;
+    }
+    const std::vector<Piece>& now = isShared ? m_store.views()[view].pieces : m_own;
+    for (size_t i = 0; i < now.size(); ++i) send(i, now[i], elements);
     overlay(elements);
     if (elements.bytes().isEmpty()) return {};
     PaintBytes head;
@@ -57,14 +70,22 @@ QByteArray PanelStream::frame(qint64 milliseconds) {
     return head.bytes() + definitions() + elements.bytes();
 }
 
-void PanelStream::element(size_t index, ElementView& view, PaintBytes& out) {
+void PanelStream::record(qint64 milliseconds) {
     PanelScene& scene = m_player.scene();
-    const bool isShown = scene.isShown(view);
-    if (isShown) {
-        QPainter painter(&m_recorder);
-        scene.paintElement(painter, view);
+    (void)scene.refresh(milliseconds);
+    const bool all = std::exchange(m_needsAll, false);
+    m_own.resize(scene.views().size());
+    for (size_t i = 0; i < scene.views().size(); ++i) {
+        ElementView& view = *scene.views()[i];
+        if (!scene.takeMark(view) && !all && m_own[i].recording) continue;
+        m_own[i].bounds = scene.shownRect(view);
+        m_own[i].isShown = scene.isShown(view);
+        if (m_own[i].isShown) {
+            QPainter painter(&m_recorder);
+            scene.paintElement(painter, view);
+        }
+        m_own[i].recording = std::make_shared<const Recording>(m_recorder.take());
     }
-    send(index, m_recorder.take(), scene.shownRect(view), isShown, out);
 }
 
 /// Keypads, lists and questions are widgets: they are recorded as they paint themselves.
@@ -77,32 +98,36 @@ void PanelStream::overlay(PaintBytes& out) {
         QPainter painter(&m_recorder);
         over->render(&painter, QPoint(), QRegion(), QWidget::DrawChildren);
     }
-    send(m_shown.size() - 1, m_recorder.take(), QRectF(QPointF(), m_player.scene().size()), isShown, out);
+    send(m_shown.size() - 1,
+         {std::make_shared<const Recording>(m_recorder.take()), QRectF(QPointF(), m_player.scene().size()), isShown},
+         out);
 }
 
-void PanelStream::send(size_t index, Recording&& now, const QRectF& bounds, bool isShown, PaintBytes& out) {
+void PanelStream::send(size_t index, const Piece& now, PaintBytes& out) {
+    static const Recording kNothing;
     Shown& before = m_shown[index];
-    const size_t oldSize = before.recording.ends.size(), newSize = now.ends.size();
+    const bool moved = !before.recording || before.bounds != now.bounds || before.isShown != now.isShown;
+    if (!moved && before.recording == now.recording) return;
+    const Recording& was = before.recording ? *before.recording : kNothing;
+    const Recording& is = *now.recording;
+    const size_t oldSize = was.ends.size(), newSize = is.ends.size();
     size_t same = 0, sameTail = 0;
-    while (same < oldSize && same < newSize && isSame(before.recording, same, now, same)) ++same;
+    while (same < oldSize && same < newSize && isSame(was, same, is, same)) ++same;
     while (same + sameTail < oldSize && same + sameTail < newSize &&
-           isSame(before.recording, oldSize - 1 - sameTail, now, newSize - 1 - sameTail))
+           isSame(was, oldSize - 1 - sameTail, is, newSize - 1 - sameTail))
         ++sameTail;
-    const bool moved = !before.isKnown || before.bounds != bounds || before.isShown != isShown;
     const size_t removed = oldSize - same - sameTail, added = newSize - same - sameTail;
-    if (!moved && removed == 0 && added == 0) return;
-    out.byte(Element);
-    out.count(index);
-    out.byte(static_cast<uint8_t>((isShown ? 1 : 0) | (moved ? 2 : 0)));
-    if (moved) out.rect(bounds);
-    out.count(same);
-    out.count(removed);
-    out.count(added);
-    for (size_t i = same; i < same + added; ++i) out.bytes().append(now.command(i));
-    before.recording = std::move(now);
-    before.bounds = bounds;
-    before.isShown = isShown;
-    before.isKnown = true;
+    if (moved || removed > 0 || added > 0) {
+        out.byte(Element);
+        out.count(index);
+        out.byte(static_cast<uint8_t>((now.isShown ? 1 : 0) | (moved ? 2 : 0)));
+        if (moved) out.rect(now.bounds);
+        out.count(same);
+        out.count(removed);
+        out.count(added);
+        for (size_t i = same; i < same + added; ++i) out.bytes().append(is.command(i));
+    }
+    static_cast<Piece&>(before) = now;
 }
 
 QByteArray PanelStream::definitions() {
@@ -126,12 +151,12 @@ QByteArray PanelStream::words() {
     for (size_t i = 0; i < views.size() && i < m_shown.size(); ++i) {
         Shown& shown = m_shown[i];
         const bool isLive = views[i]->isInteractive() && shown.isShown;
-        QString words = shown.isShown ? shown.recording.words : QString();
+        QString words = shown.isShown && shown.recording ? shown.recording->words : QString();
         if (isLive && words.isEmpty()) words = views[i]->element().id();
         const QString told = (isLive ? u'+' : u'-') + words;
         if (told == shown.toldWords || (shown.toldWords.isEmpty() && words.isEmpty())) continue;
         shown.toldWords = told;
-        const QRectF rect = m_player.scene().shownRect(*views[i]);
+        const QRectF rect = shown.bounds;
         list.push_back({i, words.toStdString(), isLive, std::lround(rect.x()), std::lround(rect.y()),
                         std::lround(rect.width()), std::lround(rect.height())});
     }

@@ -45,8 +45,14 @@ WebPanel::WebPanel(const PanelProject& project, session::Session& session, Paint
         m_player.resize(m_player.scene().size());
         m_stream.restart();
         m_isNew = true;
+        m_isTouched = false;
     });
     if (hasPeople()) connect(&m_player, &PanelPlayer::userChanged, this, &WebPanel::setOperator);
+    // Other views with other colours.
+    connect(&m_player, &PanelPlayer::themeChanged, this, [this] {
+        m_stream.restart();
+        m_isNew = true;
+    });
     connect(&m_player, &PanelPlayer::languageChanged, this, [this] { m_isNew = true; });
     if (m_player.panelName().isEmpty() && !project.panels.empty()) m_player.showPanel(project.panels.front().name);
 }
@@ -92,8 +98,8 @@ bool WebPanel::take(const ClientMessage& message) {
         if (m_project.texts.settings().languages.contains(message.more)) m_player.setLanguage(message.more);
         [[fallthrough]];
     case ClientWord::Scale:
-        m_stream.setSharpness(
-            std::clamp(static_cast<int>(std::ceil(std::clamp(message.number, 0.1, 4.0) - 0.01)), 1, 4));
+        m_sharpness = std::clamp(static_cast<int>(std::ceil(std::clamp(message.number, 0.1, 4.0) - 0.01)), 1, 4);
+        m_stream.setSharpness(m_sharpness);
         return true;
     case ClientWord::Down:
     case ClientWord::Move:
@@ -117,6 +123,9 @@ bool WebPanel::take(const ClientMessage& message) {
     case ClientWord::Language:
         if (m_project.texts.settings().languages.contains(message.text)) m_player.setLanguage(message.text);
         return true;
+    case ClientWord::Motion:
+        m_player.setReducedMotion(message.number == 0);
+        return true;
     case ClientWord::Drawn:
     case ClientWord::LogIn:
     case ClientWord::LogOut:
@@ -127,6 +136,7 @@ bool WebPanel::take(const ClientMessage& message) {
 
 bool WebPanel::point(const ClientMessage& message) {
     if (!isInside(message.at)) return false;
+    catchUp();
     if (Overlay* overlay = m_player.overlay(); overlay && !overlay->isHidden()) {
         pointOverlay(message, *overlay);
         return true;
@@ -174,7 +184,27 @@ void WebPanel::pointOverlay(const ClientMessage& message, Overlay& overlay) {
     }
 }
 
+void WebPanel::catchUp() {
+    m_isTouched = true;
+    if (!std::exchange(m_isBehind, false)) return;
+    m_player.frame();
+    m_stream.catchUp(m_at);
+}
+
+QString WebPanel::viewName() const {
+    const bool hasOverlay = m_player.overlay() && !m_player.overlay()->isHidden();
+    if (m_isTouched || isOperator() || hasOverlay) return {};
+    const PanelScene& scene = m_player.scene();
+    QStringList place{m_player.place().panel};
+    for (auto one = m_player.place().arguments.cbegin(); one != m_player.place().arguments.cend(); ++one)
+        place += one.key() + u'=' + one.value();
+    return QStringList{place.join(u'\t'), m_player.language(), scene.themeName(), QString::number(m_sharpness),
+                       QString::number(scene.isMotionReduced())}
+        .join(u'\n');
+}
+
 void WebPanel::key(const QString& name) {
+    catchUp();
     QWidget* overlay = m_player.overlay();
     if (!overlay || overlay->isHidden()) return;
     int code = 0;
@@ -191,6 +221,7 @@ void WebPanel::key(const QString& name) {
 
 /// As a finger does in its middle; a momentary button holds for as long as the scan needs to see it.
 void WebPanel::activate(size_t index) {
+    catchUp();
     PanelScene& scene = m_player.scene();
     if (index >= scene.views().size() || (m_player.overlay() && !m_player.overlay()->isHidden())) return;
     const QPointF middle = scene.shownRect(*scene.views()[index]).center();
@@ -234,25 +265,37 @@ QByteArray WebPanel::describe() {
                      {"cancel", say(SystemText::Cancel)}}}});
 }
 
+void WebPanel::tellState(const QString& state, bool isBad, Output& out) {
+    m_isBad = isBad;
+    if (state == m_state) return;
+    m_state = state;
+    out.texts += packed({{"t", "state"}, {"text", state.toStdString()}, {"bad", isBad}});
+}
+
 WebPanel::Output WebPanel::next(qint64 milliseconds) {
     Output out;
     if (!m_isStarted) return out;
     constexpr qint64 kWordsEvery = 1000;
-    m_player.frame();
+    const QString view = viewName();
+    const bool isRecorded = m_stream.isRecorded(view, milliseconds);
+    m_at = milliseconds;
+    m_isBehind = isRecorded;
+    if (!isRecorded) m_player.frame();
     if (std::exchange(m_isNew, false)) {
         out.texts += describe();
         m_wordsAt = -1;
         m_state = QChar(0);
     }
-    if (const QString state = m_player.stateText(); state != m_state) {
-        m_state = state;
+    if (!isRecorded) {
         const Freshness freshness = m_player.values() ? m_player.values()->freshness() : Freshness::Disconnected;
-        const bool isBad = freshness == Freshness::Stopped || freshness == Freshness::Fault;
-        out.texts += packed({{"t", "state"}, {"text", state.toStdString()}, {"bad", isBad}});
+        tellState(m_player.stateText(), freshness == Freshness::Stopped || freshness == Freshness::Fault, out);
+    } else {
+        tellState(m_stream.shared(view).state, m_stream.shared(view).isBad, out);
     }
     if (!m_refusal.isEmpty())
         out.texts += packed({{"t", "refused"}, {"text", std::exchange(m_refusal, {}).toStdString()}});
-    out.frame = m_stream.frame(milliseconds);
+    out.frame = m_stream.frame(milliseconds, view);
+    if (!isRecorded) m_stream.share(view, m_state, m_isBad);
     if (m_wordsAt < 0 || milliseconds - m_wordsAt >= kWordsEvery) {
         m_wordsAt = milliseconds;
         if (const QByteArray words = m_stream.words(); !words.isEmpty()) out.texts += words;

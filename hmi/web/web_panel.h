@@ -51,13 +51,21 @@ private:
     void activate(size_t index);
     void letGo();
     QByteArray describe();
+    /// What decides how the panel looks, for those who only watch; empty: it is this person's own.
+    QString viewName() const;
+    void tellState(const QString& state, bool isBad, Output& out);
+    /// What is touched must be what the values are now.
+    void catchUp();
     const PanelProject& m_project;
     PanelPlayer m_player;
     PanelStream m_stream;
     QString m_operator, m_refusal, m_state;
     QPointer<QWidget> m_held; // of an overlay
-    bool m_isStarted = false, m_isNew = true;
-    qint64 m_wordsAt = -1;
+    bool m_isStarted = false, m_isNew = true, m_isBad = false;
+    bool m_isTouched = false; // since the panel is shown: pages and lists may be other ones than on other screens
+    bool m_isBehind = false;  // the last frame was another browser's
+    int m_sharpness = 1;
+    qint64 m_wordsAt = -1, m_at = 0;
 };
 
 } // namespace plc::hmi::web

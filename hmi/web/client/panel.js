@@ -27,6 +27,7 @@ function connect() {
   socket.onopen = () => {
     waits = 250;
     send({t: 'hello', text: wanted.panel, more: wanted.language, n: scaleNow()});
+    sendMotion();
     if (secret) send({t: 'login', text: secret, more: user});
   };
   socket.onmessage = event => {
@@ -48,6 +49,11 @@ function connect() {
     waits = Math.min(waits * 2, 10000);
   };
 }
+
+// Who asked the system for less movement gets arrows in place of what flows and turns.
+const calm = window.matchMedia('(prefers-reduced-motion: reduce)');
+function sendMotion() { send({t: 'motion', n: calm.matches ? 0 : 1}); }
+calm.addEventListener('change', sendMotion);
 
 function take(message) {
   switch (message.t) {
