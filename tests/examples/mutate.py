@@ -84,10 +84,11 @@ def changes(text, with_plants):
                 yield m.start(), m.end(), change(m.group())
 
 
-def caught(stepwise, project, seconds):
+def caught(stepwise, project, seconds):  # recordings of what failed go beside the copy
     """True: a TEST failed; False: all passed; None: the change does not compile."""
     try:
-        run = subprocess.run([stepwise, "test", project], capture_output=True, text=True, timeout=seconds)
+        run = subprocess.run([stepwise, "test", project], capture_output=True, text=True, timeout=seconds,
+                             cwd=os.path.dirname(project))
     except subprocess.TimeoutExpired:
         return True
     if run.returncode == 0:
@@ -116,7 +117,7 @@ def measure(options, project, log):
             if options.count and tried == options.count:
                 break
             path.write_text(text[:begin] + replacement + text[end:])
-            result = caught(options.stepwise, str(copy), options.seconds)
+            result = caught(os.path.abspath(options.stepwise), str(copy), options.seconds)
             path.write_text(text)
             if result is None:
                 continue
