@@ -173,6 +173,7 @@ const std::vector<ActionSpec> kActions = {
     {"view.zoomOut", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Smaller"), "Ctrl+-", drawn(Icon::ZoomOut), inFocus<kZoomOut>},
     {"view.light", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Light Theme"), "", none, [](MainWindow& w) { w.changeTheme(kit::ThemeChoice::Light); }},
     {"view.dark", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Dark Theme"), "", none, [](MainWindow& w) { w.changeTheme(kit::ThemeChoice::Dark); }},
+    {"view.contrast", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "High-Contrast Theme"), "", none, [](MainWindow& w) { w.changeTheme(kit::ThemeChoice::Contrast); }},
     {"view.system", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "System Theme"), "", none, [](MainWindow& w) { w.changeTheme(kit::ThemeChoice::System); }},
     {"view.editing", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Arrange for Editing"), "Ctrl+Alt+1", none, [](MainWindow& w) { if (w.workspace().isOpen()) w.perspectives().show(Perspective::Editing); }},
     {"view.debugging", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Arrange for Debugging"), "Ctrl+Alt+2", none, [](MainWindow& w) { if (w.workspace().isOpen()) w.perspectives().show(Perspective::Debugging); }},

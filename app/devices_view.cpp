@@ -210,6 +210,7 @@ void DevicesView::makeToolBar(QVBoxLayout& layout) {
     add->setObjectName("devicesAdd");
     add->setIcon(kit::icon(kit::Icon::Add));
     add->setToolTip(tr("Add a device"));
+    add->setAccessibleName(add->toolTip());
     add->setPopupMode(QToolButton::InstantPopup);
     auto* menu = new QMenu(add);
     const std::pair<Protocol, QString> kinds[] = {{Protocol::ModbusTcp, tr("Modbus TCP device")},

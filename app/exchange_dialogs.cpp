@@ -56,10 +56,22 @@ void fill(QTreeWidget& table, const exchange::Report& report) {
         }
 }
 
+/// Keywords as they are; the elements of a file in words.
+QString titleOfUnits(const std::string& name) {
+    static const std::map<std::string, const char*> titles = {
+        {"pou", QT_TRANSLATE_NOOP("plc::app::ImportDialog", "program units")},
+        {"dataType", QT_TRANSLATE_NOOP("plc::app::ImportDialog", "data types")},
+        {"globalVars", QT_TRANSLATE_NOOP("plc::app::ImportDialog", "global variable lists")},
+        {"configuration", QT_TRANSLATE_NOOP("plc::app::ImportDialog", "configurations")},
+        {"text", QT_TRANSLATE_NOOP("plc::app::ImportDialog", "texts")},
+        {"file", QT_TRANSLATE_NOOP("plc::app::ImportDialog", "files")}};
+    const auto title = titles.find(name);
+    return title == titles.end() ? QString::fromStdString(name) : ImportDialog::tr(title->second);
+}
+
 QString figures(const std::map<std::string, int>& counts) {
     QStringList out;
-    for (const auto& [name, count] : counts)
-        out << QStringLiteral("%1 %2").arg(QString::fromStdString(name)).arg(count);
+    for (const auto& [name, count] : counts) out << QStringLiteral("%1 %2").arg(titleOfUnits(name)).arg(count);
     return out.isEmpty() ? QStringLiteral("–") : out.join(QStringLiteral(", "));
 }
 
@@ -96,9 +108,12 @@ ImportDialog::ImportDialog(const QString& projectsFolder, QWidget* parent)
     m_source = new QLineEdit(this);
     m_source->setReadOnly(true);
     m_source->setAccessibleName(tr("From:"));
-    m_source->setPlaceholderText(tr("PLCopen XML, TwinCAT or CODESYS files, structured text"));
+    const QString hint = tr("PLCopen XML, TwinCAT or CODESYS files, structured text");
+    m_source->setPlaceholderText(hint);
+    m_source->setToolTip(hint); // also where a large font cuts it
     m_target = new QLineEdit(this);
     m_target->setObjectName("target");
+    m_target->setAccessibleName(tr("New project in:"));
     auto* file = new QPushButton(tr("File…"), this);
     auto* folder = new QPushButton(tr("Folder…"), this);
     m_files = new QTreeWidget(this);
@@ -221,6 +236,7 @@ ExportDialog::ExportDialog(const projects::Project& project, QWidget* parent) : 
     m_version->addItem(tr("PLCopen XML 0200, for CODESYS and TwinCAT"));
     m_version->addItem(tr("PLCopen XML 0201, for Beremiz and OpenPLC"));
     m_target = new QLineEdit(this);
+    m_target->setAccessibleName(tr("To:"));
     m_target->setText(QString::fromStdString(project.folder) + "/" +
                       QString::fromStdString(exchange::fileNameOf(project.name)) + ".xml");
     auto* browse = new QPushButton(tr("File…"), this);

@@ -6,6 +6,7 @@
 #include "editor/text/st_editor.h"
 
 #include <QDialogButtonBox>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QScreen>
@@ -62,6 +63,7 @@ MergeDialog::MergeDialog(const QString& file, const std::string& here, const std
     connect(m_here, &QsciScintilla::textChanged, this, &MergeDialog::compare);
     connect(m_here, &QsciScintillaBase::SCN_UPDATEUI, this, [this](int) { scrollAlong(*m_here, *m_disk, true); });
     connect(m_disk, &QsciScintillaBase::SCN_UPDATEUI, this, [this](int) { scrollAlong(*m_disk, *m_here, false); });
+    m_here->installEventFilter(this);
     m_here->setFocus();
 }
 
@@ -84,6 +86,15 @@ QsciScintilla* MergeDialog::addSide(const QString& title, const std::string& tex
     layout->addWidget(side, 1);
     sides->addWidget(box);
     return side;
+}
+
+/// Tab leaves the text, else nobody without a mouse gets to the buttons.
+bool MergeDialog::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::KeyPress) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (key == Qt::Key_Tab || key == Qt::Key_Backtab) return focusNextPrevChild(key == Qt::Key_Tab);
+    }
+    return QDialog::eventFilter(watched, event);
 }
 
 std::string MergeDialog::merged() const { return textOf(*m_here); }

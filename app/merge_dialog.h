@@ -27,6 +27,9 @@ public:
     void takeOver(); // the current one
     void takeAll();
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     QsciScintilla* addSide(const QString& title, const std::string& text, QSplitter* sides, const QString& file);
     void setLeft(const std::string& text);

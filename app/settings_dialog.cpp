@@ -47,7 +47,7 @@ QWidget* SettingsDialog::makeGeneral() {
     auto* page = new QWidget(this);
     auto* form = new QFormLayout(page);
     m_theme = new QComboBox(page);
-    m_theme->addItems({tr("System default"), tr("Light"), tr("Dark")});
+    m_theme->addItems({tr("System default"), tr("Light"), tr("Dark"), tr("High contrast")});
     m_theme->setCurrentIndex(static_cast<int>(m_settings.theme()));
     m_language = new QComboBox(page);
     m_language->addItem(tr("System default"), "");

@@ -1,5 +1,6 @@
 #include "app/start_page.h"
 
+#include "app/example_titles.h"
 #include "app/settings.h"
 #include "editor/kit/icons.h"
 #include "editor/kit/theme.h"
@@ -22,8 +23,12 @@ namespace plc::app {
 
 namespace {
 
-constexpr QSize kCard{236, 190};
-constexpr int kPictureHeight = 124;
+constexpr int kCardWidth = 236, kPictureHeight = 124, kPadding = 6;
+
+/// As high as its picture, its name and two lines about it.
+QSize cardSize(const QFontMetrics& font) {
+    return {std::max(kCardWidth, font.averageCharWidth() * 36), kPictureHeight + 3 * font.lineSpacing() + 3 * kPadding};
+}
 
 QString titleOf(const QString& folder) {
     QFile file(folder + "/project.json");
@@ -48,7 +53,7 @@ QString summaryOf(const QString& folder) {
 QPixmap pictureOf(const QString& folder) {
     for (const char* name : {"/docs/panel.png", "/panel.png", "/docs/trace.png", "/picture.png"})
         if (const QPixmap picture(folder + name); !picture.isNull())
-            return picture.scaledToWidth(2 * kCard.width(), Qt::SmoothTransformation); // lines stay lines
+            return picture.scaledToWidth(2 * kCardWidth, Qt::SmoothTransformation); // lines stay lines
     return {};
 }
 
@@ -56,7 +61,9 @@ QPixmap pictureOf(const QString& folder) {
 class CardDelegate : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
-    QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override { return kCard + QSize(14, 14); }
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const override {
+        return cardSize(option.fontMetrics) + QSize(14, 14);
+    }
     void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
         const kit::ThemeColors& c = kit::colors();
         painter->save();
@@ -85,13 +92,14 @@ public:
         bold.setBold(true);
         painter->setFont(bold);
         painter->setPen(c.text);
-        const QRectF name(card.left() + 12, pictureArea.bottom() + 6, card.width() - 24, 20);
+        const QRectF name(card.left() + 12, pictureArea.bottom() + kPadding / 2, card.width() - 24,
+                          option.fontMetrics.lineSpacing() + kPadding);
         painter->drawText(
             name, Qt::AlignVCenter,
             QFontMetrics(bold).elidedText(index.data().toString(), Qt::ElideRight, static_cast<int>(name.width())));
         painter->setFont(option.font);
         painter->setPen(c.muted);
-        const QRectF line(card.left() + 12, name.bottom(), card.width() - 24, 34);
+        const QRectF line(card.left() + 12, name.bottom(), card.width() - 24, 2 * option.fontMetrics.lineSpacing());
         painter->drawText(line, Qt::AlignTop | Qt::TextWordWrap,
                           QFontMetrics(option.font)
                               .elidedText(index.data(Qt::UserRole + 2).toString(), Qt::ElideRight,
@@ -211,7 +219,7 @@ void StartPage::reload() {
     for (const QString& name : names) {
         const QString project = folder + "/" + name;
         if (!QFile::exists(project + "/project.json")) continue;
-        auto* item = new QListWidgetItem(titleOf(project), m_examples);
+        auto* item = new QListWidgetItem(exampleTitle(titleOf(project)), m_examples);
         item->setData(Qt::UserRole, project);
         item->setData(Qt::UserRole + 1, pictureOf(project));
         item->setData(Qt::UserRole + 2, summaryOf(project));

@@ -5,7 +5,7 @@
     <name>Devices</name>
     <message>
         <source>This is not valid JSON; check the commas and quotes in front of this line</source>
-        <translation>Dette er ikke gyldig JSON; kontrollér kommaer og anførselstegn før denne linje</translation>
+        <translation>Dette er ikke gyldig JSON; kontroller kommaer og anførselstegn før denne linje</translation>
     </message>
     <message>
         <source>The file must be an object with a list named &quot;devices&quot;</source>
@@ -153,7 +153,7 @@
     </message>
     <message>
         <source>A {0} may not fit into {1} of type {2}; a value that does not fit leaves the variable as it is and makes the channel bad</source>
-        <translation>En {0} kan måske ikke være i {1} af typen {2}; en værdi, der ikke kan, lader variablen være og gør kanalen dårlig</translation>
+        <translation>En {0} kan måske ikke være i {1} af typen {2}; en værdi, der ikke kan, lader variablen være uændret og gør kanalen ugyldig</translation>
     </message>
     <message>
         <source>{0} is an output of the program; an input channel needs %I or a variable</source>
@@ -177,11 +177,11 @@
     </message>
     <message>
         <source>{0} says whether the channel is good and must be a BOOL or an integer</source>
-        <translation>{0} siger, om kanalen er god, og skal være BOOL eller et heltal</translation>
+        <translation>{0} angiver, om kanalen er gyldig, og skal være BOOL eller et heltal</translation>
     </message>
     <message>
         <source>{0} says whether the device answers and must be a BOOL</source>
-        <translation>{0} siger, om enheden svarer, og skal være BOOL</translation>
+        <translation>{0} angiver, om enheden svarer, og skal være BOOL</translation>
     </message>
     <message>
         <source>&quot;onLoss&quot;: &quot;safe&quot; needs the value in &quot;safe&quot;</source>
@@ -273,19 +273,23 @@
     </message>
     <message>
         <source>Start or build the project first; the devices are connected to its controller</source>
-        <translation>Start eller byg projektet først; enhederne er forbundet med dets styring</translation>
+        <translation>Start eller oversæt projektet først; enhederne er forbundet med dets styring</translation>
     </message>
     <message>
         <source>The project had no devices when its controller was built; add them and build again</source>
-        <translation>Projektet havde ingen enheder, da dets styring blev bygget; tilføj dem, og byg igen</translation>
+        <translation>Projektet havde ingen enheder, da det blev oversat; tilføj dem, og oversæt igen</translation>
     </message>
     <message>
         <source>The devices had errors when the controller was built; correct them and build again</source>
-        <translation>Enhederne havde fejl, da styringen blev bygget; ret dem, og byg igen</translation>
+        <translation>Enhederne havde fejl, da projektet blev oversat; ret dem, og oversæt igen</translation>
     </message>
     <message>
         <source>Set the speed to real time first; devices cannot keep up with another one</source>
         <translation>Sæt først hastigheden til realtid; enheder kan ikke følge med en anden</translation>
+    </message>
+    <message>
+        <source>The devices of an attached controller are connected there</source>
+        <translation>Enhederne til en tilkoblet styring er forbundet dér</translation>
     </message>
 </context>
 <context>
@@ -632,7 +636,7 @@
     </message>
     <message>
         <source>This is nested too deeply to be compiled; split it into several statements or units</source>
-        <translation>Dette er indlejret for dybt til at blive oversat; del det op i flere sætninger eller enheder</translation>
+        <translation>Dette er indlejret for dybt til at blive oversat; del det op i flere sætninger eller programenheder</translation>
     </message>
     <message>
         <source>Code in C is not executed; write it in ST</source>
@@ -724,7 +728,7 @@
     </message>
     <message>
         <source>There is no label {0}; write it with a colon before a statement of this unit</source>
-        <translation>Der er ingen etiket {0}; skriv den med kolon før en sætning i denne enhed</translation>
+        <translation>Der er ingen etiket {0}; skriv den med kolon før en sætning i denne programenhed</translation>
     </message>
     <message>
         <source>The variables need {0} bytes; the maximum is {1}: make arrays or strings smaller</source>
@@ -801,6 +805,14 @@
     <message>
         <source>{0} is not a block of this program; only a block can have a task of its own</source>
         <translation>{0} er ikke en blok i dette program; kun en blok kan have sin egen task</translation>
+    </message>
+    <message>
+        <source>{0} cannot hold an exception code; declare it as __SYSTEM.ExceptionCode</source>
+        <translation>{0} kan ikke indeholde en undtagelseskode; erklær den som __SYSTEM.ExceptionCode</translation>
+    </message>
+    <message>
+        <source>{0} converts the number, as in CODESYS; to keep the bits, put both types into a UNION</source>
+        <translation>{0} konverterer tallet, som i CODESYS; læg begge typer i en UNION for at bevare bittene</translation>
     </message>
 </context>
 <context>
@@ -2072,7 +2084,7 @@
         <translation>Filen blev ændret af et andet program og blev ikke overskrevet</translation>
     </message>
     <message>
-        <source>This is no file that can be imported: PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
+        <source>This file cannot be imported; PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
         <translation>Filen kan ikke importeres: PLCopen XML (.xml), TwinCAT (.TcPOU og så videre), tekst fra CODESYS (.EXP, .export) og struktureret tekst (.st) kan læses</translation>
     </message>
     <message>
@@ -2080,7 +2092,7 @@
         <translation>Denne XML er hverken PLCopen XML eller fra TwinCAT eller CODESYS; eksporter projektet som PLCopen XML, og importer den fil</translation>
     </message>
     <message>
-        <source>There is nothing in it that can be imported</source>
+        <source>It contains nothing that can be imported</source>
         <translation>Der er intet i den, som kan importeres</translation>
     </message>
     <message>
@@ -2133,7 +2145,7 @@
     </message>
     <message>
         <source>the local variables of {0} and of what it calls need {1} bytes; the maximum is {2}</source>
-        <translation>De lokale variabler i {0} og alt, hvad den kalder, kræver {1} bytes; der er højst plads til {2}</translation>
+        <translation>de lokale variabler i {0} og alt, hvad den kalder, kræver {1} bytes; der er højst plads til {2}</translation>
     </message>
     <message>
         <source>{0} is too large for the stack; divide it into several functions</source>
@@ -2177,7 +2189,7 @@
     </message>
     <message>
         <source>The text of the key {0} in {1} has changed since the export; check the translation</source>
-        <translation>Teksten til nøglen {0} på {1} er ændret siden eksporten; kontrollér oversættelsen</translation>
+        <translation>Teksten til nøglen {0} på {1} er ændret siden eksporten; kontroller oversættelsen</translation>
     </message>
     <message>
         <source>The translation of the key {0} has other placeholders than its source, so it was not taken</source>
@@ -2205,7 +2217,7 @@
     </message>
     <message>
         <source>The picture {0} draws more than {1} shapes</source>
-        <translation>Billedet {0} tegner mere end {1} former</translation>
+        <translation>Billedet {0} indeholder flere end {1} former</translation>
     </message>
     <message>
         <source>The shapes of the picture {0} are nested more than {1} deep or contain themselves</source>
@@ -2521,7 +2533,7 @@
     </message>
     <message>
         <source>Nothing says what the lamp means; give it a label, or place a text beside it</source>
-        <translation>Intet siger, hvad lampen betyder; giv den en etiket, eller anbring en tekst ved siden af</translation>
+        <translation>Intet fortæller, hvad lampen betyder; giv den en etiket, eller anbring en tekst ved siden af</translation>
     </message>
     <message>
         <source>{0} on {1} has a contrast of {2} to 1 in the theme {3}; {4} to 1 is needed</source>
@@ -2580,20 +2592,8 @@
         <translation>Projektet har {0} {0:alarm|alarmer}, men intet panel har en alarmliste eller et alarmbanner</translation>
     </message>
     <message>
-        <source>Nothing is bound: {0} is empty</source>
-        <translation>Intet er bundet: {0} er tom</translation>
-    </message>
-    <message>
-        <source>Any number can be written to {0}; set {1}</source>
-        <translation>Ethvert tal kan skrives til {0}; angiv {1}</translation>
-    </message>
-    <message>
         <source>{0} is critical after project.json, but one press writes it</source>
         <translation>{0} er kritisk ifølge project.json, men ét tryk skriver den</translation>
-    </message>
-    <message>
-        <source>Only {1} may write {0}, but nothing asks for confirmation</source>
-        <translation>Kun {1} må skrive {0}, men intet beder om bekræftelse</translation>
     </message>
     <message>
         <source>{0} suppresses alarms, but one press writes it</source>
@@ -2608,10 +2608,6 @@
         <translation>Rød, orange og gul er forbeholdt alarmer. En operatør, der ser dem hele dagen, ser dem ikke længere, når de betyder noget (ISA-101, ISA-18.2).</translation>
     </message>
     <message>
-        <source>One man in twelve confuses colours, and bright light takes them away. Say the same by a text, a shape, a blinking or at least a different brightness.</source>
-        <translation>Hver tolvte mand forveksler farver, og skarpt lys fjerner dem. Sig det samme med en tekst, en form, blink eller i det mindste en anden lysstyrke.</translation>
-    </message>
-    <message>
         <source>Text needs a contrast of 4.5 to 1 against its ground, large text 3 to 1 (WCAG 2, ISO 9241-303). Roles of the theme keep it in every theme.</source>
         <translation>Tekst kræver en kontrast på 4,5 til 1 mod sin bund, stor tekst 3 til 1 (WCAG 2, ISO 9241-303). Temaets roller bevarer den i alle temaer.</translation>
     </message>
@@ -2620,7 +2616,7 @@
         <translation>Et stort bogstav skal ses under en vinkel på mindst 16 bueminutter (ISO 9241-303). Afstanden og størrelsen af en pixel angives i project.json.</translation>
     </message>
     <message>
-        <source>A panel on which everything stands is searched, not read. Move details to a panel of the next level (ISA-101).</source>
+        <source>A panel that shows everything is searched, not read. Move details to a panel of the next level (ISA-101).</source>
         <translation>Et panel, hvor alt står, gennemsøges, det læses ikke. Flyt detaljer til et panel på næste niveau (ISA-101).</translation>
     </message>
     <message>
@@ -2642,10 +2638,6 @@
     <message>
         <source>A slip of the finger sends 500 for 50. Limits refuse it where it is typed.</source>
         <translation>Fingeren smutter og sender 500 i stedet for 50. Grænser afviser det, hvor det tastes.</translation>
-    </message>
-    <message>
-        <source>What only some may do, or what project.json lists as critical, must not happen by brushing the glass. Set &quot;Writes are confirmed&quot;, or ask a question.</source>
-        <translation>Det, kun nogle må, eller det, project.json angiver som kritisk, må ikke ske ved at strejfe glasset. Slå ”Skrivninger bekræftes” til, eller stil et spørgsmål.</translation>
     </message>
     <message>
         <source>An alarm that nobody sees is none. Put an alarm banner on the frame or an alarm list on a panel (ISA-18.2).</source>
@@ -2674,6 +2666,50 @@
     <message>
         <source>A finger needs 7 mm in both directions between the neighbours, in a glove 9 mm, which the strict level asks for. The size of a pixel is set in project.json.</source>
         <translation>En finger kræver 7 mm i begge retninger mellem naboerne, i handske 9 mm, som det strenge niveau kræver. Størrelsen af en pixel angives i project.json.</translation>
+    </message>
+    <message>
+        <source>Nothing is bound; fill in “{0}”</source>
+        <translation>Intet er bundet; udfyld ”{0}”</translation>
+    </message>
+    <message>
+        <source>Any number can be written to {0}; set “{1}”</source>
+        <translation>Ethvert tal kan skrives til {0}; angiv ”{1}”</translation>
+    </message>
+    <message>
+        <source>One man in twelve cannot tell some colours apart, and bright light washes them out. Show the same by a text, a shape, blinking or at least a different brightness.</source>
+        <translation>Hver tolvte mand kan ikke skelne visse farver, og skarpt lys får dem til at blegne. Vis det samme med en tekst, en form, blink eller i det mindste en anden lysstyrke.</translation>
+    </message>
+    <message>
+        <source>What only some may do, or what project.json lists as critical, must not happen by an accidental touch. Set &quot;Writes are confirmed&quot;, or enter a question.</source>
+        <translation>Det, kun nogle må, eller det, project.json angiver som kritisk, må ikke ske ved en utilsigtet berøring. Slå ”Skrivninger bekræftes” til, eller indtast et spørgsmål.</translation>
+    </message>
+    <message>
+        <source>Only {1} may write {0}, but no confirmation is asked; set &quot;Writes are confirmed&quot;</source>
+        <translation>Kun {1} må skrive {0}, men der kræves ingen bekræftelse; slå ”Skrivninger bekræftes” til</translation>
+    </message>
+    <message>
+        <source>The theme is not valid JSON with a base and colors</source>
+        <translation>Temaet er ikke gyldig JSON med base og colors</translation>
+    </message>
+    <message>
+        <source>There is no built-in theme &quot;{0}&quot;; a base is light, dark or contrast</source>
+        <translation>Der er intet indbygget tema ”{0}”; en base er light, dark eller contrast</translation>
+    </message>
+    <message>
+        <source>There is no colour role {0}</source>
+        <translation>Der er ingen farverolle {0}</translation>
+    </message>
+    <message>
+        <source>There is no colour role {0}; did you mean {1}?</source>
+        <translation>Der er ingen farverolle {0}; mente du {1}?</translation>
+    </message>
+    <message>
+        <source>The colour of {0} must be written like {1}</source>
+        <translation>Farven på {0} skal skrives som {1}</translation>
+    </message>
+    <message>
+        <source>There is no theme {0}; choose one of {1}</source>
+        <translation>Der er intet tema {0}; vælg et af {1}</translation>
     </message>
 </context>
 <context>
@@ -3896,6 +3932,54 @@
         <source>Panel area</source>
         <translation>Panelområde</translation>
     </message>
+    <message>
+        <source>Share of the free room in a row</source>
+        <translation>Andel af den ledige plads i rækken</translation>
+    </message>
+    <message>
+        <source>Columns taken in a grid</source>
+        <translation>Antal kolonner i gitteret</translation>
+    </message>
+    <message>
+        <source>Closed if</source>
+        <translation>Lukket hvis</translation>
+    </message>
+    <message>
+        <source>On its way if</source>
+        <translation>Undervejs hvis</translation>
+    </message>
+    <message>
+        <source>By hand if</source>
+        <translation>Manuel hvis</translation>
+    </message>
+    <message>
+        <source>Out of service if</source>
+        <translation>Ude af drift hvis</translation>
+    </message>
+    <message>
+        <source>Layout</source>
+        <translation>Layout</translation>
+    </message>
+    <message>
+        <source>Columns (0: as many as fit)</source>
+        <translation>Kolonner (0: så mange der er plads til)</translation>
+    </message>
+    <message>
+        <source>Smallest column</source>
+        <translation>Mindste kolonnebredde</translation>
+    </message>
+    <message>
+        <source>Gap</source>
+        <translation>Afstand</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Margen</translation>
+    </message>
+    <message>
+        <source>Across the line</source>
+        <translation>På tværs af retningen</translation>
+    </message>
 </context>
 <context>
     <name>HmiChoices</name>
@@ -4510,6 +4594,34 @@
     <message>
         <source>Building</source>
         <translation>Bygning</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Gitter</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>Fri</translation>
+    </message>
+    <message>
+        <source>Row</source>
+        <translation>Række</translation>
+    </message>
+    <message>
+        <source>Column</source>
+        <translation>Kolonne</translation>
+    </message>
+    <message>
+        <source>Row if wide, column if tall</source>
+        <translation>Række i bredformat, kolonne i højformat</translation>
+    </message>
+    <message>
+        <source>Filling it</source>
+        <translation>Udfyldende</translation>
+    </message>
+    <message>
+        <source>Change the theme</source>
+        <translation>Skift tema</translation>
     </message>
 </context>
 <context>
@@ -5467,7 +5579,7 @@
     </message>
     <message>
         <source>The rule looks at one lag only; check the margins.</source>
-        <translation>Reglen ser kun på én forsinkelse; kontrollér marginerne.</translation>
+        <translation>Reglen ser kun på én forsinkelse; kontroller marginerne.</translation>
     </message>
     <message>
         <source>gain and dead time</source>
@@ -6031,6 +6143,30 @@ Ikke bevaret: %3</translation>
         <source>This folder is not empty; name a new one</source>
         <translation>Denne mappe er ikke tom; angiv en ny</translation>
     </message>
+    <message>
+        <source>program units</source>
+        <translation>programenheder</translation>
+    </message>
+    <message>
+        <source>data types</source>
+        <translation>datatyper</translation>
+    </message>
+    <message>
+        <source>global variable lists</source>
+        <translation>globale variabellister</translation>
+    </message>
+    <message>
+        <source>configurations</source>
+        <translation>konfigurationer</translation>
+    </message>
+    <message>
+        <source>texts</source>
+        <translation>tekster</translation>
+    </message>
+    <message>
+        <source>files</source>
+        <translation>filer</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::InsideViews</name>
@@ -6044,7 +6180,7 @@ Ikke bevaret: %3</translation>
     </message>
     <message>
         <source>Put the cursor on a variable, or select an expression, to ask about it</source>
-        <translation>Sæt markøren på en variabel, eller markér et udtryk, for at spørge om det</translation>
+        <translation>Sæt markøren på en variabel, eller marker et udtryk, for at spørge om det</translation>
     </message>
 </context>
 <context>
@@ -6084,11 +6220,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Export the alarm history…</source>
-        <translation>Eksportér alarmhistorikken…</translation>
+        <translation>Eksporter alarmhistorikken…</translation>
     </message>
     <message>
         <source>Export the Alarm History</source>
-        <translation>Eksportér alarmhistorikken</translation>
+        <translation>Eksporter alarmhistorikken</translation>
     </message>
     <message>
         <source>Tables (*.csv)</source>
@@ -7059,6 +7195,22 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>&lt;h3&gt;Stepwise %1&lt;/h3&gt;&lt;p&gt;An open PLC studio: IEC 61131-3 programs as native code, every scan recorded, operator panels in many languages.&lt;/p&gt;&lt;p&gt;Licence: GPL-3.0&lt;/p&gt;</source>
         <translation>&lt;h3&gt;Stepwise %1&lt;/h3&gt;&lt;p&gt;Et åbent PLC-studie: IEC 61131-3-programmer som maskinkode, hvert scan optaget, betjeningspaneler på mange sprog.&lt;/p&gt;&lt;p&gt;Licens: GPL-3.0&lt;/p&gt;</translation>
     </message>
+    <message>
+        <source>High-Contrast Theme</source>
+        <translation>Tema med høj kontrast</translation>
+    </message>
+    <message>
+        <source>Attach to a Controller…</source>
+        <translation>Forbind med en styring…</translation>
+    </message>
+    <message>
+        <source>Detach from the Controller</source>
+        <translation>Afbryd forbindelsen til styringen</translation>
+    </message>
+    <message>
+        <source>Build a Native Program…</source>
+        <translation>Byg et selvstændigt program…</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MergeDialog</name>
@@ -7737,6 +7889,10 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source> MB</source>
         <translation> MB</translation>
     </message>
+    <message>
+        <source>High contrast</source>
+        <translation>Høj kontrast</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::SideBars</name>
@@ -7769,7 +7925,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Make Writable</source>
-        <translation>Gør skrivbar</translation>
+        <translation>Fjern skrivebeskyttelsen</translation>
     </message>
     <message>
         <source>Close this side</source>
@@ -9598,7 +9754,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Copy the Answer</source>
-        <translation>Kopiér svaret</translation>
+        <translation>Kopier svaret</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -9672,7 +9828,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <name>plc::hmi::ArrayArrangementDialog</name>
     <message>
         <source>Arrange over array</source>
-        <translation>Arrangér over et array</translation>
+        <translation>Arranger over et array</translation>
     </message>
     <message>
         <source>Parameter</source>
@@ -9767,6 +9923,10 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Bind</source>
         <translation>Bind</translation>
+    </message>
+    <message>
+        <source>Place in cell</source>
+        <translation>Placer i celle</translation>
     </message>
 </context>
 <context>
@@ -9994,11 +10154,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Arrange over array…</source>
-        <translation>Arrangér over et array…</translation>
+        <translation>Arranger over et array…</translation>
     </message>
     <message>
         <source>Arrange over array</source>
-        <translation>Arrangér over et array</translation>
+        <translation>Arranger over et array</translation>
     </message>
     <message>
         <source>Fix All Issues</source>
@@ -10019,6 +10179,26 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Panel</source>
         <translation>Panel</translation>
+    </message>
+    <message>
+        <source>Issues</source>
+        <translation>Meddelelser</translation>
+    </message>
+    <message>
+        <source>Lay out in a row</source>
+        <translation>Anbring i en række</translation>
+    </message>
+    <message>
+        <source>Lay out in a column</source>
+        <translation>Anbring i en kolonne</translation>
+    </message>
+    <message>
+        <source>Lay out in a grid</source>
+        <translation>Anbring i et gitter</translation>
+    </message>
+    <message>
+        <source>Lay out</source>
+        <translation>Anbring</translation>
     </message>
 </context>
 <context>
@@ -10162,11 +10342,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Import CSV</source>
-        <translation>Importér CSV</translation>
+        <translation>Importer CSV</translation>
     </message>
     <message>
         <source>Export CSV</source>
-        <translation>Eksportér CSV</translation>
+        <translation>Eksporter CSV</translation>
     </message>
     <message>
         <source>Recipes</source>
@@ -10319,7 +10499,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Import XLIFF</source>
-        <translation>Importér XLIFF</translation>
+        <translation>Importer XLIFF</translation>
     </message>
     <message>
         <source>Translations (*.xlf *.xliff)</source>
@@ -10327,7 +10507,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Export XLIFF</source>
-        <translation>Eksportér XLIFF</translation>
+        <translation>Eksporter XLIFF</translation>
     </message>
     <message>
         <source>Translated from</source>
@@ -10897,7 +11077,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>Let the value axes fit again</source>
-        <translation>Lad værdiakserne tilpasse sig igen</translation>
+        <translation>Tilpas værdiakserne automatisk igen</translation>
     </message>
     <message>
         <source>Zoom back</source>
@@ -11141,6 +11321,730 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     <message>
         <source>%1, %2 earlier</source>
         <translation>%1, %2 tidligere</translation>
+    </message>
+    <message>
+        <source>Measure between points</source>
+        <translation>Mål mellem punkter</translation>
+    </message>
+    <message>
+        <source>Drag from one point to another: time, value, slope and frequency between them (M)</source>
+        <translation>Træk fra ét punkt til et andet: tid, værdi, hældning og frekvens mellem dem (M)</translation>
+    </message>
+    <message>
+        <source>Recordings and tables (*.rec *.csv *.tsv *.txt);;All files (*)</source>
+        <translation>Optagelser og tabeller (*.rec *.csv *.tsv *.txt);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>XY plot, spectrum, frequency response, runs</source>
+        <translation>XY-diagram, spektrum, frekvensrespons, kørsler</translation>
+    </message>
+    <message>
+        <source>Add channel of another file…</source>
+        <translation>Tilføj kanal fra en anden fil…</translation>
+    </message>
+    <message>
+        <source>Show Beside</source>
+        <translation>Vis ved siden af</translation>
+    </message>
+    <message>
+        <source>Measure between Points</source>
+        <translation>Mål mellem punkter</translation>
+    </message>
+    <message>
+        <source>Add note</source>
+        <translation>Tilføj note</translation>
+    </message>
+    <message>
+        <source>Add Note</source>
+        <translation>Tilføj note</translation>
+    </message>
+    <message>
+        <source>Note:</source>
+        <translation>Note:</translation>
+    </message>
+    <message>
+        <source>Edit Note</source>
+        <translation>Rediger note</translation>
+    </message>
+    <message>
+        <source>Edit note</source>
+        <translation>Rediger note</translation>
+    </message>
+    <message>
+        <source>Remove note</source>
+        <translation>Fjern note</translation>
+    </message>
+    <message>
+        <source>Edit Note…</source>
+        <translation>Rediger note…</translation>
+    </message>
+    <message>
+        <source>Remove Note</source>
+        <translation>Fjern note</translation>
+    </message>
+    <message>
+        <source>Add Note…</source>
+        <translation>Tilføj note…</translation>
+    </message>
+    <message>
+        <source>File to add a channel of</source>
+        <translation>Fil, som en kanal tilføjes fra</translation>
+    </message>
+</context>
+<context>
+    <name>Examples</name>
+    <message>
+        <source>Automatic guided vehicle</source>
+        <translation>Førerløst køretøj</translation>
+    </message>
+    <message>
+        <source>Alarm texts in five languages</source>
+        <translation>Alarmtekster på fem sprog</translation>
+    </message>
+    <message>
+        <source>Heated tank with analog blocks</source>
+        <translation>Opvarmet tank med analoge blokke</translation>
+    </message>
+    <message>
+        <source>Bottling line</source>
+        <translation>Tappelinje</translation>
+    </message>
+    <message>
+        <source>Car park with a robot</source>
+        <translation>Parkeringshus med robot</translation>
+    </message>
+    <message>
+        <source>Car wash with recipes</source>
+        <translation>Bilvask med recepter</translation>
+    </message>
+    <message>
+        <source>Room heated by supply air</source>
+        <translation>Rum opvarmet med indblæsningsluft</translation>
+    </message>
+    <message>
+        <source>Motor valve with command monitor</source>
+        <translation>Motorventil med kommandoovervågning</translation>
+    </message>
+    <message>
+        <source>Conveyor with a sequence</source>
+        <translation>Transportbånd med sekvens</translation>
+    </message>
+    <message>
+        <source>Depalletiser</source>
+        <translation>Depalleteringsanlæg</translation>
+    </message>
+    <message>
+        <source>District-heating substation</source>
+        <translation>Fjernvarmeunit</translation>
+    </message>
+    <message>
+        <source>Dosing</source>
+        <translation>Dosering</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>Gravel plant</source>
+        <translation>Grusværk</translation>
+    </message>
+    <message>
+        <source>Heater and valve</source>
+        <translation>Varmelegeme og ventil</translation>
+    </message>
+    <message>
+        <source>Hour meter with reset and enable</source>
+        <translation>Timetæller med nulstilling og frigivelse</translation>
+    </message>
+    <message>
+        <source>Items per hour</source>
+        <translation>Emner pr. time</translation>
+    </message>
+    <message>
+        <source>Items and meters</source>
+        <translation>Emner og målere</translation>
+    </message>
+    <message>
+        <source>Level lamps</source>
+        <translation>Niveaulamper</translation>
+    </message>
+    <message>
+        <source>Light tower</source>
+        <translation>Lystårn</translation>
+    </message>
+    <message>
+        <source>Tuning a control loop</source>
+        <translation>Indstilling af en reguleringssløjfe</translation>
+    </message>
+    <message>
+        <source>Mixer for two liquids and two bricks</source>
+        <translation>Mixer til to væsker og to blokke</translation>
+    </message>
+    <message>
+        <source>Motor with self-holding</source>
+        <translation>Motor med selvhold</translation>
+    </message>
+    <message>
+        <source>Operation mode of an agitator</source>
+        <translation>Driftsform for en omrører</translation>
+    </message>
+    <message>
+        <source>PID loop on a first-order process</source>
+        <translation>PID-sløjfe på en førsteordensproces</translation>
+    </message>
+    <message>
+        <source>First-order filter and two sines a decade apart</source>
+        <translation>Førsteordensfilter og to sinussignaler med en dekades afstand</translation>
+    </message>
+    <message>
+        <source>Pump that looks for its cheapest speed</source>
+        <translation>Pumpe, der finder sit billigste omdrejningstal</translation>
+    </message>
+    <message>
+        <source>Two pumps in a well</source>
+        <translation>To pumper i en brønd</translation>
+    </message>
+    <message>
+        <source>Pulse width modulation of a sine</source>
+        <translation>Pulsbreddemodulation af en sinus</translation>
+    </message>
+    <message>
+        <source>Rack with a robot</source>
+        <translation>Reol med robot</translation>
+    </message>
+    <message>
+        <source>Robot and CNC machine</source>
+        <translation>Robot og CNC-maskine</translation>
+    </message>
+    <message>
+        <source>Robot that packs boxes</source>
+        <translation>Robot, der pakker kasser</translation>
+    </message>
+    <message>
+        <source>Two level sensors that watch each other</source>
+        <translation>To niveausensorer, der overvåger hinanden</translation>
+    </message>
+    <message>
+        <source>Pumping station with six pumps</source>
+        <translation>Pumpestation med seks pumper</translation>
+    </message>
+    <message>
+        <source>Motor with selector</source>
+        <translation>Motor med vælger</translation>
+    </message>
+    <message>
+        <source>Stack of integers</source>
+        <translation>Stak af heltal</translation>
+    </message>
+    <message>
+        <source>Tank that is filled, heated and emptied</source>
+        <translation>Tank, der fyldes, opvarmes og tømmes</translation>
+    </message>
+    <message>
+        <source>Tank, operated by hand</source>
+        <translation>Tank med manuel betjening</translation>
+    </message>
+    <message>
+        <source>Level and volume</source>
+        <translation>Niveau og volumen</translation>
+    </message>
+    <message>
+        <source>Traffic light</source>
+        <translation>Trafiklys</translation>
+    </message>
+    <message>
+        <source>Valve matrix</source>
+        <translation>Ventilmatrix</translation>
+    </message>
+    <message>
+        <source>Three kinds of valves</source>
+        <translation>Tre slags ventiler</translation>
+    </message>
+    <message>
+        <source>Pump in waves</source>
+        <translation>Pumpe i bølger</translation>
+    </message>
+    <message>
+        <source>Truck scale</source>
+        <translation>Lastbilvægt</translation>
+    </message>
+    <message>
+        <source>Workbook</source>
+        <translation>Arbejdsbog</translation>
+    </message>
+</context>
+<context>
+    <name>FigureText</name>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 ved %2</translation>
+    </message>
+    <message>
+        <source>An XY plot draws one channel over another: add a second channel to the trace.</source>
+        <translation>Et XY-diagram tegner én kanal over en anden: tilføj en kanal mere til tracen.</translation>
+    </message>
+    <message>
+        <source>XY plot</source>
+        <translation>XY-diagram</translation>
+    </message>
+    <message>
+        <source>There are no samples in view: run the program or show another stretch.</source>
+        <translation>Der er ingen samples i det viste område: kør programmet, eller vis et andet område.</translation>
+    </message>
+    <message>
+        <source>%L1 points over %2</source>
+        <translation>%L1 punkter over %2</translation>
+    </message>
+    <message>
+        <source>A spectrum shows the frequencies of the visible channels: add a channel.</source>
+        <translation>Et spektrum viser frekvenserne i de synlige kanaler: tilføj en kanal.</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>Frequency [Hz]</source>
+        <translation>Frekvens [Hz]</translation>
+    </message>
+    <message>
+        <source>amplitude</source>
+        <translation>amplitude</translation>
+    </message>
+    <message>
+        <source>%1: no peak, RMS %2</source>
+        <translation>%1: ingen top, RMS %2</translation>
+    </message>
+    <message>
+        <source>%1: %2, RMS %3</source>
+        <translation>%1: %2, RMS %3</translation>
+    </message>
+    <message>
+        <source>A frequency response compares an output with an input: add both as channels, and choose the input.</source>
+        <translation>En frekvensrespons sammenligner en udgang med en indgang: tilføj begge som kanaler, og vælg indgangen.</translation>
+    </message>
+    <message>
+        <source>Frequency response</source>
+        <translation>Frekvensrespons</translation>
+    </message>
+    <message>
+        <source>gain [dB]</source>
+        <translation>forstærkning [dB]</translation>
+    </message>
+    <message>
+        <source>phase [°]</source>
+        <translation>fase [°]</translation>
+    </message>
+    <message>
+        <source>coherence</source>
+        <translation>kohærens</translation>
+    </message>
+    <message>
+        <source>%1: %L2 of %L3 frequencies with a coherence above 0.8</source>
+        <translation>%1: %L2 af %L3 frekvenser med en kohærens over 0,8</translation>
+    </message>
+    <message>
+        <source>Runs are laid over each other at their triggers: enter a trigger in the properties of the trace.</source>
+        <translation>Kørsler lægges oven på hinanden ved deres trigger: angiv en trigger i tracens egenskaber.</translation>
+    </message>
+    <message>
+        <source>The trigger has not fired in this recording yet.</source>
+        <translation>Triggeren er endnu ikke udløst i denne optagelse.</translation>
+    </message>
+    <message>
+        <source>Runs of the visible channels are laid over each other: add a channel.</source>
+        <translation>Kørsler af de synlige kanaler lægges oven på hinanden: tilføj en kanal.</translation>
+    </message>
+    <message>
+        <source>Time since the trigger [s]</source>
+        <translation>Tid siden trigger [s]</translation>
+    </message>
+    <message>
+        <source>%1: runs differ most %2 after the trigger, by %3</source>
+        <translation>%1: kørslerne afviger mest %2 efter trigger, med %3</translation>
+    </message>
+    <message>
+        <source>Charts over Time Only</source>
+        <translation>Kun tidsdiagrammer</translation>
+    </message>
+    <message>
+        <source>XY Plot</source>
+        <translation>XY-diagram</translation>
+    </message>
+    <message>
+        <source>Frequency Response (Bode)</source>
+        <translation>Frekvensrespons (Bode)</translation>
+    </message>
+    <message>
+        <source>Runs over Each Other</source>
+        <translation>Kørsler oven på hinanden</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n run(s)</source>
+        <translation>
+            <numerusform>%n kørsel</numerusform>
+            <numerusform>%n kørsler</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>Waveform</name>
+    <message>
+        <source>The table has no column of times; name one time_s (seconds) or time_ms</source>
+        <translation>Tabellen har ingen kolonne med tider; kald en time_s (sekunder) eller time_ms</translation>
+    </message>
+    <message>
+        <source>The table has no column {0}; it has {1}</source>
+        <translation>Tabellen har ingen kolonne {0}; den har {1}</translation>
+    </message>
+    <message>
+        <source>The table has no column {0}; did you mean {1}?</source>
+        <translation>Tabellen har ingen kolonne {0}; mente du {1}?</translation>
+    </message>
+    <message>
+        <source>Line {0} has no number in column {1}</source>
+        <translation>Linje {0} har intet tal i kolonne {1}</translation>
+    </message>
+    <message>
+        <source>The time in line {0} is before that of the line above</source>
+        <translation>Tiden i linje {0} er før tiden i linjen ovenover</translation>
+    </message>
+    <message>
+        <source>The table has no column of numbers besides the time</source>
+        <translation>Tabellen har ingen kolonne med tal ud over tiden</translation>
+    </message>
+    <message>
+        <source>The table has no rows under its headings</source>
+        <translation>Tabellen har ingen rækker under overskrifterne</translation>
+    </message>
+    <message>
+        <source>The table cannot be shown as a recording: {0}</source>
+        <translation>Tabellen kan ikke vises som en optagelse: {0}</translation>
+    </message>
+    <message>
+        <source>the names of its columns cannot be variables</source>
+        <translation>navnene på dens kolonner kan ikke være variabler</translation>
+    </message>
+    <message>
+        <source>{0} {0:sample is|samples are} too few for a spectrum; show a longer stretch</source>
+        <translation>{0} {0:sample|samples} er for lidt til et spektrum; vis et længere område</translation>
+    </message>
+    <message>
+        <source>{0} {0:sample is|samples are} too few for a frequency response; show a longer stretch</source>
+        <translation>{0} {0:sample|samples} er for lidt til en frekvensrespons; vis et længere område</translation>
+    </message>
+    <message>
+        <source>The input does not move here; there is nothing to answer to</source>
+        <translation>Indgangen ændrer sig ikke her; der er intet at reagere på</translation>
+    </message>
+    <message>
+        <source>{0} needs a closing parenthesis at the end; it goes around the whole expression</source>
+        <translation>{0} kræver en afsluttende parentes til sidst; den omslutter hele udtrykket</translation>
+    </message>
+    <message>
+        <source>{0} needs a time above 0 as its second argument, for example {1}</source>
+        <translation>{0} kræver en tid over 0 som andet argument, for eksempel {1}</translation>
+    </message>
+    <message>
+        <source>{0} takes one expression</source>
+        <translation>{0} tager ét udtryk</translation>
+    </message>
+</context>
+<context>
+    <name>plc::plot::PlotView</name>
+    <message>
+        <source>Chart</source>
+        <translation>SFC-diagram</translation>
+    </message>
+    <message>
+        <source>%1
+Click selects, Ctrl+click shows or hides.</source>
+        <translation>%1
+Klik vælger, Ctrl+klik viser eller skjuler.</translation>
+    </message>
+</context>
+<context>
+    <name>plc::trace::FigurePane</name>
+    <message>
+        <source>Save as %1</source>
+        <translation>Gem som %1</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Tilpas</translation>
+    </message>
+    <message>
+        <source>Copy as picture</source>
+        <translation>Kopier som billede</translation>
+    </message>
+    <message>
+        <source>Save as %1…</source>
+        <translation>Gem som %1…</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Vinduesfunktion</translation>
+    </message>
+    <message>
+        <source>Hann window</source>
+        <translation>Hann-vindue</translation>
+    </message>
+    <message>
+        <source>Flat top: exact amplitudes</source>
+        <translation>Flat top: nøjagtige amplituder</translation>
+    </message>
+    <message>
+        <source>No window</source>
+        <translation>Intet vindue</translation>
+    </message>
+    <message>
+        <source>Logarithmic</source>
+        <translation>Logaritmisk</translation>
+    </message>
+    <message>
+        <source>Charts over time only</source>
+        <translation>Kun tidsdiagrammer</translation>
+    </message>
+    <message>
+        <source>Horizontal value</source>
+        <translation>Vandret værdi</translation>
+    </message>
+    <message>
+        <source>Window of the spectrum</source>
+        <translation>Spektrets vinduesfunktion</translation>
+    </message>
+    <message>
+        <source>Logarithmic axes</source>
+        <translation>Logaritmiske akser</translation>
+    </message>
+    <message>
+        <source>Input:</source>
+        <translation>Indgang:</translation>
+    </message>
+    <message>
+        <source>Horizontal:</source>
+        <translation>Vandret:</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Indgang</translation>
+    </message>
+    <message>
+        <source>Measure between Points</source>
+        <translation>Mål mellem punkter</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::AttachDialog</name>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Kode</translation>
+    </message>
+    <message>
+        <source>Attach to a Controller</source>
+        <translation>Forbind med en styring</translation>
+    </message>
+    <message>
+        <source>from the file attach-code of the controller</source>
+        <translation>fra filen attach-code på styringen</translation>
+    </message>
+    <message>
+        <source>only for certificates that this computer does not know</source>
+        <translation>kun til certifikater, som denne computer ikke kender</translation>
+    </message>
+    <message>
+        <source>…</source>
+        <translation>…</translation>
+    </message>
+    <message>
+        <source>Choose a certificate</source>
+        <translation>Vælg et certifikat</translation>
+    </message>
+    <message>
+        <source>Trusted certificate</source>
+        <translation>Betroet certifikat</translation>
+    </message>
+    <message>
+        <source>Attach</source>
+        <translation>Forbind</translation>
+    </message>
+    <message>
+        <source>Choose a Certificate</source>
+        <translation>Vælg et certifikat</translation>
+    </message>
+    <message>
+        <source>Certificates (*.pem *.crt *.cer);;All files (*)</source>
+        <translation>Certifikater (*.pem *.crt *.cer);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Attaching…</source>
+        <translation>Forbinder…</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::Attachment</name>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 ved %2</translation>
+    </message>
+    <message>
+        <source>Detach</source>
+        <translation>Afbryd</translation>
+    </message>
+    <message>
+        <source>Attached to %1</source>
+        <translation>Forbundet med %1</translation>
+    </message>
+    <message>
+        <source>Attached to %1; its program is not the one that is open here</source>
+        <translation>Forbundet med %1; dens program er ikke det, der er åbent her</translation>
+    </message>
+    <message>
+        <source>%1 is lost – connecting again…</source>
+        <translation>Forbindelsen til %1 er afbrudt – forbinder igen…</translation>
+    </message>
+    <message>
+        <source>Attaching to %1…</source>
+        <translation>Forbinder med %1…</translation>
+    </message>
+    <message>
+        <source>The controller runs there; what is written and forced here acts there</source>
+        <translation>Styringen kører dér; det, der skrives og forceres her, virker dér</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::NativeProgramDialog</name>
+    <message>
+        <source>File</source>
+        <translation>Fil</translation>
+    </message>
+    <message>
+        <source>Build</source>
+        <translation>Oversæt</translation>
+    </message>
+    <message>
+        <source>Build a Native Program</source>
+        <translation>Byg et selvstændigt program</translation>
+    </message>
+    <message>
+        <source>…</source>
+        <translation>…</translation>
+    </message>
+    <message>
+        <source>Choose the file</source>
+        <translation>Vælg filen</translation>
+    </message>
+    <message>
+        <source>Native Program</source>
+        <translation>Selvstændigt program</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Maskine</translation>
+    </message>
+    <message>
+        <source>The program runs without Stepwise on a machine with Linux: its PLC code and a small runner in one file.</source>
+        <translation>Programmet kører uden Stepwise på en maskine med Linux: dets PLC-kode og et lille kørselssystem i én fil.</translation>
+    </message>
+    <message>
+        <source>Building…</source>
+        <translation>Bygger…</translation>
+    </message>
+    <message>
+        <source>%1 is built</source>
+        <translation>%1 er bygget</translation>
+    </message>
+</context>
+<context>
+    <name>Remote</name>
+    <message>
+        <source>The request is not understood; studio and controller may be of different versions</source>
+        <translation>Forespørgslen forstås ikke; studiet og styringen har måske forskellige versioner</translation>
+    </message>
+    <message>
+        <source>There is no request {0}; studio and controller may be of different versions</source>
+        <translation>Der er ingen forespørgsel {0}; studiet og styringen har måske forskellige versioner</translation>
+    </message>
+    <message>
+        <source>Breakpoints stop a machine in the middle of a scan; `stepwise serve` allows them with --allow-breakpoints</source>
+        <translation>Stoppunkter stopper en maskine midt i et scan; ”stepwise serve” tillader dem med --allow-breakpoints</translation>
+    </message>
+    <message>
+        <source>{0} is forced; release it before writing</source>
+        <translation>{0} er forceret; ophæv forceringen før skrivning</translation>
+    </message>
+    <message>
+        <source>{0} is not forced</source>
+        <translation>{0} er ikke forceret</translation>
+    </message>
+    <message>
+        <source>Another program is being built for this controller; try again when it is in</source>
+        <translation>Et andet program oversættes til denne styring; prøv igen, når det er indlæst</translation>
+    </message>
+    <message>
+        <source>The program has {0} {0:error|errors}; the controller goes on with the old one</source>
+        <translation>Programmet har {0} fejl; styringen fortsætter med det gamle</translation>
+    </message>
+    <message>
+        <source>The controller&apos;s program has no file {0}</source>
+        <translation>Styringens program har ingen fil {0}</translation>
+    </message>
+    <message>
+        <source>A recording is being fetched already; wait until it has come</source>
+        <translation>En optagelse hentes allerede; vent, til den er modtaget</translation>
+    </message>
+    <message>
+        <source>A controller that serves others is not put back in time; fetch its recording and go on from there</source>
+        <translation>En styring, der betjener andre, sættes ikke tilbage i tiden; hent dens optagelse, og fortsæt derfra</translation>
+    </message>
+    <message>
+        <source>{0} is not the address of a controller; write for example https://plant:8443/</source>
+        <translation>{0} er ikke adressen på en styring; skriv for eksempel https://plant:8443/</translation>
+    </message>
+    <message>
+        <source>{0} cannot be reached: {1}</source>
+        <translation>{0} kan ikke nås: {1}</translation>
+    </message>
+    <message>
+        <source>{0} refuses the connection: {1}</source>
+        <translation>{0} afviser forbindelsen: {1}</translation>
+    </message>
+    <message>
+        <source>The code is wrong; it is in the file attach-code of the controller&apos;s state folder</source>
+        <translation>Koden er forkert; den findes i filen attach-code i styringens tilstandsmappe</translation>
+    </message>
+    <message>
+        <source>There were too many wrong codes from this computer; wait a minute</source>
+        <translation>Der kom for mange forkerte koder fra denne computer; vent et minut</translation>
+    </message>
+    <message>
+        <source>The code would cross the network unprotected; use an https address, and start the controller with --certificate</source>
+        <translation>Koden ville gå ubeskyttet over nettet; brug en https-adresse, og start styringen med --certificate</translation>
+    </message>
+    <message>
+        <source>The certificate of {0} is not trusted: {1}; name the file of the certificate that you trust</source>
+        <translation>Certifikatet for {0} er ikke betroet: {1}; angiv filen med det certifikat, du har tillid til</translation>
+    </message>
+    <message>
+        <source>The certificate cannot be read from {0}; it must be a PEM file</source>
+        <translation>Certifikatet kan ikke læses fra {0}; det skal være en PEM-fil</translation>
+    </message>
+    <message>
+        <source>The connection to {0} is lost</source>
+        <translation>Forbindelsen til {0} er afbrudt</translation>
+    </message>
+    <message>
+        <source>{0} does not answer</source>
+        <translation>{0} svarer ikke</translation>
+    </message>
+    <message>
+        <source>The controller&apos;s program cannot be built here as it is there; use the same version of Stepwise on both sides</source>
+        <translation>Styringens program kan ikke oversættes her, som det er dér; brug samme version af Stepwise på begge sider</translation>
     </message>
 </context>
 </TS>

@@ -145,7 +145,7 @@
     </message>
     <message>
         <source>{0} has no variable yet; name one, or let the addresses be proposed (stepwise devices PROJECT --propose)</source>
-        <translation>{0} hat noch keine Variable; nennen Sie eine oder lassen Sie Adressen vorschlagen (stepwise devices PROJECT --propose)</translation>
+        <translation>{0} hat noch keine Variable; geben Sie eine an oder lassen Sie Adressen vorschlagen (stepwise devices PROJECT --propose)</translation>
     </message>
     <message>
         <source>{0} is of type {1} and cannot hold a {2}</source>
@@ -177,11 +177,11 @@
     </message>
     <message>
         <source>{0} says whether the channel is good and must be a BOOL or an integer</source>
-        <translation>{0} sagt, ob der Kanal gut ist, und muss BOOL oder eine Ganzzahl sein</translation>
+        <translation>{0} zeigt an, ob der Kanal gültig ist, und muss BOOL oder eine Ganzzahl sein</translation>
     </message>
     <message>
         <source>{0} says whether the device answers and must be a BOOL</source>
-        <translation>{0} sagt, ob das Gerät antwortet, und muss BOOL sein</translation>
+        <translation>{0} zeigt an, ob das Gerät antwortet, und muss BOOL sein</translation>
     </message>
     <message>
         <source>&quot;onLoss&quot;: &quot;safe&quot; needs the value in &quot;safe&quot;</source>
@@ -273,19 +273,23 @@
     </message>
     <message>
         <source>Start or build the project first; the devices are connected to its controller</source>
-        <translation>Starten oder erstellen Sie das Projekt zuerst; die Geräte sind mit seiner Steuerung verbunden</translation>
+        <translation>Starten oder übersetzen Sie das Projekt zuerst; die Geräte sind mit seiner Steuerung verbunden</translation>
     </message>
     <message>
         <source>The project had no devices when its controller was built; add them and build again</source>
-        <translation>Das Projekt hatte keine Geräte, als seine Steuerung erstellt wurde; fügen Sie sie hinzu und erstellen Sie erneut</translation>
+        <translation>Das Projekt hatte keine Geräte, als es übersetzt wurde; fügen Sie sie hinzu und übersetzen Sie erneut</translation>
     </message>
     <message>
         <source>The devices had errors when the controller was built; correct them and build again</source>
-        <translation>Die Geräte hatten Fehler, als die Steuerung erstellt wurde; berichtigen Sie sie und erstellen Sie erneut</translation>
+        <translation>Die Geräte hatten Fehler, als das Projekt übersetzt wurde; berichtigen Sie sie und übersetzen Sie erneut</translation>
     </message>
     <message>
         <source>Set the speed to real time first; devices cannot keep up with another one</source>
         <translation>Stellen Sie die Geschwindigkeit zuerst auf Echtzeit; mit einer anderen können Geräte nicht mithalten</translation>
+    </message>
+    <message>
+        <source>The devices of an attached controller are connected there</source>
+        <translation>Die Geräte einer angebundenen Steuerung sind dort verbunden</translation>
     </message>
 </context>
 <context>
@@ -801,6 +805,14 @@
     <message>
         <source>{0} is not a block of this program; only a block can have a task of its own</source>
         <translation>{0} ist kein Baustein dieses Programms; nur ein Funktionsbaustein kann eine eigene Task haben</translation>
+    </message>
+    <message>
+        <source>{0} cannot hold an exception code; declare it as __SYSTEM.ExceptionCode</source>
+        <translation>{0} kann keinen Ausnahmecode aufnehmen; als __SYSTEM.ExceptionCode deklarieren</translation>
+    </message>
+    <message>
+        <source>{0} converts the number, as in CODESYS; to keep the bits, put both types into a UNION</source>
+        <translation>{0} konvertiert die Zahl wie in CODESYS; um die Bits zu erhalten, beide Typen in eine UNION legen</translation>
     </message>
 </context>
 <context>
@@ -2072,7 +2084,7 @@
         <translation>Die Datei wurde von einem anderen Programm geändert und nicht überschrieben</translation>
     </message>
     <message>
-        <source>This is no file that can be imported: PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
+        <source>This file cannot be imported; PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
         <translation>Diese Datei kann nicht importiert werden: gelesen werden PLCopen XML (.xml), TwinCAT (.TcPOU und so weiter), Text von CODESYS (.EXP, .export) und strukturierter Text (.st)</translation>
     </message>
     <message>
@@ -2080,7 +2092,7 @@
         <translation>Dieses XML ist weder PLCopen XML noch von TwinCAT oder CODESYS; exportieren Sie das Projekt als PLCopen XML und importieren Sie diese Datei</translation>
     </message>
     <message>
-        <source>There is nothing in it that can be imported</source>
+        <source>It contains nothing that can be imported</source>
         <translation>Darin ist nichts, das importiert werden kann</translation>
     </message>
     <message>
@@ -2133,7 +2145,7 @@
     </message>
     <message>
         <source>the local variables of {0} and of what it calls need {1} bytes; the maximum is {2}</source>
-        <translation>Die lokalen Variablen von {0} und allem, was es aufruft, brauchen {1} Bytes; möglich sind höchstens {2}</translation>
+        <translation>die lokalen Variablen von {0} und allem, was es aufruft, brauchen {1} Bytes; möglich sind höchstens {2}</translation>
     </message>
     <message>
         <source>{0} is too large for the stack; divide it into several functions</source>
@@ -2205,7 +2217,7 @@
     </message>
     <message>
         <source>The picture {0} draws more than {1} shapes</source>
-        <translation>Das Bild {0} zeichnet mehr als {1} Formen</translation>
+        <translation>Das Bild {0} enthält mehr als {1} Formen</translation>
     </message>
     <message>
         <source>The shapes of the picture {0} are nested more than {1} deep or contain themselves</source>
@@ -2301,7 +2313,7 @@
     </message>
     <message>
         <source>Nothing says what this does; give it a text, or place one beside it</source>
-        <translation>Nichts sagt, was das bewirkt; geben Sie ihm einen Text, oder setzen Sie einen daneben</translation>
+        <translation>Es ist nicht erkennbar, was das bewirkt; geben Sie ihm einen Text oder setzen Sie einen daneben</translation>
     </message>
     <message>
         <source>{0} is between {1} and {2} in the recording, so the range from {3} to {4} cuts it off</source>
@@ -2521,7 +2533,7 @@
     </message>
     <message>
         <source>Nothing says what the lamp means; give it a label, or place a text beside it</source>
-        <translation>Nichts sagt, was die Lampe bedeutet; geben Sie ihr eine Beschriftung oder stellen Sie einen Text daneben</translation>
+        <translation>Es ist nicht erkennbar, was die Lampe bedeutet; geben Sie ihr eine Beschriftung oder stellen Sie einen Text daneben</translation>
     </message>
     <message>
         <source>{0} on {1} has a contrast of {2} to 1 in the theme {3}; {4} to 1 is needed</source>
@@ -2580,20 +2592,8 @@
         <translation>Das Projekt hat {0} {0:Alarm|Alarme}, aber kein Panel hat eine Alarmliste oder ein Alarmbanner</translation>
     </message>
     <message>
-        <source>Nothing is bound: {0} is empty</source>
-        <translation>Nichts ist verknüpft: {0} ist leer</translation>
-    </message>
-    <message>
-        <source>Any number can be written to {0}; set {1}</source>
-        <translation>In {0} lässt sich jede Zahl schreiben; setzen Sie {1}</translation>
-    </message>
-    <message>
         <source>{0} is critical after project.json, but one press writes it</source>
         <translation>{0} ist laut project.json kritisch, doch ein Druck schreibt es</translation>
-    </message>
-    <message>
-        <source>Only {1} may write {0}, but nothing asks for confirmation</source>
-        <translation>Nur {1} darf {0} schreiben, aber nichts fragt nach einer Bestätigung</translation>
     </message>
     <message>
         <source>{0} suppresses alarms, but one press writes it</source>
@@ -2608,10 +2608,6 @@
         <translation>Rot, Orange und Gelb sind Alarmen vorbehalten. Wer sie den ganzen Tag sieht, sieht sie nicht mehr, wenn es darauf ankommt (ISA-101, ISA-18.2).</translation>
     </message>
     <message>
-        <source>One man in twelve confuses colours, and bright light takes them away. Say the same by a text, a shape, a blinking or at least a different brightness.</source>
-        <translation>Einer von zwölf Männern verwechselt Farben, und grelles Licht nimmt sie weg. Sagen Sie dasselbe durch einen Text, eine Form, Blinken oder wenigstens eine andere Helligkeit.</translation>
-    </message>
-    <message>
         <source>Text needs a contrast of 4.5 to 1 against its ground, large text 3 to 1 (WCAG 2, ISO 9241-303). Roles of the theme keep it in every theme.</source>
         <translation>Text braucht gegen seinen Grund einen Kontrast von 4,5 zu 1, großer Text 3 zu 1 (WCAG 2, ISO 9241-303). Rollen des Farbschemas wahren ihn in jedem Farbschema.</translation>
     </message>
@@ -2620,7 +2616,7 @@
         <translation>Ein Großbuchstabe muss unter einem Winkel von mindestens 16 Bogenminuten zu sehen sein (ISO 9241-303). Abstand und Größe eines Pixels stehen in project.json.</translation>
     </message>
     <message>
-        <source>A panel on which everything stands is searched, not read. Move details to a panel of the next level (ISA-101).</source>
+        <source>A panel that shows everything is searched, not read. Move details to a panel of the next level (ISA-101).</source>
         <translation>Ein Panel, auf dem alles steht, wird abgesucht, nicht gelesen. Verschieben Sie Einzelheiten auf ein Panel der nächsten Ebene (ISA-101).</translation>
     </message>
     <message>
@@ -2642,10 +2638,6 @@
     <message>
         <source>A slip of the finger sends 500 for 50. Limits refuse it where it is typed.</source>
         <translation>Ein Ausrutscher sendet 500 statt 50. Grenzen weisen das bei der Eingabe ab.</translation>
-    </message>
-    <message>
-        <source>What only some may do, or what project.json lists as critical, must not happen by brushing the glass. Set &quot;Writes are confirmed&quot;, or ask a question.</source>
-        <translation>Was nur einige dürfen oder was project.json als kritisch aufführt, darf nicht durch eine Berührung geschehen. Setzen Sie „Schreiben wird bestätigt“ oder stellen Sie eine Frage.</translation>
     </message>
     <message>
         <source>An alarm that nobody sees is none. Put an alarm banner on the frame or an alarm list on a panel (ISA-18.2).</source>
@@ -2674,6 +2666,50 @@
     <message>
         <source>A finger needs 7 mm in both directions between the neighbours, in a glove 9 mm, which the strict level asks for. The size of a pixel is set in project.json.</source>
         <translation>Ein Finger braucht zwischen den Nachbarn 7 mm in beiden Richtungen, im Handschuh 9 mm, die die strenge Stufe verlangt. Die Größe eines Pixels steht in project.json.</translation>
+    </message>
+    <message>
+        <source>Nothing is bound; fill in “{0}”</source>
+        <translation>Nichts ist verknüpft; füllen Sie „{0}“ aus</translation>
+    </message>
+    <message>
+        <source>Any number can be written to {0}; set “{1}”</source>
+        <translation>In {0} kann jede Zahl geschrieben werden; legen Sie „{1}“ fest</translation>
+    </message>
+    <message>
+        <source>One man in twelve cannot tell some colours apart, and bright light washes them out. Show the same by a text, a shape, blinking or at least a different brightness.</source>
+        <translation>Jeder zwölfte Mann kann manche Farben nicht unterscheiden, und bei grellem Licht verblassen sie. Zeigen Sie dasselbe auch durch einen Text, eine Form, Blinken oder wenigstens eine andere Helligkeit.</translation>
+    </message>
+    <message>
+        <source>What only some may do, or what project.json lists as critical, must not happen by an accidental touch. Set &quot;Writes are confirmed&quot;, or enter a question.</source>
+        <translation>Was nur einige dürfen oder was project.json als kritisch aufführt, darf nicht durch eine versehentliche Berührung geschehen. Setzen Sie „Schreiben wird bestätigt“ oder geben Sie eine Rückfrage ein.</translation>
+    </message>
+    <message>
+        <source>Only {1} may write {0}, but no confirmation is asked; set &quot;Writes are confirmed&quot;</source>
+        <translation>Nur {1} darf {0} schreiben, aber es wird keine Bestätigung verlangt; setzen Sie „Schreiben wird bestätigt“</translation>
+    </message>
+    <message>
+        <source>The theme is not valid JSON with a base and colors</source>
+        <translation>Das Farbschema ist kein gültiges JSON mit base und colors</translation>
+    </message>
+    <message>
+        <source>There is no built-in theme &quot;{0}&quot;; a base is light, dark or contrast</source>
+        <translation>Es gibt kein eingebautes Farbschema „{0}“; eine Basis ist light, dark oder contrast</translation>
+    </message>
+    <message>
+        <source>There is no colour role {0}</source>
+        <translation>Es gibt keine Farbrolle {0}</translation>
+    </message>
+    <message>
+        <source>There is no colour role {0}; did you mean {1}?</source>
+        <translation>Es gibt keine Farbrolle {0}; meinten Sie {1}?</translation>
+    </message>
+    <message>
+        <source>The colour of {0} must be written like {1}</source>
+        <translation>Die Farbe von {0} muss wie {1} geschrieben werden</translation>
+    </message>
+    <message>
+        <source>There is no theme {0}; choose one of {1}</source>
+        <translation>Es gibt kein Farbschema {0}; wählen Sie eines von {1}</translation>
     </message>
 </context>
 <context>
@@ -3896,6 +3932,54 @@
         <source>Panel area</source>
         <translation>Panelbereich</translation>
     </message>
+    <message>
+        <source>Share of the free room in a row</source>
+        <translation>Anteil am freien Platz in der Reihe</translation>
+    </message>
+    <message>
+        <source>Columns taken in a grid</source>
+        <translation>Belegte Spalten im Raster</translation>
+    </message>
+    <message>
+        <source>Closed if</source>
+        <translation>Geschlossen, wenn</translation>
+    </message>
+    <message>
+        <source>On its way if</source>
+        <translation>In Bewegung, wenn</translation>
+    </message>
+    <message>
+        <source>By hand if</source>
+        <translation>Handbetrieb, wenn</translation>
+    </message>
+    <message>
+        <source>Out of service if</source>
+        <translation>Außer Betrieb, wenn</translation>
+    </message>
+    <message>
+        <source>Layout</source>
+        <translation>Anordnung</translation>
+    </message>
+    <message>
+        <source>Columns (0: as many as fit)</source>
+        <translation>Spalten (0: so viele wie passen)</translation>
+    </message>
+    <message>
+        <source>Smallest column</source>
+        <translation>Kleinste Spaltenbreite</translation>
+    </message>
+    <message>
+        <source>Gap</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Rand</translation>
+    </message>
+    <message>
+        <source>Across the line</source>
+        <translation>Quer zur Richtung</translation>
+    </message>
 </context>
 <context>
     <name>HmiChoices</name>
@@ -4510,6 +4594,34 @@
     <message>
         <source>Building</source>
         <translation>Gebäude</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Raster</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>Frei</translation>
+    </message>
+    <message>
+        <source>Row</source>
+        <translation>Reihe</translation>
+    </message>
+    <message>
+        <source>Column</source>
+        <translation>Spalte</translation>
+    </message>
+    <message>
+        <source>Row if wide, column if tall</source>
+        <translation>Reihe im Querformat, Spalte im Hochformat</translation>
+    </message>
+    <message>
+        <source>Filling it</source>
+        <translation>Ausfüllend</translation>
+    </message>
+    <message>
+        <source>Change the theme</source>
+        <translation>Farbschema wechseln</translation>
     </message>
 </context>
 <context>
@@ -5733,7 +5845,7 @@
     </message>
     <message>
         <source>Traffic</source>
-        <translation>Verkehr</translation>
+        <translation>Datenverkehr</translation>
     </message>
     <message>
         <source>Fields of the device or channel</source>
@@ -6030,6 +6142,30 @@ Nicht erhalten: %3</translation>
     <message>
         <source>This folder is not empty; name a new one</source>
         <translation>Dieser Ordner ist nicht leer; geben Sie einen neuen an</translation>
+    </message>
+    <message>
+        <source>program units</source>
+        <translation>Bausteine</translation>
+    </message>
+    <message>
+        <source>data types</source>
+        <translation>Datentypen</translation>
+    </message>
+    <message>
+        <source>global variable lists</source>
+        <translation>Globale Variablenlisten</translation>
+    </message>
+    <message>
+        <source>configurations</source>
+        <translation>Konfigurationen</translation>
+    </message>
+    <message>
+        <source>texts</source>
+        <translation>Texte</translation>
+    </message>
+    <message>
+        <source>files</source>
+        <translation>Dateien</translation>
     </message>
 </context>
 <context>
@@ -7059,6 +7195,22 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>&lt;h3&gt;Stepwise %1&lt;/h3&gt;&lt;p&gt;An open PLC studio: IEC 61131-3 programs as native code, every scan recorded, operator panels in many languages.&lt;/p&gt;&lt;p&gt;Licence: GPL-3.0&lt;/p&gt;</source>
         <translation>&lt;h3&gt;Stepwise %1&lt;/h3&gt;&lt;p&gt;Ein offenes SPS-Studio: IEC-61131-3-Programme als nativer Code, jeder Zyklus aufgezeichnet, Bedienpanels in vielen Sprachen.&lt;/p&gt;&lt;p&gt;Lizenz: GPL-3.0&lt;/p&gt;</translation>
     </message>
+    <message>
+        <source>High-Contrast Theme</source>
+        <translation>Farbschema mit hohem Kontrast</translation>
+    </message>
+    <message>
+        <source>Attach to a Controller…</source>
+        <translation>Mit einer Steuerung verbinden…</translation>
+    </message>
+    <message>
+        <source>Detach from the Controller</source>
+        <translation>Von der Steuerung trennen</translation>
+    </message>
+    <message>
+        <source>Build a Native Program…</source>
+        <translation>Natives Programm erzeugen…</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MergeDialog</name>
@@ -7737,6 +7889,10 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source> MB</source>
         <translation> MB</translation>
     </message>
+    <message>
+        <source>High contrast</source>
+        <translation>Hoher Kontrast</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::SideBars</name>
@@ -7769,7 +7925,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Make Writable</source>
-        <translation>Schreibbar machen</translation>
+        <translation>Schreibschutz aufheben</translation>
     </message>
     <message>
         <source>Close this side</source>
@@ -9768,6 +9924,10 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>Bind</source>
         <translation>Verknüpfen</translation>
     </message>
+    <message>
+        <source>Place in cell</source>
+        <translation>In Zelle platzieren</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::DesignContext</name>
@@ -10019,6 +10179,26 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Panel</source>
         <translation>Panel</translation>
+    </message>
+    <message>
+        <source>Issues</source>
+        <translation>Meldungen</translation>
+    </message>
+    <message>
+        <source>Lay out in a row</source>
+        <translation>In einer Reihe anordnen</translation>
+    </message>
+    <message>
+        <source>Lay out in a column</source>
+        <translation>In einer Spalte anordnen</translation>
+    </message>
+    <message>
+        <source>Lay out in a grid</source>
+        <translation>In einem Raster anordnen</translation>
+    </message>
+    <message>
+        <source>Lay out</source>
+        <translation>Anordnen</translation>
     </message>
 </context>
 <context>
@@ -10897,7 +11077,7 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
     </message>
     <message>
         <source>Let the value axes fit again</source>
-        <translation>Die Werteachsen wieder anpassen</translation>
+        <translation>Werteachsen wieder automatisch anpassen</translation>
     </message>
     <message>
         <source>Zoom back</source>
@@ -11141,6 +11321,730 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
     <message>
         <source>%1, %2 earlier</source>
         <translation>%1, %2 früher</translation>
+    </message>
+    <message>
+        <source>Measure between points</source>
+        <translation>Zwischen Punkten messen</translation>
+    </message>
+    <message>
+        <source>Drag from one point to another: time, value, slope and frequency between them (M)</source>
+        <translation>Von einem Punkt zum anderen ziehen: Zeit, Wert, Steigung und Frequenz dazwischen (M)</translation>
+    </message>
+    <message>
+        <source>Recordings and tables (*.rec *.csv *.tsv *.txt);;All files (*)</source>
+        <translation>Aufzeichnungen und Tabellen (*.rec *.csv *.tsv *.txt);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>XY plot, spectrum, frequency response, runs</source>
+        <translation>XY-Diagramm, Spektrum, Frequenzgang, Läufe</translation>
+    </message>
+    <message>
+        <source>Add channel of another file…</source>
+        <translation>Kanal aus einer anderen Datei hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Show Beside</source>
+        <translation>Daneben anzeigen</translation>
+    </message>
+    <message>
+        <source>Measure between Points</source>
+        <translation>Zwischen Punkten messen</translation>
+    </message>
+    <message>
+        <source>Add note</source>
+        <translation>Notiz hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add Note</source>
+        <translation>Notiz hinzufügen</translation>
+    </message>
+    <message>
+        <source>Note:</source>
+        <translation>Notiz:</translation>
+    </message>
+    <message>
+        <source>Edit Note</source>
+        <translation>Notiz bearbeiten</translation>
+    </message>
+    <message>
+        <source>Edit note</source>
+        <translation>Notiz bearbeiten</translation>
+    </message>
+    <message>
+        <source>Remove note</source>
+        <translation>Notiz entfernen</translation>
+    </message>
+    <message>
+        <source>Edit Note…</source>
+        <translation>Notiz bearbeiten…</translation>
+    </message>
+    <message>
+        <source>Remove Note</source>
+        <translation>Notiz entfernen</translation>
+    </message>
+    <message>
+        <source>Add Note…</source>
+        <translation>Notiz hinzufügen…</translation>
+    </message>
+    <message>
+        <source>File to add a channel of</source>
+        <translation>Datei, aus der ein Kanal hinzugefügt wird</translation>
+    </message>
+</context>
+<context>
+    <name>Examples</name>
+    <message>
+        <source>Automatic guided vehicle</source>
+        <translation>Fahrerloses Transportfahrzeug</translation>
+    </message>
+    <message>
+        <source>Alarm texts in five languages</source>
+        <translation>Alarmtexte in fünf Sprachen</translation>
+    </message>
+    <message>
+        <source>Heated tank with analog blocks</source>
+        <translation>Beheizter Behälter mit Analogbausteinen</translation>
+    </message>
+    <message>
+        <source>Bottling line</source>
+        <translation>Abfüllanlage</translation>
+    </message>
+    <message>
+        <source>Car park with a robot</source>
+        <translation>Parkhaus mit Roboter</translation>
+    </message>
+    <message>
+        <source>Car wash with recipes</source>
+        <translation>Autowaschanlage mit Rezepten</translation>
+    </message>
+    <message>
+        <source>Room heated by supply air</source>
+        <translation>Raumheizung über Zuluft</translation>
+    </message>
+    <message>
+        <source>Motor valve with command monitor</source>
+        <translation>Motorventil mit Laufzeitüberwachung</translation>
+    </message>
+    <message>
+        <source>Conveyor with a sequence</source>
+        <translation>Förderband mit Ablauf</translation>
+    </message>
+    <message>
+        <source>Depalletiser</source>
+        <translation>Depalettierer</translation>
+    </message>
+    <message>
+        <source>District-heating substation</source>
+        <translation>Fernwärme-Übergabestation</translation>
+    </message>
+    <message>
+        <source>Dosing</source>
+        <translation>Dosierung</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>Gravel plant</source>
+        <translation>Kieswerk</translation>
+    </message>
+    <message>
+        <source>Heater and valve</source>
+        <translation>Heizung und Ventil</translation>
+    </message>
+    <message>
+        <source>Hour meter with reset and enable</source>
+        <translation>Betriebsstundenzähler mit Rücksetzen und Freigabe</translation>
+    </message>
+    <message>
+        <source>Items per hour</source>
+        <translation>Teile pro Stunde</translation>
+    </message>
+    <message>
+        <source>Items and meters</source>
+        <translation>Teile und Zähler</translation>
+    </message>
+    <message>
+        <source>Level lamps</source>
+        <translation>Füllstandslampen</translation>
+    </message>
+    <message>
+        <source>Light tower</source>
+        <translation>Signalsäule</translation>
+    </message>
+    <message>
+        <source>Tuning a control loop</source>
+        <translation>Einstellen eines Regelkreises</translation>
+    </message>
+    <message>
+        <source>Mixer for two liquids and two bricks</source>
+        <translation>Mischer für zwei Flüssigkeiten und zwei Briketts</translation>
+    </message>
+    <message>
+        <source>Motor with self-holding</source>
+        <translation>Motor mit Selbsthaltung</translation>
+    </message>
+    <message>
+        <source>Operation mode of an agitator</source>
+        <translation>Betriebsart eines Rührwerks</translation>
+    </message>
+    <message>
+        <source>PID loop on a first-order process</source>
+        <translation>PID-Regelkreis an einer PT1-Strecke</translation>
+    </message>
+    <message>
+        <source>First-order filter and two sines a decade apart</source>
+        <translation>PT1-Filter und zwei Sinussignale im Abstand einer Dekade</translation>
+    </message>
+    <message>
+        <source>Pump that looks for its cheapest speed</source>
+        <translation>Pumpe sucht ihre wirtschaftlichste Drehzahl</translation>
+    </message>
+    <message>
+        <source>Two pumps in a well</source>
+        <translation>Zwei Pumpen in einem Schacht</translation>
+    </message>
+    <message>
+        <source>Pulse width modulation of a sine</source>
+        <translation>Pulsweitenmodulation eines Sinus</translation>
+    </message>
+    <message>
+        <source>Rack with a robot</source>
+        <translation>Regal mit Roboter</translation>
+    </message>
+    <message>
+        <source>Robot and CNC machine</source>
+        <translation>Roboter und CNC-Maschine</translation>
+    </message>
+    <message>
+        <source>Robot that packs boxes</source>
+        <translation>Roboter packt Kartons</translation>
+    </message>
+    <message>
+        <source>Two level sensors that watch each other</source>
+        <translation>Zwei Füllstandssensoren überwachen einander</translation>
+    </message>
+    <message>
+        <source>Pumping station with six pumps</source>
+        <translation>Pumpstation mit sechs Pumpen</translation>
+    </message>
+    <message>
+        <source>Motor with selector</source>
+        <translation>Motor mit Wahlschalter</translation>
+    </message>
+    <message>
+        <source>Stack of integers</source>
+        <translation>Stapel für ganze Zahlen</translation>
+    </message>
+    <message>
+        <source>Tank that is filled, heated and emptied</source>
+        <translation>Behälter füllen, heizen und leeren</translation>
+    </message>
+    <message>
+        <source>Tank, operated by hand</source>
+        <translation>Behälter mit Handbedienung</translation>
+    </message>
+    <message>
+        <source>Level and volume</source>
+        <translation>Füllstand und Volumen</translation>
+    </message>
+    <message>
+        <source>Traffic light</source>
+        <translation>Ampel</translation>
+    </message>
+    <message>
+        <source>Valve matrix</source>
+        <translation>Ventilmatrix</translation>
+    </message>
+    <message>
+        <source>Three kinds of valves</source>
+        <translation>Drei Arten von Ventilen</translation>
+    </message>
+    <message>
+        <source>Pump in waves</source>
+        <translation>Pumpe bei Wellengang</translation>
+    </message>
+    <message>
+        <source>Truck scale</source>
+        <translation>Lkw-Waage</translation>
+    </message>
+    <message>
+        <source>Workbook</source>
+        <translation>Übungsbuch</translation>
+    </message>
+</context>
+<context>
+    <name>FigureText</name>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 bei %2</translation>
+    </message>
+    <message>
+        <source>An XY plot draws one channel over another: add a second channel to the trace.</source>
+        <translation>Ein XY-Diagramm zeichnet einen Kanal über einem anderen: Fügen Sie dem Trace einen zweiten Kanal hinzu.</translation>
+    </message>
+    <message>
+        <source>XY plot</source>
+        <translation>XY-Diagramm</translation>
+    </message>
+    <message>
+        <source>There are no samples in view: run the program or show another stretch.</source>
+        <translation>Im sichtbaren Bereich gibt es keine Abtastwerte: Lassen Sie das Programm laufen oder wählen Sie einen anderen Bereich.</translation>
+    </message>
+    <message>
+        <source>%L1 points over %2</source>
+        <translation>%L1 Punkte über %2</translation>
+    </message>
+    <message>
+        <source>A spectrum shows the frequencies of the visible channels: add a channel.</source>
+        <translation>Ein Spektrum zeigt die Frequenzen der sichtbaren Kanäle an: Fügen Sie einen Kanal hinzu.</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>Frequency [Hz]</source>
+        <translation>Frequenz [Hz]</translation>
+    </message>
+    <message>
+        <source>amplitude</source>
+        <translation>Amplitude</translation>
+    </message>
+    <message>
+        <source>%1: no peak, RMS %2</source>
+        <translation>%1: keine Spitze, Effektivwert %2</translation>
+    </message>
+    <message>
+        <source>%1: %2, RMS %3</source>
+        <translation>%1: %2, Effektivwert %3</translation>
+    </message>
+    <message>
+        <source>A frequency response compares an output with an input: add both as channels, and choose the input.</source>
+        <translation>Ein Frequenzgang vergleicht einen Ausgang mit einem Eingang: Fügen Sie beide als Kanäle hinzu und wählen Sie den Eingang.</translation>
+    </message>
+    <message>
+        <source>Frequency response</source>
+        <translation>Frequenzgang</translation>
+    </message>
+    <message>
+        <source>gain [dB]</source>
+        <translation>Verstärkung [dB]</translation>
+    </message>
+    <message>
+        <source>phase [°]</source>
+        <translation>Phase [°]</translation>
+    </message>
+    <message>
+        <source>coherence</source>
+        <translation>Kohärenz</translation>
+    </message>
+    <message>
+        <source>%1: %L2 of %L3 frequencies with a coherence above 0.8</source>
+        <translation>%1: %L2 von %L3 Frequenzen mit einer Kohärenz über 0,8</translation>
+    </message>
+    <message>
+        <source>Runs are laid over each other at their triggers: enter a trigger in the properties of the trace.</source>
+        <translation>Läufe werden an ihren Triggern übereinandergelegt: Geben Sie in den Eigenschaften des Trace einen Trigger ein.</translation>
+    </message>
+    <message>
+        <source>The trigger has not fired in this recording yet.</source>
+        <translation>Der Trigger hat in dieser Aufzeichnung noch nicht ausgelöst.</translation>
+    </message>
+    <message>
+        <source>Runs of the visible channels are laid over each other: add a channel.</source>
+        <translation>Läufe der sichtbaren Kanäle werden übereinandergelegt: Fügen Sie einen Kanal hinzu.</translation>
+    </message>
+    <message>
+        <source>Time since the trigger [s]</source>
+        <translation>Zeit seit dem Trigger [s]</translation>
+    </message>
+    <message>
+        <source>%1: runs differ most %2 after the trigger, by %3</source>
+        <translation>%1: größte Abweichung der Läufe %2 nach dem Trigger, %3</translation>
+    </message>
+    <message>
+        <source>Charts over Time Only</source>
+        <translation>Nur Zeitdiagramme</translation>
+    </message>
+    <message>
+        <source>XY Plot</source>
+        <translation>XY-Diagramm</translation>
+    </message>
+    <message>
+        <source>Frequency Response (Bode)</source>
+        <translation>Frequenzgang (Bode)</translation>
+    </message>
+    <message>
+        <source>Runs over Each Other</source>
+        <translation>Läufe übereinander</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n run(s)</source>
+        <translation>
+            <numerusform>%n Lauf</numerusform>
+            <numerusform>%n Läufe</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>Waveform</name>
+    <message>
+        <source>The table has no column of times; name one time_s (seconds) or time_ms</source>
+        <translation>Die Tabelle hat keine Zeitspalte; nennen Sie eine time_s (Sekunden) oder time_ms</translation>
+    </message>
+    <message>
+        <source>The table has no column {0}; it has {1}</source>
+        <translation>Die Tabelle hat keine Spalte {0}; sie hat {1}</translation>
+    </message>
+    <message>
+        <source>The table has no column {0}; did you mean {1}?</source>
+        <translation>Die Tabelle hat keine Spalte {0}; meinten Sie {1}?</translation>
+    </message>
+    <message>
+        <source>Line {0} has no number in column {1}</source>
+        <translation>Zeile {0} hat keine Zahl in Spalte {1}</translation>
+    </message>
+    <message>
+        <source>The time in line {0} is before that of the line above</source>
+        <translation>Die Zeit in Zeile {0} liegt vor der Zeit in der Zeile darüber</translation>
+    </message>
+    <message>
+        <source>The table has no column of numbers besides the time</source>
+        <translation>Die Tabelle hat außer der Zeit keine Spalte mit Zahlen</translation>
+    </message>
+    <message>
+        <source>The table has no rows under its headings</source>
+        <translation>Die Tabelle hat unter den Überschriften keine Zeilen</translation>
+    </message>
+    <message>
+        <source>The table cannot be shown as a recording: {0}</source>
+        <translation>Die Tabelle kann nicht als Aufzeichnung angezeigt werden: {0}</translation>
+    </message>
+    <message>
+        <source>the names of its columns cannot be variables</source>
+        <translation>die Namen ihrer Spalten sind als Variablen nicht möglich</translation>
+    </message>
+    <message>
+        <source>{0} {0:sample is|samples are} too few for a spectrum; show a longer stretch</source>
+        <translation>{0} {0:Abtastwert ist|Abtastwerte sind} zu wenig für ein Spektrum; einen längeren Bereich anzeigen</translation>
+    </message>
+    <message>
+        <source>{0} {0:sample is|samples are} too few for a frequency response; show a longer stretch</source>
+        <translation>{0} {0:Abtastwert ist|Abtastwerte sind} zu wenig für einen Frequenzgang; einen längeren Bereich anzeigen</translation>
+    </message>
+    <message>
+        <source>The input does not move here; there is nothing to answer to</source>
+        <translation>Der Eingang ändert sich hier nicht; es gibt keine Antwort zu berechnen</translation>
+    </message>
+    <message>
+        <source>{0} needs a closing parenthesis at the end; it goes around the whole expression</source>
+        <translation>{0} braucht am Ende eine schließende Klammer; sie umschließt den ganzen Ausdruck</translation>
+    </message>
+    <message>
+        <source>{0} needs a time above 0 as its second argument, for example {1}</source>
+        <translation>{0} braucht als zweites Argument eine Zeit über 0, zum Beispiel {1}</translation>
+    </message>
+    <message>
+        <source>{0} takes one expression</source>
+        <translation>{0} nimmt genau einen Ausdruck</translation>
+    </message>
+</context>
+<context>
+    <name>plc::plot::PlotView</name>
+    <message>
+        <source>Chart</source>
+        <translation>Schrittkette</translation>
+    </message>
+    <message>
+        <source>%1
+Click selects, Ctrl+click shows or hides.</source>
+        <translation>%1
+Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
+    </message>
+</context>
+<context>
+    <name>plc::trace::FigurePane</name>
+    <message>
+        <source>Save as %1</source>
+        <translation>Als %1 speichern</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Einpassen</translation>
+    </message>
+    <message>
+        <source>Copy as picture</source>
+        <translation>Als Bild kopieren</translation>
+    </message>
+    <message>
+        <source>Save as %1…</source>
+        <translation>Als %1 speichern…</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fensterfunktion</translation>
+    </message>
+    <message>
+        <source>Hann window</source>
+        <translation>Hann-Fenster</translation>
+    </message>
+    <message>
+        <source>Flat top: exact amplitudes</source>
+        <translation>Flat-Top: genaue Amplituden</translation>
+    </message>
+    <message>
+        <source>No window</source>
+        <translation>Kein Fenster</translation>
+    </message>
+    <message>
+        <source>Logarithmic</source>
+        <translation>Logarithmisch</translation>
+    </message>
+    <message>
+        <source>Charts over time only</source>
+        <translation>Nur Zeitdiagramme</translation>
+    </message>
+    <message>
+        <source>Horizontal value</source>
+        <translation>Waagerechter Wert</translation>
+    </message>
+    <message>
+        <source>Window of the spectrum</source>
+        <translation>Fensterfunktion des Spektrums</translation>
+    </message>
+    <message>
+        <source>Logarithmic axes</source>
+        <translation>Logarithmische Achsen</translation>
+    </message>
+    <message>
+        <source>Input:</source>
+        <translation>Eingang:</translation>
+    </message>
+    <message>
+        <source>Horizontal:</source>
+        <translation>Waagerecht:</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Eingang</translation>
+    </message>
+    <message>
+        <source>Measure between Points</source>
+        <translation>Zwischen Punkten messen</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::AttachDialog</name>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Code</translation>
+    </message>
+    <message>
+        <source>Attach to a Controller</source>
+        <translation>Mit einer Steuerung verbinden</translation>
+    </message>
+    <message>
+        <source>from the file attach-code of the controller</source>
+        <translation>aus der Datei attach-code der Steuerung</translation>
+    </message>
+    <message>
+        <source>only for certificates that this computer does not know</source>
+        <translation>nur für Zertifikate, die dieser Rechner nicht kennt</translation>
+    </message>
+    <message>
+        <source>…</source>
+        <translation>…</translation>
+    </message>
+    <message>
+        <source>Choose a certificate</source>
+        <translation>Zertifikat wählen</translation>
+    </message>
+    <message>
+        <source>Trusted certificate</source>
+        <translation>Vertrauenswürdiges Zertifikat</translation>
+    </message>
+    <message>
+        <source>Attach</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Choose a Certificate</source>
+        <translation>Zertifikat wählen</translation>
+    </message>
+    <message>
+        <source>Certificates (*.pem *.crt *.cer);;All files (*)</source>
+        <translation>Zertifikate (*.pem *.crt *.cer);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Attaching…</source>
+        <translation>Wird verbunden…</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::Attachment</name>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 bei %2</translation>
+    </message>
+    <message>
+        <source>Detach</source>
+        <translation>Trennen</translation>
+    </message>
+    <message>
+        <source>Attached to %1</source>
+        <translation>Verbunden mit %1</translation>
+    </message>
+    <message>
+        <source>Attached to %1; its program is not the one that is open here</source>
+        <translation>Verbunden mit %1; das Programm dort ist nicht das hier geöffnete</translation>
+    </message>
+    <message>
+        <source>%1 is lost – connecting again…</source>
+        <translation>Verbindung zu %1 unterbrochen – wird wiederhergestellt…</translation>
+    </message>
+    <message>
+        <source>Attaching to %1…</source>
+        <translation>Verbindung mit %1 wird hergestellt…</translation>
+    </message>
+    <message>
+        <source>The controller runs there; what is written and forced here acts there</source>
+        <translation>Die Steuerung läuft dort; was hier geschrieben und geforct wird, wirkt dort</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::NativeProgramDialog</name>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Build</source>
+        <translation>Übersetzen</translation>
+    </message>
+    <message>
+        <source>Build a Native Program</source>
+        <translation>Natives Programm erzeugen</translation>
+    </message>
+    <message>
+        <source>…</source>
+        <translation>…</translation>
+    </message>
+    <message>
+        <source>Choose the file</source>
+        <translation>Datei wählen</translation>
+    </message>
+    <message>
+        <source>Native Program</source>
+        <translation>Natives Programm</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Rechner</translation>
+    </message>
+    <message>
+        <source>The program runs without Stepwise on a machine with Linux: its PLC code and a small runner in one file.</source>
+        <translation>Das Programm läuft ohne Stepwise auf einem Linux-Rechner: sein SPS-Code und ein kleines Laufzeitsystem in einer Datei.</translation>
+    </message>
+    <message>
+        <source>Building…</source>
+        <translation>Wird erzeugt…</translation>
+    </message>
+    <message>
+        <source>%1 is built</source>
+        <translation>%1 wurde erzeugt</translation>
+    </message>
+</context>
+<context>
+    <name>Remote</name>
+    <message>
+        <source>The request is not understood; studio and controller may be of different versions</source>
+        <translation>Die Anfrage wird nicht verstanden; Studio und Steuerung haben eventuell verschiedene Versionen</translation>
+    </message>
+    <message>
+        <source>There is no request {0}; studio and controller may be of different versions</source>
+        <translation>Es gibt keine Anfrage {0}; Studio und Steuerung haben eventuell verschiedene Versionen</translation>
+    </message>
+    <message>
+        <source>Breakpoints stop a machine in the middle of a scan; `stepwise serve` allows them with --allow-breakpoints</source>
+        <translation>Haltepunkte halten eine Maschine mitten im Zyklus an; „stepwise serve“ erlaubt sie mit --allow-breakpoints</translation>
+    </message>
+    <message>
+        <source>{0} is forced; release it before writing</source>
+        <translation>{0} ist geforct; heben Sie das Forcen vor dem Schreiben auf</translation>
+    </message>
+    <message>
+        <source>{0} is not forced</source>
+        <translation>{0} ist nicht geforct</translation>
+    </message>
+    <message>
+        <source>Another program is being built for this controller; try again when it is in</source>
+        <translation>Für diese Steuerung wird gerade ein anderes Programm übersetzt; versuchen Sie es erneut, wenn es geladen ist</translation>
+    </message>
+    <message>
+        <source>The program has {0} {0:error|errors}; the controller goes on with the old one</source>
+        <translation>Das Programm hat {0} Fehler; die Steuerung läuft mit dem alten weiter</translation>
+    </message>
+    <message>
+        <source>The controller&apos;s program has no file {0}</source>
+        <translation>Das Programm der Steuerung hat keine Datei {0}</translation>
+    </message>
+    <message>
+        <source>A recording is being fetched already; wait until it has come</source>
+        <translation>Es wird bereits eine Aufzeichnung abgeholt; warten Sie, bis sie angekommen ist</translation>
+    </message>
+    <message>
+        <source>A controller that serves others is not put back in time; fetch its recording and go on from there</source>
+        <translation>Eine Steuerung, die andere bedient, wird nicht in der Zeit zurückgesetzt; holen Sie ihre Aufzeichnung ab und fahren Sie von dort fort</translation>
+    </message>
+    <message>
+        <source>{0} is not the address of a controller; write for example https://plant:8443/</source>
+        <translation>{0} ist nicht die Adresse einer Steuerung; schreiben Sie zum Beispiel https://plant:8443/</translation>
+    </message>
+    <message>
+        <source>{0} cannot be reached: {1}</source>
+        <translation>{0} ist nicht erreichbar: {1}</translation>
+    </message>
+    <message>
+        <source>{0} refuses the connection: {1}</source>
+        <translation>{0} lehnt die Verbindung ab: {1}</translation>
+    </message>
+    <message>
+        <source>The code is wrong; it is in the file attach-code of the controller&apos;s state folder</source>
+        <translation>Der Code ist falsch; er steht in der Datei attach-code im Zustandsordner der Steuerung</translation>
+    </message>
+    <message>
+        <source>There were too many wrong codes from this computer; wait a minute</source>
+        <translation>Von diesem Rechner kamen zu viele falsche Codes; warten Sie eine Minute</translation>
+    </message>
+    <message>
+        <source>The code would cross the network unprotected; use an https address, and start the controller with --certificate</source>
+        <translation>Der Code ginge ungeschützt über das Netz; verwenden Sie eine https-Adresse und starten Sie die Steuerung mit --certificate</translation>
+    </message>
+    <message>
+        <source>The certificate of {0} is not trusted: {1}; name the file of the certificate that you trust</source>
+        <translation>Dem Zertifikat von {0} wird nicht vertraut: {1}; geben Sie die Datei des Zertifikats an, dem Sie vertrauen</translation>
+    </message>
+    <message>
+        <source>The certificate cannot be read from {0}; it must be a PEM file</source>
+        <translation>Das Zertifikat kann nicht aus {0} gelesen werden; es muss eine PEM-Datei sein</translation>
+    </message>
+    <message>
+        <source>The connection to {0} is lost</source>
+        <translation>Die Verbindung zu {0} ist unterbrochen</translation>
+    </message>
+    <message>
+        <source>{0} does not answer</source>
+        <translation>{0} antwortet nicht</translation>
+    </message>
+    <message>
+        <source>The controller&apos;s program cannot be built here as it is there; use the same version of Stepwise on both sides</source>
+        <translation>Das Programm der Steuerung lässt sich hier nicht so übersetzen wie dort; verwenden Sie auf beiden Seiten dieselbe Version von Stepwise</translation>
     </message>
 </context>
 </TS>

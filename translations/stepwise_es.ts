@@ -177,11 +177,11 @@
     </message>
     <message>
         <source>{0} says whether the channel is good and must be a BOOL or an integer</source>
-        <translation>{0} dice si el canal es bueno y debe ser BOOL o un entero</translation>
+        <translation>{0} indica si el canal es válido y debe ser BOOL o un entero</translation>
     </message>
     <message>
         <source>{0} says whether the device answers and must be a BOOL</source>
-        <translation>{0} dice si el dispositivo responde y debe ser BOOL</translation>
+        <translation>{0} indica si el dispositivo responde y debe ser BOOL</translation>
     </message>
     <message>
         <source>&quot;onLoss&quot;: &quot;safe&quot; needs the value in &quot;safe&quot;</source>
@@ -286,6 +286,10 @@
     <message>
         <source>Set the speed to real time first; devices cannot keep up with another one</source>
         <translation>Ajuste primero la velocidad a tiempo real; los dispositivos no pueden seguir otra</translation>
+    </message>
+    <message>
+        <source>The devices of an attached controller are connected there</source>
+        <translation>Los dispositivos de un controlador remoto están conectados allí</translation>
     </message>
 </context>
 <context>
@@ -632,7 +636,7 @@
     </message>
     <message>
         <source>This is nested too deeply to be compiled; split it into several statements or units</source>
-        <translation>El anidamiento es demasiado profundo para compilarlo; divídalo en varias instrucciones o unidades</translation>
+        <translation>El anidamiento es demasiado profundo para compilarlo; divídalo en varias instrucciones o unidades de organización</translation>
     </message>
     <message>
         <source>Code in C is not executed; write it in ST</source>
@@ -688,7 +692,7 @@
     </message>
     <message>
         <source>{0} is read but never written; give it a value or declare it as CONSTANT</source>
-        <translation>{0} se lee, pero no se escribe nunca; déle un valor o declárelo como CONSTANT</translation>
+        <translation>{0} se lee, pero no se escribe nunca; dele un valor o declárelo como CONSTANT</translation>
     </message>
     <message>
         <source>This is never executed; remove it or change what is before it</source>
@@ -724,7 +728,7 @@
     </message>
     <message>
         <source>There is no label {0}; write it with a colon before a statement of this unit</source>
-        <translation>No existe la etiqueta {0}; escríbala con dos puntos antes de una instrucción de esta unidad</translation>
+        <translation>No existe la etiqueta {0}; escríbala con dos puntos antes de una instrucción de esta unidad de organización</translation>
     </message>
     <message>
         <source>The variables need {0} bytes; the maximum is {1}: make arrays or strings smaller</source>
@@ -752,7 +756,7 @@
     </message>
     <message>
         <source>This loop never ends and would stop the controller; give it a condition or an EXIT</source>
-        <translation>Este bucle no termina nunca y bloquearía el controlador; déle una condición o un EXIT</translation>
+        <translation>Este bucle no termina nunca y bloquearía el controlador; dele una condición o un EXIT</translation>
     </message>
     <message>
         <source>{0} is marked OVERRIDE, but no base has a method with this name; remove OVERRIDE or correct the name</source>
@@ -801,6 +805,14 @@
     <message>
         <source>{0} is not a block of this program; only a block can have a task of its own</source>
         <translation>{0} no es un bloque de este programa; solo un bloque puede tener una tarea propia</translation>
+    </message>
+    <message>
+        <source>{0} cannot hold an exception code; declare it as __SYSTEM.ExceptionCode</source>
+        <translation>{0} no puede contener un código de excepción; declárelo como __SYSTEM.ExceptionCode</translation>
+    </message>
+    <message>
+        <source>{0} converts the number, as in CODESYS; to keep the bits, put both types into a UNION</source>
+        <translation>{0} convierte el número, como en CODESYS; para conservar los bits, ponga ambos tipos en una UNION</translation>
     </message>
 </context>
 <context>
@@ -2072,7 +2084,7 @@
         <translation>Otro programa cambió el archivo y no se ha sobrescrito</translation>
     </message>
     <message>
-        <source>This is no file that can be imported: PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
+        <source>This file cannot be imported; PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
         <translation>Este archivo no se puede importar: se leen PLCopen XML (.xml), TwinCAT (.TcPOU, etc.), texto de CODESYS (.EXP, .export) y texto estructurado (.st)</translation>
     </message>
     <message>
@@ -2080,7 +2092,7 @@
         <translation>Este XML no es PLCopen XML ni de TwinCAT o CODESYS; exporte el proyecto como PLCopen XML e importe ese archivo</translation>
     </message>
     <message>
-        <source>There is nothing in it that can be imported</source>
+        <source>It contains nothing that can be imported</source>
         <translation>No contiene nada que se pueda importar</translation>
     </message>
     <message>
@@ -2205,7 +2217,7 @@
     </message>
     <message>
         <source>The picture {0} draws more than {1} shapes</source>
-        <translation>La imagen {0} dibuja más de {1} formas</translation>
+        <translation>La imagen {0} contiene más de {1} formas</translation>
     </message>
     <message>
         <source>The shapes of the picture {0} are nested more than {1} deep or contain themselves</source>
@@ -2269,7 +2281,7 @@
     </message>
     <message>
         <source>{0} is not a colour; use the name of a role of the theme or a value such as {1}</source>
-        <translation>{0} no es un color; use el nombre de una función del tema o un valor como {1}</translation>
+        <translation>{0} no es un color; use el nombre de un rol del tema o un valor como {1}</translation>
     </message>
     <message>
         <source>{0} is not a colour; did you mean {1}?</source>
@@ -2521,7 +2533,7 @@
     </message>
     <message>
         <source>Nothing says what the lamp means; give it a label, or place a text beside it</source>
-        <translation>Nada dice qué significa el piloto; póngale un rótulo o coloque un texto al lado</translation>
+        <translation>Nada indica qué significa el piloto; póngale un rótulo o coloque un texto al lado</translation>
     </message>
     <message>
         <source>{0} on {1} has a contrast of {2} to 1 in the theme {3}; {4} to 1 is needed</source>
@@ -2580,20 +2592,8 @@
         <translation>El proyecto tiene {0} {0:alarma|alarmas}, pero ningún panel tiene una lista ni un banner de alarmas</translation>
     </message>
     <message>
-        <source>Nothing is bound: {0} is empty</source>
-        <translation>No hay nada vinculado: {0} está vacío</translation>
-    </message>
-    <message>
-        <source>Any number can be written to {0}; set {1}</source>
-        <translation>Se puede escribir cualquier número en {0}; defina {1}</translation>
-    </message>
-    <message>
         <source>{0} is critical after project.json, but one press writes it</source>
         <translation>{0} es crítico según project.json, pero una sola pulsación lo escribe</translation>
-    </message>
-    <message>
-        <source>Only {1} may write {0}, but nothing asks for confirmation</source>
-        <translation>Solo {1} puede escribir {0}, pero nada pide confirmación</translation>
     </message>
     <message>
         <source>{0} suppresses alarms, but one press writes it</source>
@@ -2608,19 +2608,15 @@
         <translation>El rojo, el naranja y el amarillo se reservan para las alarmas. Un operador que los ve todo el día deja de verlos cuando importan (ISA-101, ISA-18.2).</translation>
     </message>
     <message>
-        <source>One man in twelve confuses colours, and bright light takes them away. Say the same by a text, a shape, a blinking or at least a different brightness.</source>
-        <translation>Un hombre de cada doce confunde colores, y la luz intensa los borra. Diga lo mismo con un texto, una forma, un parpadeo o al menos otro brillo.</translation>
-    </message>
-    <message>
         <source>Text needs a contrast of 4.5 to 1 against its ground, large text 3 to 1 (WCAG 2, ISO 9241-303). Roles of the theme keep it in every theme.</source>
-        <translation>El texto necesita un contraste de 4,5 a 1 con su fondo; el texto grande, de 3 a 1 (WCAG 2, ISO 9241-303). Los papeles del tema lo conservan en todos los temas.</translation>
+        <translation>El texto necesita un contraste de 4,5 a 1 con su fondo; el texto grande, de 3 a 1 (WCAG 2, ISO 9241-303). Los roles del tema lo garantizan en todos los temas.</translation>
     </message>
     <message>
         <source>A capital letter must be seen at an angle of 16 minutes at least (ISO 9241-303). The distance and the size of a pixel are set in project.json.</source>
         <translation>Una mayúscula debe verse bajo un ángulo de al menos 16 minutos (ISO 9241-303). La distancia y el tamaño de un píxel se definen en project.json.</translation>
     </message>
     <message>
-        <source>A panel on which everything stands is searched, not read. Move details to a panel of the next level (ISA-101).</source>
+        <source>A panel that shows everything is searched, not read. Move details to a panel of the next level (ISA-101).</source>
         <translation>Un panel en el que está todo se rebusca, no se lee. Mueva los detalles a un panel del nivel siguiente (ISA-101).</translation>
     </message>
     <message>
@@ -2642,10 +2638,6 @@
     <message>
         <source>A slip of the finger sends 500 for 50. Limits refuse it where it is typed.</source>
         <translation>Un desliz del dedo envía 500 en vez de 50. Los límites lo rechazan al teclearlo.</translation>
-    </message>
-    <message>
-        <source>What only some may do, or what project.json lists as critical, must not happen by brushing the glass. Set &quot;Writes are confirmed&quot;, or ask a question.</source>
-        <translation>Lo que solo algunos pueden hacer, o lo que project.json declara crítico, no debe ocurrir al rozar el cristal. Active «Las escrituras se confirman» o haga una pregunta.</translation>
     </message>
     <message>
         <source>An alarm that nobody sees is none. Put an alarm banner on the frame or an alarm list on a panel (ISA-18.2).</source>
@@ -2675,6 +2667,50 @@
         <source>A finger needs 7 mm in both directions between the neighbours, in a glove 9 mm, which the strict level asks for. The size of a pixel is set in project.json.</source>
         <translation>Un dedo necesita 7 mm en ambas direcciones entre los vecinos y 9 mm con guante, que es lo que pide el nivel estricto. El tamaño de un píxel se define en project.json.</translation>
     </message>
+    <message>
+        <source>Nothing is bound; fill in “{0}”</source>
+        <translation>No hay nada vinculado; rellene «{0}»</translation>
+    </message>
+    <message>
+        <source>Any number can be written to {0}; set “{1}”</source>
+        <translation>Se puede escribir cualquier número en {0}; defina «{1}»</translation>
+    </message>
+    <message>
+        <source>One man in twelve cannot tell some colours apart, and bright light washes them out. Show the same by a text, a shape, blinking or at least a different brightness.</source>
+        <translation>Uno de cada doce hombres no distingue ciertos colores, y la luz intensa los borra. Indique lo mismo con un texto, una forma, un parpadeo o al menos otro brillo.</translation>
+    </message>
+    <message>
+        <source>What only some may do, or what project.json lists as critical, must not happen by an accidental touch. Set &quot;Writes are confirmed&quot;, or enter a question.</source>
+        <translation>Lo que solo algunos pueden hacer, o lo que project.json declara crítico, no debe ocurrir por un toque accidental. Active «Las escrituras se confirman» o introduzca una pregunta.</translation>
+    </message>
+    <message>
+        <source>Only {1} may write {0}, but no confirmation is asked; set &quot;Writes are confirmed&quot;</source>
+        <translation>Solo {1} puede escribir {0}, pero no se pide confirmación; active «Las escrituras se confirman»</translation>
+    </message>
+    <message>
+        <source>The theme is not valid JSON with a base and colors</source>
+        <translation>El tema no es JSON válido con base y colors</translation>
+    </message>
+    <message>
+        <source>There is no built-in theme &quot;{0}&quot;; a base is light, dark or contrast</source>
+        <translation>No existe el tema integrado «{0}»; una base es light, dark o contrast</translation>
+    </message>
+    <message>
+        <source>There is no colour role {0}</source>
+        <translation>No existe el rol de color {0}</translation>
+    </message>
+    <message>
+        <source>There is no colour role {0}; did you mean {1}?</source>
+        <translation>No existe el rol de color {0}; ¿quería decir {1}?</translation>
+    </message>
+    <message>
+        <source>The colour of {0} must be written like {1}</source>
+        <translation>El color de {0} debe escribirse como {1}</translation>
+    </message>
+    <message>
+        <source>There is no theme {0}; choose one of {1}</source>
+        <translation>No existe el tema {0}; elija uno de {1}</translation>
+    </message>
 </context>
 <context>
     <name>Exchange</name>
@@ -2696,11 +2732,11 @@
     </message>
     <message>
         <source>The body in {0} became structured text; the diagram is kept in exchange.json</source>
-        <translation>El cuerpo en {0} se ha convertido en texto estructurado; el diagrama se conserva en exchange.json</translation>
+        <translation>El cuerpo de {0} se ha convertido en texto estructurado; el diagrama se conserva en exchange.json</translation>
     </message>
     <message>
         <source>The body in {0} is stored in a form that only its own editor reads; export it there as PLCopen XML</source>
-        <translation>El cuerpo en {0} está guardado en un formato que solo lee su propio editor; expórtelo allí como PLCopen XML</translation>
+        <translation>El cuerpo de {0} está guardado en un formato que solo lee su propio editor; expórtelo allí como PLCopen XML</translation>
     </message>
     <message>
         <source>A jump leads to the step {0}, which does not exist</source>
@@ -3896,6 +3932,54 @@
         <source>Panel area</source>
         <translation>Área de panel</translation>
     </message>
+    <message>
+        <source>Share of the free room in a row</source>
+        <translation>Parte del espacio libre en la fila</translation>
+    </message>
+    <message>
+        <source>Columns taken in a grid</source>
+        <translation>Columnas ocupadas en la cuadrícula</translation>
+    </message>
+    <message>
+        <source>Closed if</source>
+        <translation>Cerrado si</translation>
+    </message>
+    <message>
+        <source>On its way if</source>
+        <translation>En movimiento si</translation>
+    </message>
+    <message>
+        <source>By hand if</source>
+        <translation>En manual si</translation>
+    </message>
+    <message>
+        <source>Out of service if</source>
+        <translation>Fuera de servicio si</translation>
+    </message>
+    <message>
+        <source>Layout</source>
+        <translation>Disposición</translation>
+    </message>
+    <message>
+        <source>Columns (0: as many as fit)</source>
+        <translation>Columnas (0: las que quepan)</translation>
+    </message>
+    <message>
+        <source>Smallest column</source>
+        <translation>Ancho mínimo de columna</translation>
+    </message>
+    <message>
+        <source>Gap</source>
+        <translation>Separación</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Margen</translation>
+    </message>
+    <message>
+        <source>Across the line</source>
+        <translation>En sentido transversal</translation>
+    </message>
 </context>
 <context>
     <name>HmiChoices</name>
@@ -4073,7 +4157,7 @@
     </message>
     <message>
         <source>Calendar week</source>
-        <translation>Semana del calendario</translation>
+        <translation>Número de semana</translation>
     </message>
     <message>
         <source>Round</source>
@@ -4510,6 +4594,34 @@
     <message>
         <source>Building</source>
         <translation>Edificio</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Cuadrícula</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>Libre</translation>
+    </message>
+    <message>
+        <source>Row</source>
+        <translation>Fila</translation>
+    </message>
+    <message>
+        <source>Column</source>
+        <translation>Columna</translation>
+    </message>
+    <message>
+        <source>Row if wide, column if tall</source>
+        <translation>Fila si es ancho, columna si es alto</translation>
+    </message>
+    <message>
+        <source>Filling it</source>
+        <translation>Rellenando</translation>
+    </message>
+    <message>
+        <source>Change the theme</source>
+        <translation>Cambiar el tema</translation>
     </message>
 </context>
 <context>
@@ -6031,6 +6143,30 @@ No conservados: %3</translation>
         <source>This folder is not empty; name a new one</source>
         <translation>Esta carpeta no está vacía; indique una nueva</translation>
     </message>
+    <message>
+        <source>program units</source>
+        <translation>unidades de organización</translation>
+    </message>
+    <message>
+        <source>data types</source>
+        <translation>tipos de datos</translation>
+    </message>
+    <message>
+        <source>global variable lists</source>
+        <translation>listas de variables globales</translation>
+    </message>
+    <message>
+        <source>configurations</source>
+        <translation>configuraciones</translation>
+    </message>
+    <message>
+        <source>texts</source>
+        <translation>textos</translation>
+    </message>
+    <message>
+        <source>files</source>
+        <translation>archivos</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::InsideViews</name>
@@ -7059,6 +7195,22 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <source>&lt;h3&gt;Stepwise %1&lt;/h3&gt;&lt;p&gt;An open PLC studio: IEC 61131-3 programs as native code, every scan recorded, operator panels in many languages.&lt;/p&gt;&lt;p&gt;Licence: GPL-3.0&lt;/p&gt;</source>
         <translation>&lt;h3&gt;Stepwise %1&lt;/h3&gt;&lt;p&gt;Un estudio de PLC abierto: programas IEC 61131-3 como código nativo, cada ciclo grabado, paneles de operador en muchos idiomas.&lt;/p&gt;&lt;p&gt;Licencia: GPL-3.0&lt;/p&gt;</translation>
     </message>
+    <message>
+        <source>High-Contrast Theme</source>
+        <translation>Tema de alto contraste</translation>
+    </message>
+    <message>
+        <source>Attach to a Controller…</source>
+        <translation>Conectar con un controlador…</translation>
+    </message>
+    <message>
+        <source>Detach from the Controller</source>
+        <translation>Desconectar del controlador</translation>
+    </message>
+    <message>
+        <source>Build a Native Program…</source>
+        <translation>Crear un programa nativo…</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MergeDialog</name>
@@ -7737,6 +7889,10 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <source> MB</source>
         <translation> MB</translation>
     </message>
+    <message>
+        <source>High contrast</source>
+        <translation>Alto contraste</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::SideBars</name>
@@ -7769,7 +7925,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Make Writable</source>
-        <translation>Permitir escritura</translation>
+        <translation>Quitar la protección contra escritura</translation>
     </message>
     <message>
         <source>Close this side</source>
@@ -9768,6 +9924,10 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <source>Bind</source>
         <translation>Enlazar</translation>
     </message>
+    <message>
+        <source>Place in cell</source>
+        <translation>Colocar en la celda</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::DesignContext</name>
@@ -10019,6 +10179,26 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>Panel</source>
         <translation>Panel</translation>
+    </message>
+    <message>
+        <source>Issues</source>
+        <translation>Mensajes</translation>
+    </message>
+    <message>
+        <source>Lay out in a row</source>
+        <translation>Disponer en fila</translation>
+    </message>
+    <message>
+        <source>Lay out in a column</source>
+        <translation>Disponer en columna</translation>
+    </message>
+    <message>
+        <source>Lay out in a grid</source>
+        <translation>Disponer en cuadrícula</translation>
+    </message>
+    <message>
+        <source>Lay out</source>
+        <translation>Disponer</translation>
     </message>
 </context>
 <context>
@@ -11141,6 +11321,730 @@ Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
     <message>
         <source>%1, %2 earlier</source>
         <translation>%1, %2 antes</translation>
+    </message>
+    <message>
+        <source>Measure between points</source>
+        <translation>Medir entre puntos</translation>
+    </message>
+    <message>
+        <source>Drag from one point to another: time, value, slope and frequency between them (M)</source>
+        <translation>Arrastre de un punto a otro: tiempo, valor, pendiente y frecuencia entre ellos (M)</translation>
+    </message>
+    <message>
+        <source>Recordings and tables (*.rec *.csv *.tsv *.txt);;All files (*)</source>
+        <translation>Grabaciones y tablas (*.rec *.csv *.tsv *.txt);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>XY plot, spectrum, frequency response, runs</source>
+        <translation>Gráfico XY, espectro, respuesta en frecuencia, ejecuciones</translation>
+    </message>
+    <message>
+        <source>Add channel of another file…</source>
+        <translation>Añadir canal de otro archivo…</translation>
+    </message>
+    <message>
+        <source>Show Beside</source>
+        <translation>Mostrar al lado</translation>
+    </message>
+    <message>
+        <source>Measure between Points</source>
+        <translation>Medir entre puntos</translation>
+    </message>
+    <message>
+        <source>Add note</source>
+        <translation>Añadir nota</translation>
+    </message>
+    <message>
+        <source>Add Note</source>
+        <translation>Añadir nota</translation>
+    </message>
+    <message>
+        <source>Note:</source>
+        <translation>Nota:</translation>
+    </message>
+    <message>
+        <source>Edit Note</source>
+        <translation>Editar nota</translation>
+    </message>
+    <message>
+        <source>Edit note</source>
+        <translation>Editar nota</translation>
+    </message>
+    <message>
+        <source>Remove note</source>
+        <translation>Quitar nota</translation>
+    </message>
+    <message>
+        <source>Edit Note…</source>
+        <translation>Editar nota…</translation>
+    </message>
+    <message>
+        <source>Remove Note</source>
+        <translation>Quitar nota</translation>
+    </message>
+    <message>
+        <source>Add Note…</source>
+        <translation>Añadir nota…</translation>
+    </message>
+    <message>
+        <source>File to add a channel of</source>
+        <translation>Archivo del que añadir un canal</translation>
+    </message>
+</context>
+<context>
+    <name>Examples</name>
+    <message>
+        <source>Automatic guided vehicle</source>
+        <translation>Vehículo de guiado automático</translation>
+    </message>
+    <message>
+        <source>Alarm texts in five languages</source>
+        <translation>Textos de alarma en cinco idiomas</translation>
+    </message>
+    <message>
+        <source>Heated tank with analog blocks</source>
+        <translation>Depósito calefactado con bloques analógicos</translation>
+    </message>
+    <message>
+        <source>Bottling line</source>
+        <translation>Línea de embotellado</translation>
+    </message>
+    <message>
+        <source>Car park with a robot</source>
+        <translation>Aparcamiento robotizado</translation>
+    </message>
+    <message>
+        <source>Car wash with recipes</source>
+        <translation>Túnel de lavado con recetas</translation>
+    </message>
+    <message>
+        <source>Room heated by supply air</source>
+        <translation>Sala calefactada con aire de impulsión</translation>
+    </message>
+    <message>
+        <source>Motor valve with command monitor</source>
+        <translation>Válvula motorizada con supervisión de orden</translation>
+    </message>
+    <message>
+        <source>Conveyor with a sequence</source>
+        <translation>Cinta con secuencia</translation>
+    </message>
+    <message>
+        <source>Depalletiser</source>
+        <translation>Despaletizador</translation>
+    </message>
+    <message>
+        <source>District-heating substation</source>
+        <translation>Subestación de calefacción urbana</translation>
+    </message>
+    <message>
+        <source>Dosing</source>
+        <translation>Dosificación</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filtro</translation>
+    </message>
+    <message>
+        <source>Gravel plant</source>
+        <translation>Planta de grava</translation>
+    </message>
+    <message>
+        <source>Heater and valve</source>
+        <translation>Calefactor y válvula</translation>
+    </message>
+    <message>
+        <source>Hour meter with reset and enable</source>
+        <translation>Cuentahoras con reposición y habilitación</translation>
+    </message>
+    <message>
+        <source>Items per hour</source>
+        <translation>Piezas por hora</translation>
+    </message>
+    <message>
+        <source>Items and meters</source>
+        <translation>Piezas y contadores</translation>
+    </message>
+    <message>
+        <source>Level lamps</source>
+        <translation>Pilotos de nivel</translation>
+    </message>
+    <message>
+        <source>Light tower</source>
+        <translation>Torre de señalización</translation>
+    </message>
+    <message>
+        <source>Tuning a control loop</source>
+        <translation>Ajuste de un lazo de control</translation>
+    </message>
+    <message>
+        <source>Mixer for two liquids and two bricks</source>
+        <translation>Mezclador de dos líquidos y dos bloques</translation>
+    </message>
+    <message>
+        <source>Motor with self-holding</source>
+        <translation>Motor con autorretención</translation>
+    </message>
+    <message>
+        <source>Operation mode of an agitator</source>
+        <translation>Modo de operación de un agitador</translation>
+    </message>
+    <message>
+        <source>PID loop on a first-order process</source>
+        <translation>Lazo PID sobre un proceso de primer orden</translation>
+    </message>
+    <message>
+        <source>First-order filter and two sines a decade apart</source>
+        <translation>Filtro de primer orden y dos senos separados una década</translation>
+    </message>
+    <message>
+        <source>Pump that looks for its cheapest speed</source>
+        <translation>Bomba que busca su velocidad más económica</translation>
+    </message>
+    <message>
+        <source>Two pumps in a well</source>
+        <translation>Dos bombas en un pozo</translation>
+    </message>
+    <message>
+        <source>Pulse width modulation of a sine</source>
+        <translation>Modulación por ancho de pulso de un seno</translation>
+    </message>
+    <message>
+        <source>Rack with a robot</source>
+        <translation>Estantería con robot</translation>
+    </message>
+    <message>
+        <source>Robot and CNC machine</source>
+        <translation>Robot y máquina CNC</translation>
+    </message>
+    <message>
+        <source>Robot that packs boxes</source>
+        <translation>Robot que llena cajas</translation>
+    </message>
+    <message>
+        <source>Two level sensors that watch each other</source>
+        <translation>Dos sensores de nivel que se supervisan</translation>
+    </message>
+    <message>
+        <source>Pumping station with six pumps</source>
+        <translation>Estación de bombeo con seis bombas</translation>
+    </message>
+    <message>
+        <source>Motor with selector</source>
+        <translation>Motor con selector</translation>
+    </message>
+    <message>
+        <source>Stack of integers</source>
+        <translation>Pila de enteros</translation>
+    </message>
+    <message>
+        <source>Tank that is filled, heated and emptied</source>
+        <translation>Depósito que se llena, calienta y vacía</translation>
+    </message>
+    <message>
+        <source>Tank, operated by hand</source>
+        <translation>Depósito en modo manual</translation>
+    </message>
+    <message>
+        <source>Level and volume</source>
+        <translation>Nivel y volumen</translation>
+    </message>
+    <message>
+        <source>Traffic light</source>
+        <translation>Semáforo</translation>
+    </message>
+    <message>
+        <source>Valve matrix</source>
+        <translation>Matriz de válvulas</translation>
+    </message>
+    <message>
+        <source>Three kinds of valves</source>
+        <translation>Tres tipos de válvulas</translation>
+    </message>
+    <message>
+        <source>Pump in waves</source>
+        <translation>Bomba con oleaje</translation>
+    </message>
+    <message>
+        <source>Truck scale</source>
+        <translation>Báscula de camiones</translation>
+    </message>
+    <message>
+        <source>Workbook</source>
+        <translation>Cuaderno de ejercicios</translation>
+    </message>
+</context>
+<context>
+    <name>FigureText</name>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 en %2</translation>
+    </message>
+    <message>
+        <source>An XY plot draws one channel over another: add a second channel to the trace.</source>
+        <translation>Un gráfico XY dibuja un canal sobre otro: añada un segundo canal a la traza.</translation>
+    </message>
+    <message>
+        <source>XY plot</source>
+        <translation>Gráfico XY</translation>
+    </message>
+    <message>
+        <source>There are no samples in view: run the program or show another stretch.</source>
+        <translation>No hay muestras a la vista: ejecute el programa o muestre otro tramo.</translation>
+    </message>
+    <message>
+        <source>%L1 points over %2</source>
+        <translation>%L1 puntos en %2</translation>
+    </message>
+    <message>
+        <source>A spectrum shows the frequencies of the visible channels: add a channel.</source>
+        <translation>Un espectro muestra las frecuencias de los canales visibles: añada un canal.</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Espectro</translation>
+    </message>
+    <message>
+        <source>Frequency [Hz]</source>
+        <translation>Frecuencia [Hz]</translation>
+    </message>
+    <message>
+        <source>amplitude</source>
+        <translation>amplitud</translation>
+    </message>
+    <message>
+        <source>%1: no peak, RMS %2</source>
+        <translation>%1: sin pico, valor eficaz %2</translation>
+    </message>
+    <message>
+        <source>%1: %2, RMS %3</source>
+        <translation>%1: %2, valor eficaz %3</translation>
+    </message>
+    <message>
+        <source>A frequency response compares an output with an input: add both as channels, and choose the input.</source>
+        <translation>Una respuesta en frecuencia compara una salida con una entrada: añada ambas como canales y elija la entrada.</translation>
+    </message>
+    <message>
+        <source>Frequency response</source>
+        <translation>Respuesta en frecuencia</translation>
+    </message>
+    <message>
+        <source>gain [dB]</source>
+        <translation>ganancia [dB]</translation>
+    </message>
+    <message>
+        <source>phase [°]</source>
+        <translation>fase [°]</translation>
+    </message>
+    <message>
+        <source>coherence</source>
+        <translation>coherencia</translation>
+    </message>
+    <message>
+        <source>%1: %L2 of %L3 frequencies with a coherence above 0.8</source>
+        <translation>%1: %L2 de %L3 frecuencias con una coherencia superior a 0,8</translation>
+    </message>
+    <message>
+        <source>Runs are laid over each other at their triggers: enter a trigger in the properties of the trace.</source>
+        <translation>Las ejecuciones se superponen en su disparo: introduzca un disparador en las propiedades de la traza.</translation>
+    </message>
+    <message>
+        <source>The trigger has not fired in this recording yet.</source>
+        <translation>El disparador aún no se ha activado en esta grabación.</translation>
+    </message>
+    <message>
+        <source>Runs of the visible channels are laid over each other: add a channel.</source>
+        <translation>Las ejecuciones de los canales visibles se superponen: añada un canal.</translation>
+    </message>
+    <message>
+        <source>Time since the trigger [s]</source>
+        <translation>Tiempo desde el disparo [s]</translation>
+    </message>
+    <message>
+        <source>%1: runs differ most %2 after the trigger, by %3</source>
+        <translation>%1: las ejecuciones difieren más %2 después del disparo, en %3</translation>
+    </message>
+    <message>
+        <source>Charts over Time Only</source>
+        <translation>Solo gráficos temporales</translation>
+    </message>
+    <message>
+        <source>XY Plot</source>
+        <translation>Gráfico XY</translation>
+    </message>
+    <message>
+        <source>Frequency Response (Bode)</source>
+        <translation>Respuesta en frecuencia (Bode)</translation>
+    </message>
+    <message>
+        <source>Runs over Each Other</source>
+        <translation>Ejecuciones superpuestas</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n run(s)</source>
+        <translation>
+            <numerusform>%n ejecución</numerusform>
+            <numerusform>%n ejecuciones</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>Waveform</name>
+    <message>
+        <source>The table has no column of times; name one time_s (seconds) or time_ms</source>
+        <translation>La tabla no tiene columna de tiempos; llame a una time_s (segundos) o time_ms</translation>
+    </message>
+    <message>
+        <source>The table has no column {0}; it has {1}</source>
+        <translation>La tabla no tiene columna {0}; tiene {1}</translation>
+    </message>
+    <message>
+        <source>The table has no column {0}; did you mean {1}?</source>
+        <translation>La tabla no tiene columna {0}; ¿quería decir {1}?</translation>
+    </message>
+    <message>
+        <source>Line {0} has no number in column {1}</source>
+        <translation>La línea {0} no tiene ningún número en la columna {1}</translation>
+    </message>
+    <message>
+        <source>The time in line {0} is before that of the line above</source>
+        <translation>El tiempo de la línea {0} es anterior al de la línea de arriba</translation>
+    </message>
+    <message>
+        <source>The table has no column of numbers besides the time</source>
+        <translation>La tabla no tiene ninguna columna de números aparte del tiempo</translation>
+    </message>
+    <message>
+        <source>The table has no rows under its headings</source>
+        <translation>La tabla no tiene filas bajo sus encabezados</translation>
+    </message>
+    <message>
+        <source>The table cannot be shown as a recording: {0}</source>
+        <translation>La tabla no se puede mostrar como grabación: {0}</translation>
+    </message>
+    <message>
+        <source>the names of its columns cannot be variables</source>
+        <translation>los nombres de sus columnas no pueden ser variables</translation>
+    </message>
+    <message>
+        <source>{0} {0:sample is|samples are} too few for a spectrum; show a longer stretch</source>
+        <translation>{0} {0:muestra es|muestras son} muy pocas para un espectro; muestre un tramo más largo</translation>
+    </message>
+    <message>
+        <source>{0} {0:sample is|samples are} too few for a frequency response; show a longer stretch</source>
+        <translation>{0} {0:muestra es|muestras son} muy pocas para una respuesta en frecuencia; muestre un tramo más largo</translation>
+    </message>
+    <message>
+        <source>The input does not move here; there is nothing to answer to</source>
+        <translation>La entrada no varía aquí; no hay ninguna respuesta que calcular</translation>
+    </message>
+    <message>
+        <source>{0} needs a closing parenthesis at the end; it goes around the whole expression</source>
+        <translation>{0} necesita un paréntesis de cierre al final; rodea toda la expresión</translation>
+    </message>
+    <message>
+        <source>{0} needs a time above 0 as its second argument, for example {1}</source>
+        <translation>{0} necesita un tiempo mayor que 0 como segundo argumento, por ejemplo {1}</translation>
+    </message>
+    <message>
+        <source>{0} takes one expression</source>
+        <translation>{0} admite una sola expresión</translation>
+    </message>
+</context>
+<context>
+    <name>plc::plot::PlotView</name>
+    <message>
+        <source>Chart</source>
+        <translation>Secuencia (SFC)</translation>
+    </message>
+    <message>
+        <source>%1
+Click selects, Ctrl+click shows or hides.</source>
+        <translation>%1
+Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
+    </message>
+</context>
+<context>
+    <name>plc::trace::FigurePane</name>
+    <message>
+        <source>Save as %1</source>
+        <translation>Guardar como %1</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Ajuste</translation>
+    </message>
+    <message>
+        <source>Copy as picture</source>
+        <translation>Copiar como imagen</translation>
+    </message>
+    <message>
+        <source>Save as %1…</source>
+        <translation>Guardar como %1…</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Ventana</translation>
+    </message>
+    <message>
+        <source>Hann window</source>
+        <translation>Ventana de Hann</translation>
+    </message>
+    <message>
+        <source>Flat top: exact amplitudes</source>
+        <translation>Flat top: amplitudes exactas</translation>
+    </message>
+    <message>
+        <source>No window</source>
+        <translation>Sin ventana</translation>
+    </message>
+    <message>
+        <source>Logarithmic</source>
+        <translation>Logarítmico</translation>
+    </message>
+    <message>
+        <source>Charts over time only</source>
+        <translation>Solo gráficos temporales</translation>
+    </message>
+    <message>
+        <source>Horizontal value</source>
+        <translation>Valor horizontal</translation>
+    </message>
+    <message>
+        <source>Window of the spectrum</source>
+        <translation>Ventana del espectro</translation>
+    </message>
+    <message>
+        <source>Logarithmic axes</source>
+        <translation>Ejes logarítmicos</translation>
+    </message>
+    <message>
+        <source>Input:</source>
+        <translation>Entrada:</translation>
+    </message>
+    <message>
+        <source>Horizontal:</source>
+        <translation>Horizontal:</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Entrada</translation>
+    </message>
+    <message>
+        <source>Measure between Points</source>
+        <translation>Medir entre puntos</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::AttachDialog</name>
+    <message>
+        <source>Address</source>
+        <translation>Dirección</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Código</translation>
+    </message>
+    <message>
+        <source>Attach to a Controller</source>
+        <translation>Conectar con un controlador</translation>
+    </message>
+    <message>
+        <source>from the file attach-code of the controller</source>
+        <translation>del archivo attach-code del controlador</translation>
+    </message>
+    <message>
+        <source>only for certificates that this computer does not know</source>
+        <translation>solo para certificados que este equipo no conoce</translation>
+    </message>
+    <message>
+        <source>…</source>
+        <translation>…</translation>
+    </message>
+    <message>
+        <source>Choose a certificate</source>
+        <translation>Elegir un certificado</translation>
+    </message>
+    <message>
+        <source>Trusted certificate</source>
+        <translation>Certificado de confianza</translation>
+    </message>
+    <message>
+        <source>Attach</source>
+        <translation>Conectar</translation>
+    </message>
+    <message>
+        <source>Choose a Certificate</source>
+        <translation>Elegir un certificado</translation>
+    </message>
+    <message>
+        <source>Certificates (*.pem *.crt *.cer);;All files (*)</source>
+        <translation>Certificados (*.pem *.crt *.cer);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Attaching…</source>
+        <translation>Conectando…</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::Attachment</name>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 en %2</translation>
+    </message>
+    <message>
+        <source>Detach</source>
+        <translation>Desconectar</translation>
+    </message>
+    <message>
+        <source>Attached to %1</source>
+        <translation>Conectado con %1</translation>
+    </message>
+    <message>
+        <source>Attached to %1; its program is not the one that is open here</source>
+        <translation>Conectado con %1; su programa no es el que está abierto aquí</translation>
+    </message>
+    <message>
+        <source>%1 is lost – connecting again…</source>
+        <translation>Conexión con %1 perdida – reconectando…</translation>
+    </message>
+    <message>
+        <source>Attaching to %1…</source>
+        <translation>Conectando con %1…</translation>
+    </message>
+    <message>
+        <source>The controller runs there; what is written and forced here acts there</source>
+        <translation>El controlador se ejecuta allí; lo que se escribe y fuerza aquí actúa allí</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::NativeProgramDialog</name>
+    <message>
+        <source>File</source>
+        <translation>Archivo</translation>
+    </message>
+    <message>
+        <source>Build</source>
+        <translation>Compilar</translation>
+    </message>
+    <message>
+        <source>Build a Native Program</source>
+        <translation>Crear un programa nativo</translation>
+    </message>
+    <message>
+        <source>…</source>
+        <translation>…</translation>
+    </message>
+    <message>
+        <source>Choose the file</source>
+        <translation>Elegir el archivo</translation>
+    </message>
+    <message>
+        <source>Native Program</source>
+        <translation>Programa nativo</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Máquina</translation>
+    </message>
+    <message>
+        <source>The program runs without Stepwise on a machine with Linux: its PLC code and a small runner in one file.</source>
+        <translation>El programa se ejecuta sin Stepwise en una máquina con Linux: su código de PLC y un pequeño entorno de ejecución en un archivo.</translation>
+    </message>
+    <message>
+        <source>Building…</source>
+        <translation>Creando…</translation>
+    </message>
+    <message>
+        <source>%1 is built</source>
+        <translation>%1 se ha creado</translation>
+    </message>
+</context>
+<context>
+    <name>Remote</name>
+    <message>
+        <source>The request is not understood; studio and controller may be of different versions</source>
+        <translation>No se entiende la solicitud; el estudio y el controlador pueden ser de versiones distintas</translation>
+    </message>
+    <message>
+        <source>There is no request {0}; studio and controller may be of different versions</source>
+        <translation>No existe la solicitud {0}; el estudio y el controlador pueden ser de versiones distintas</translation>
+    </message>
+    <message>
+        <source>Breakpoints stop a machine in the middle of a scan; `stepwise serve` allows them with --allow-breakpoints</source>
+        <translation>Los puntos de interrupción detienen una máquina en medio de un ciclo; «stepwise serve» los permite con --allow-breakpoints</translation>
+    </message>
+    <message>
+        <source>{0} is forced; release it before writing</source>
+        <translation>{0} está forzada; anule el forzado antes de escribir</translation>
+    </message>
+    <message>
+        <source>{0} is not forced</source>
+        <translation>{0} no está forzada</translation>
+    </message>
+    <message>
+        <source>Another program is being built for this controller; try again when it is in</source>
+        <translation>Se está compilando otro programa para este controlador; inténtelo de nuevo cuando esté cargado</translation>
+    </message>
+    <message>
+        <source>The program has {0} {0:error|errors}; the controller goes on with the old one</source>
+        <translation>El programa tiene {0} {0:error|errores}; el controlador sigue con el anterior</translation>
+    </message>
+    <message>
+        <source>The controller&apos;s program has no file {0}</source>
+        <translation>El programa del controlador no tiene el archivo {0}</translation>
+    </message>
+    <message>
+        <source>A recording is being fetched already; wait until it has come</source>
+        <translation>Ya se está obteniendo una grabación; espere hasta que llegue</translation>
+    </message>
+    <message>
+        <source>A controller that serves others is not put back in time; fetch its recording and go on from there</source>
+        <translation>Un controlador que sirve a otros no se lleva atrás en el tiempo; obtenga su grabación y siga desde ahí</translation>
+    </message>
+    <message>
+        <source>{0} is not the address of a controller; write for example https://plant:8443/</source>
+        <translation>{0} no es la dirección de un controlador; escriba por ejemplo https://plant:8443/</translation>
+    </message>
+    <message>
+        <source>{0} cannot be reached: {1}</source>
+        <translation>No se puede acceder a {0}: {1}</translation>
+    </message>
+    <message>
+        <source>{0} refuses the connection: {1}</source>
+        <translation>{0} rechaza la conexión: {1}</translation>
+    </message>
+    <message>
+        <source>The code is wrong; it is in the file attach-code of the controller&apos;s state folder</source>
+        <translation>El código es incorrecto; está en el archivo attach-code de la carpeta de estado del controlador</translation>
+    </message>
+    <message>
+        <source>There were too many wrong codes from this computer; wait a minute</source>
+        <translation>Hubo demasiados códigos incorrectos desde este equipo; espere un minuto</translation>
+    </message>
+    <message>
+        <source>The code would cross the network unprotected; use an https address, and start the controller with --certificate</source>
+        <translation>El código atravesaría la red sin protección; use una dirección https e inicie el controlador con --certificate</translation>
+    </message>
+    <message>
+        <source>The certificate of {0} is not trusted: {1}; name the file of the certificate that you trust</source>
+        <translation>El certificado de {0} no es de confianza: {1}; indique el archivo del certificado en el que confía</translation>
+    </message>
+    <message>
+        <source>The certificate cannot be read from {0}; it must be a PEM file</source>
+        <translation>No se puede leer el certificado de {0}; debe ser un archivo PEM</translation>
+    </message>
+    <message>
+        <source>The connection to {0} is lost</source>
+        <translation>Se ha perdido la conexión con {0}</translation>
+    </message>
+    <message>
+        <source>{0} does not answer</source>
+        <translation>{0} no responde</translation>
+    </message>
+    <message>
+        <source>The controller&apos;s program cannot be built here as it is there; use the same version of Stepwise on both sides</source>
+        <translation>El programa del controlador no se puede compilar aquí como allí; use la misma versión de Stepwise en ambos lados</translation>
     </message>
 </context>
 </TS>

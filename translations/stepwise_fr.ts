@@ -177,11 +177,11 @@
     </message>
     <message>
         <source>{0} says whether the channel is good and must be a BOOL or an integer</source>
-        <translation>{0} dit si la voie est bonne et doit être un BOOL ou un entier</translation>
+        <translation>{0} indique si la voie est valide et doit être un BOOL ou un entier</translation>
     </message>
     <message>
         <source>{0} says whether the device answers and must be a BOOL</source>
-        <translation>{0} dit si l’appareil répond et doit être un BOOL</translation>
+        <translation>{0} indique si l’appareil répond et doit être un BOOL</translation>
     </message>
     <message>
         <source>&quot;onLoss&quot;: &quot;safe&quot; needs the value in &quot;safe&quot;</source>
@@ -286,6 +286,10 @@
     <message>
         <source>Set the speed to real time first; devices cannot keep up with another one</source>
         <translation>Réglez d’abord la vitesse sur le temps réel&#x202f;; les appareils ne peuvent pas en suivre une autre</translation>
+    </message>
+    <message>
+        <source>The devices of an attached controller are connected there</source>
+        <translation>Les appareils d’un automate rattaché sont reliés là-bas</translation>
     </message>
 </context>
 <context>
@@ -632,7 +636,7 @@
     </message>
     <message>
         <source>This is nested too deeply to be compiled; split it into several statements or units</source>
-        <translation>Imbrication trop profonde pour être compilée&#x202f;; la répartir sur plusieurs instructions ou unités</translation>
+        <translation>Imbrication trop profonde pour être compilée&#x202f;; la répartir sur plusieurs instructions ou unités d’organisation</translation>
     </message>
     <message>
         <source>Code in C is not executed; write it in ST</source>
@@ -724,7 +728,7 @@
     </message>
     <message>
         <source>There is no label {0}; write it with a colon before a statement of this unit</source>
-        <translation>L’étiquette {0} n’existe pas&#x202f;; l’écrire avec un deux-points devant une instruction de cette unité</translation>
+        <translation>L’étiquette {0} n’existe pas&#x202f;; l’écrire avec un deux-points devant une instruction de cette unité d’organisation</translation>
     </message>
     <message>
         <source>The variables need {0} bytes; the maximum is {1}: make arrays or strings smaller</source>
@@ -801,6 +805,14 @@
     <message>
         <source>{0} is not a block of this program; only a block can have a task of its own</source>
         <translation>{0} n’est pas un bloc de ce programme&#x202f;; seul un bloc peut avoir sa propre tâche</translation>
+    </message>
+    <message>
+        <source>{0} cannot hold an exception code; declare it as __SYSTEM.ExceptionCode</source>
+        <translation>{0} ne peut pas contenir de code d’exception&#x202f;; déclarer avec __SYSTEM.ExceptionCode</translation>
+    </message>
+    <message>
+        <source>{0} converts the number, as in CODESYS; to keep the bits, put both types into a UNION</source>
+        <translation>{0} convertit le nombre, comme dans CODESYS&#x202f;; pour conserver les bits, placer les deux types dans une UNION</translation>
     </message>
 </context>
 <context>
@@ -2072,7 +2084,7 @@
         <translation>Le fichier a été modifié par un autre programme et n’a pas été écrasé</translation>
     </message>
     <message>
-        <source>This is no file that can be imported: PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
+        <source>This file cannot be imported; PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
         <translation>Ce fichier ne peut pas être importé&#xa0;: PLCopen XML (.xml), TwinCAT (.TcPOU, etc.), texte de CODESYS (.EXP, .export) et texte structuré (.st) peuvent être lus</translation>
     </message>
     <message>
@@ -2080,7 +2092,7 @@
         <translation>Ce XML n’est ni du PLCopen XML ni de TwinCAT ou CODESYS&#x202f;; exportez le projet en PLCopen XML et importez ce fichier</translation>
     </message>
     <message>
-        <source>There is nothing in it that can be imported</source>
+        <source>It contains nothing that can be imported</source>
         <translation>Il ne contient rien qui puisse être importé</translation>
     </message>
     <message>
@@ -2205,7 +2217,7 @@
     </message>
     <message>
         <source>The picture {0} draws more than {1} shapes</source>
-        <translation>L’image {0} dessine plus de {1} formes</translation>
+        <translation>L’image {0} contient plus de {1} formes</translation>
     </message>
     <message>
         <source>The shapes of the picture {0} are nested more than {1} deep or contain themselves</source>
@@ -2533,11 +2545,11 @@
     </message>
     <message>
         <source>The faceplate is so small here that its smallest font has {0} px; from {2} mm, {1} px are needed</source>
-        <translation>La faceplate est si petite ici que sa plus petite police a {0}&#xa0;px&#x202f;; à {2} mm, il faut {1}&#xa0;px</translation>
+        <translation>La vue d’objet est si petite ici que sa plus petite police a {0}&#xa0;px&#x202f;; à {2} mm, il faut {1}&#xa0;px</translation>
     </message>
     <message>
         <source>The faceplate is so small here that a finger finds only {0} px to press; {1} px are needed</source>
-        <translation>La faceplate est si petite ici qu’un doigt ne trouve que {0}&#xa0;px où appuyer&#x202f;; il faut {1}&#xa0;px</translation>
+        <translation>La vue d’objet est si petite ici qu’un doigt ne trouve que {0}&#xa0;px où appuyer&#x202f;; il faut {1}&#xa0;px</translation>
     </message>
     <message>
         <source>{0} x {1} px are too small for a finger beside its neighbours; {2} px are needed in both directions</source>
@@ -2580,20 +2592,8 @@
         <translation>Le projet a {0} {0:alarme|alarmes}, mais aucune vue n’a de liste ni de bandeau d’alarmes</translation>
     </message>
     <message>
-        <source>Nothing is bound: {0} is empty</source>
-        <translation>Rien n’est lié&#xa0;: {0} est vide</translation>
-    </message>
-    <message>
-        <source>Any number can be written to {0}; set {1}</source>
-        <translation>On peut écrire n’importe quel nombre dans {0}&#x202f;; définissez {1}</translation>
-    </message>
-    <message>
         <source>{0} is critical after project.json, but one press writes it</source>
         <translation>{0} est critique d’après project.json, mais un seul appui l’écrit</translation>
-    </message>
-    <message>
-        <source>Only {1} may write {0}, but nothing asks for confirmation</source>
-        <translation>Seul {1} peut écrire {0}, mais rien ne demande de confirmation</translation>
     </message>
     <message>
         <source>{0} suppresses alarms, but one press writes it</source>
@@ -2608,10 +2608,6 @@
         <translation>Le rouge, l’orange et le jaune sont réservés aux alarmes. Un opérateur qui les voit toute la journée ne les voit plus quand elles comptent (ISA-101, ISA-18.2).</translation>
     </message>
     <message>
-        <source>One man in twelve confuses colours, and bright light takes them away. Say the same by a text, a shape, a blinking or at least a different brightness.</source>
-        <translation>Un homme sur douze confond les couleurs, et une lumière vive les efface. Dites la même chose par un texte, une forme, un clignotement ou au moins une autre luminosité.</translation>
-    </message>
-    <message>
         <source>Text needs a contrast of 4.5 to 1 against its ground, large text 3 to 1 (WCAG 2, ISO 9241-303). Roles of the theme keep it in every theme.</source>
         <translation>Un texte demande un contraste de 4,5 pour 1 avec son fond, un grand texte 3 pour 1 (WCAG 2, ISO 9241-303). Les rôles du thème le garantissent dans tous les thèmes.</translation>
     </message>
@@ -2620,7 +2616,7 @@
         <translation>Une majuscule doit être vue sous un angle d’au moins 16 minutes (ISO 9241-303). La distance et la taille d’un pixel sont définies dans project.json.</translation>
     </message>
     <message>
-        <source>A panel on which everything stands is searched, not read. Move details to a panel of the next level (ISA-101).</source>
+        <source>A panel that shows everything is searched, not read. Move details to a panel of the next level (ISA-101).</source>
         <translation>Une vue où tout figure se fouille, elle ne se lit pas. Déplacez les détails vers une vue du niveau suivant (ISA-101).</translation>
     </message>
     <message>
@@ -2642,10 +2638,6 @@
     <message>
         <source>A slip of the finger sends 500 for 50. Limits refuse it where it is typed.</source>
         <translation>Un doigt qui glisse envoie 500 au lieu de 50. Des limites le refusent à la saisie.</translation>
-    </message>
-    <message>
-        <source>What only some may do, or what project.json lists as critical, must not happen by brushing the glass. Set &quot;Writes are confirmed&quot;, or ask a question.</source>
-        <translation>Ce que seuls certains peuvent faire, ou ce que project.json déclare critique, ne doit pas arriver en effleurant la vitre. Activez «&#xa0;Les écritures sont confirmées&#xa0;» ou posez une question.</translation>
     </message>
     <message>
         <source>An alarm that nobody sees is none. Put an alarm banner on the frame or an alarm list on a panel (ISA-18.2).</source>
@@ -2675,6 +2667,50 @@
         <source>A finger needs 7 mm in both directions between the neighbours, in a glove 9 mm, which the strict level asks for. The size of a pixel is set in project.json.</source>
         <translation>Un doigt demande 7 mm dans les deux sens entre les éléments voisins, 9 mm avec un gant, ce qu’exige le niveau strict. La taille d’un pixel est définie dans project.json.</translation>
     </message>
+    <message>
+        <source>Nothing is bound; fill in “{0}”</source>
+        <translation>Rien n’est lié&#x202f;; remplissez «&#xa0;{0}&#xa0;»</translation>
+    </message>
+    <message>
+        <source>Any number can be written to {0}; set “{1}”</source>
+        <translation>N’importe quel nombre peut être écrit dans {0}&#x202f;; définissez «&#xa0;{1}&#xa0;»</translation>
+    </message>
+    <message>
+        <source>One man in twelve cannot tell some colours apart, and bright light washes them out. Show the same by a text, a shape, blinking or at least a different brightness.</source>
+        <translation>Un homme sur douze ne distingue pas certaines couleurs, et une lumière vive les efface. Indiquez la même chose par un texte, une forme, un clignotement ou au moins une autre luminosité.</translation>
+    </message>
+    <message>
+        <source>What only some may do, or what project.json lists as critical, must not happen by an accidental touch. Set &quot;Writes are confirmed&quot;, or enter a question.</source>
+        <translation>Ce que seuls certains peuvent faire, ou ce que project.json déclare critique, ne doit pas se produire par un contact accidentel. Activez «&#xa0;Les écritures sont confirmées&#xa0;» ou saisissez une question.</translation>
+    </message>
+    <message>
+        <source>Only {1} may write {0}, but no confirmation is asked; set &quot;Writes are confirmed&quot;</source>
+        <translation>Seul {1} peut écrire {0}, mais aucune confirmation n’est demandée&#x202f;; activez «&#xa0;Les écritures sont confirmées&#xa0;»</translation>
+    </message>
+    <message>
+        <source>The theme is not valid JSON with a base and colors</source>
+        <translation>Le thème n’est pas du JSON valide avec base et colors</translation>
+    </message>
+    <message>
+        <source>There is no built-in theme &quot;{0}&quot;; a base is light, dark or contrast</source>
+        <translation>Le thème intégré «&#xa0;{0}&#xa0;» n’existe pas&#x202f;; une base est light, dark ou contrast</translation>
+    </message>
+    <message>
+        <source>There is no colour role {0}</source>
+        <translation>Le rôle de couleur {0} n’existe pas</translation>
+    </message>
+    <message>
+        <source>There is no colour role {0}; did you mean {1}?</source>
+        <translation>Le rôle de couleur {0} n’existe pas&#x202f;; vouliez-vous dire {1}&#x202f;?</translation>
+    </message>
+    <message>
+        <source>The colour of {0} must be written like {1}</source>
+        <translation>La couleur de {0} doit s’écrire comme {1}</translation>
+    </message>
+    <message>
+        <source>There is no theme {0}; choose one of {1}</source>
+        <translation>Le thème {0} n’existe pas&#x202f;; choisissez parmi {1}</translation>
+    </message>
 </context>
 <context>
     <name>Exchange</name>
@@ -2696,11 +2732,11 @@
     </message>
     <message>
         <source>The body in {0} became structured text; the diagram is kept in exchange.json</source>
-        <translation>Le corps dans {0} est devenu du texte structuré&#x202f;; le schéma est conservé dans exchange.json</translation>
+        <translation>Le corps de {0} est devenu du texte structuré&#x202f;; le schéma est conservé dans exchange.json</translation>
     </message>
     <message>
         <source>The body in {0} is stored in a form that only its own editor reads; export it there as PLCopen XML</source>
-        <translation>Le corps dans {0} est stocké sous une forme que seul son propre éditeur lit&#x202f;; exportez-le là-bas en PLCopen XML</translation>
+        <translation>Le corps de {0} est stocké sous une forme que seul son propre éditeur lit&#x202f;; exportez-le là-bas en PLCopen XML</translation>
     </message>
     <message>
         <source>A jump leads to the step {0}, which does not exist</source>
@@ -3896,6 +3932,54 @@
         <source>Panel area</source>
         <translation>Zone de vue</translation>
     </message>
+    <message>
+        <source>Share of the free room in a row</source>
+        <translation>Part de l’espace libre dans la ligne</translation>
+    </message>
+    <message>
+        <source>Columns taken in a grid</source>
+        <translation>Colonnes occupées dans la grille</translation>
+    </message>
+    <message>
+        <source>Closed if</source>
+        <translation>Fermé si</translation>
+    </message>
+    <message>
+        <source>On its way if</source>
+        <translation>En mouvement si</translation>
+    </message>
+    <message>
+        <source>By hand if</source>
+        <translation>En manuel si</translation>
+    </message>
+    <message>
+        <source>Out of service if</source>
+        <translation>Hors service si</translation>
+    </message>
+    <message>
+        <source>Layout</source>
+        <translation>Disposition</translation>
+    </message>
+    <message>
+        <source>Columns (0: as many as fit)</source>
+        <translation>Colonnes (0&#xa0;: autant que possible)</translation>
+    </message>
+    <message>
+        <source>Smallest column</source>
+        <translation>Largeur minimale de colonne</translation>
+    </message>
+    <message>
+        <source>Gap</source>
+        <translation>Espacement</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Marge</translation>
+    </message>
+    <message>
+        <source>Across the line</source>
+        <translation>En travers</translation>
+    </message>
 </context>
 <context>
     <name>HmiChoices</name>
@@ -4073,7 +4157,7 @@
     </message>
     <message>
         <source>Calendar week</source>
-        <translation>Semaine du calendrier</translation>
+        <translation>Semaine calendaire</translation>
     </message>
     <message>
         <source>Round</source>
@@ -4510,6 +4594,34 @@
     <message>
         <source>Building</source>
         <translation>Bâtiment</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Grille</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>Libre</translation>
+    </message>
+    <message>
+        <source>Row</source>
+        <translation>Ligne</translation>
+    </message>
+    <message>
+        <source>Column</source>
+        <translation>Colonne</translation>
+    </message>
+    <message>
+        <source>Row if wide, column if tall</source>
+        <translation>Ligne si large, colonne si haut</translation>
+    </message>
+    <message>
+        <source>Filling it</source>
+        <translation>Remplir</translation>
+    </message>
+    <message>
+        <source>Change the theme</source>
+        <translation>Changer de thème</translation>
     </message>
 </context>
 <context>
@@ -6031,6 +6143,30 @@ Non conservés&#xa0;: %3</translation>
         <source>This folder is not empty; name a new one</source>
         <translation>Ce dossier n’est pas vide&#x202f;; indiquez-en un nouveau</translation>
     </message>
+    <message>
+        <source>program units</source>
+        <translation>unités d’organisation</translation>
+    </message>
+    <message>
+        <source>data types</source>
+        <translation>types de données</translation>
+    </message>
+    <message>
+        <source>global variable lists</source>
+        <translation>listes de variables globales</translation>
+    </message>
+    <message>
+        <source>configurations</source>
+        <translation>configurations</translation>
+    </message>
+    <message>
+        <source>texts</source>
+        <translation>textes</translation>
+    </message>
+    <message>
+        <source>files</source>
+        <translation>fichiers</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::InsideViews</name>
@@ -6382,7 +6518,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Nothing had to be chosen before it happened: every scan is recorded, and a chart can be made of any expression afterwards.</source>
-        <translation>Rien n’était à choisir à l’avance&#xa0;: chaque cycle est enregistré, et une courbe de n’importe quelle expression peut être tracée après coup.</translation>
+        <translation>Il n’y avait rien à choisir à l’avance&#xa0;: chaque cycle est enregistré, et une courbe de n’importe quelle expression peut être tracée après coup.</translation>
     </message>
     <message>
         <source>The panel</source>
@@ -7058,6 +7194,22 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <message>
         <source>&lt;h3&gt;Stepwise %1&lt;/h3&gt;&lt;p&gt;An open PLC studio: IEC 61131-3 programs as native code, every scan recorded, operator panels in many languages.&lt;/p&gt;&lt;p&gt;Licence: GPL-3.0&lt;/p&gt;</source>
         <translation>&lt;h3&gt;Stepwise %1&lt;/h3&gt;&lt;p&gt;Un studio API ouvert&#xa0;: programmes CEI 61131-3 en code natif, chaque cycle enregistré, vues d’exploitation en plusieurs langues.&lt;/p&gt;&lt;p&gt;Licence&#xa0;: GPL-3.0&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>High-Contrast Theme</source>
+        <translation>Thème à contraste élevé</translation>
+    </message>
+    <message>
+        <source>Attach to a Controller…</source>
+        <translation>Se connecter à un automate…</translation>
+    </message>
+    <message>
+        <source>Detach from the Controller</source>
+        <translation>Se déconnecter de l’automate</translation>
+    </message>
+    <message>
+        <source>Build a Native Program…</source>
+        <translation>Créer un programme natif…</translation>
     </message>
 </context>
 <context>
@@ -7737,6 +7889,10 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <source> MB</source>
         <translation> Mo</translation>
     </message>
+    <message>
+        <source>High contrast</source>
+        <translation>Contraste élevé</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::SideBars</name>
@@ -7769,7 +7925,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Make Writable</source>
-        <translation>Rendre modifiable</translation>
+        <translation>Lever la protection en écriture</translation>
     </message>
     <message>
         <source>Close this side</source>
@@ -9768,6 +9924,10 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <source>Bind</source>
         <translation>Lier</translation>
     </message>
+    <message>
+        <source>Place in cell</source>
+        <translation>Placer dans la cellule</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::DesignContext</name>
@@ -10020,6 +10180,26 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <source>Panel</source>
         <translation>Vue</translation>
     </message>
+    <message>
+        <source>Issues</source>
+        <translation>Messages</translation>
+    </message>
+    <message>
+        <source>Lay out in a row</source>
+        <translation>Disposer en ligne</translation>
+    </message>
+    <message>
+        <source>Lay out in a column</source>
+        <translation>Disposer en colonne</translation>
+    </message>
+    <message>
+        <source>Lay out in a grid</source>
+        <translation>Disposer en grille</translation>
+    </message>
+    <message>
+        <source>Lay out</source>
+        <translation>Disposer</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::PeopleEditor</name>
@@ -10166,7 +10346,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Export CSV</source>
-        <translation>Exporter un fichier CSV</translation>
+        <translation>Exporter en CSV</translation>
     </message>
     <message>
         <source>Recipes</source>
@@ -11141,6 +11321,730 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
     <message>
         <source>%1, %2 earlier</source>
         <translation>%1, %2 plus tôt</translation>
+    </message>
+    <message>
+        <source>Measure between points</source>
+        <translation>Mesurer entre deux points</translation>
+    </message>
+    <message>
+        <source>Drag from one point to another: time, value, slope and frequency between them (M)</source>
+        <translation>Glisser d’un point à un autre&#xa0;: temps, valeur, pente et fréquence entre les deux (M)</translation>
+    </message>
+    <message>
+        <source>Recordings and tables (*.rec *.csv *.tsv *.txt);;All files (*)</source>
+        <translation>Enregistrements et tableaux (*.rec *.csv *.tsv *.txt);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>XY plot, spectrum, frequency response, runs</source>
+        <translation>Tracé XY, spectre, réponse en fréquence, exécutions</translation>
+    </message>
+    <message>
+        <source>Add channel of another file…</source>
+        <translation>Ajouter une voie d’un autre fichier…</translation>
+    </message>
+    <message>
+        <source>Show Beside</source>
+        <translation>Afficher à côté</translation>
+    </message>
+    <message>
+        <source>Measure between Points</source>
+        <translation>Mesurer entre deux points</translation>
+    </message>
+    <message>
+        <source>Add note</source>
+        <translation>Ajouter une note</translation>
+    </message>
+    <message>
+        <source>Add Note</source>
+        <translation>Ajouter une note</translation>
+    </message>
+    <message>
+        <source>Note:</source>
+        <translation>Note&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Edit Note</source>
+        <translation>Modifier la note</translation>
+    </message>
+    <message>
+        <source>Edit note</source>
+        <translation>Modifier la note</translation>
+    </message>
+    <message>
+        <source>Remove note</source>
+        <translation>Supprimer la note</translation>
+    </message>
+    <message>
+        <source>Edit Note…</source>
+        <translation>Modifier la note…</translation>
+    </message>
+    <message>
+        <source>Remove Note</source>
+        <translation>Supprimer la note</translation>
+    </message>
+    <message>
+        <source>Add Note…</source>
+        <translation>Ajouter une note…</translation>
+    </message>
+    <message>
+        <source>File to add a channel of</source>
+        <translation>Fichier dont ajouter une voie</translation>
+    </message>
+</context>
+<context>
+    <name>Examples</name>
+    <message>
+        <source>Automatic guided vehicle</source>
+        <translation>Véhicule à guidage automatique</translation>
+    </message>
+    <message>
+        <source>Alarm texts in five languages</source>
+        <translation>Textes d’alarme en cinq langues</translation>
+    </message>
+    <message>
+        <source>Heated tank with analog blocks</source>
+        <translation>Cuve chauffée avec blocs analogiques</translation>
+    </message>
+    <message>
+        <source>Bottling line</source>
+        <translation>Ligne d’embouteillage</translation>
+    </message>
+    <message>
+        <source>Car park with a robot</source>
+        <translation>Parking robotisé</translation>
+    </message>
+    <message>
+        <source>Car wash with recipes</source>
+        <translation>Station de lavage avec recettes</translation>
+    </message>
+    <message>
+        <source>Room heated by supply air</source>
+        <translation>Local chauffé par air soufflé</translation>
+    </message>
+    <message>
+        <source>Motor valve with command monitor</source>
+        <translation>Vanne motorisée avec surveillance de commande</translation>
+    </message>
+    <message>
+        <source>Conveyor with a sequence</source>
+        <translation>Convoyeur avec séquence</translation>
+    </message>
+    <message>
+        <source>Depalletiser</source>
+        <translation>Dépalettiseur</translation>
+    </message>
+    <message>
+        <source>District-heating substation</source>
+        <translation>Sous-station de chauffage urbain</translation>
+    </message>
+    <message>
+        <source>Dosing</source>
+        <translation>Dosage</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filtre</translation>
+    </message>
+    <message>
+        <source>Gravel plant</source>
+        <translation>Installation de gravier</translation>
+    </message>
+    <message>
+        <source>Heater and valve</source>
+        <translation>Chauffage et vanne</translation>
+    </message>
+    <message>
+        <source>Hour meter with reset and enable</source>
+        <translation>Compteur horaire avec remise à zéro et validation</translation>
+    </message>
+    <message>
+        <source>Items per hour</source>
+        <translation>Pièces par heure</translation>
+    </message>
+    <message>
+        <source>Items and meters</source>
+        <translation>Pièces et compteurs</translation>
+    </message>
+    <message>
+        <source>Level lamps</source>
+        <translation>Voyants de niveau</translation>
+    </message>
+    <message>
+        <source>Light tower</source>
+        <translation>Colonne lumineuse</translation>
+    </message>
+    <message>
+        <source>Tuning a control loop</source>
+        <translation>Réglage d’une boucle de régulation</translation>
+    </message>
+    <message>
+        <source>Mixer for two liquids and two bricks</source>
+        <translation>Mélangeur pour deux liquides et deux briques</translation>
+    </message>
+    <message>
+        <source>Motor with self-holding</source>
+        <translation>Moteur avec auto-maintien</translation>
+    </message>
+    <message>
+        <source>Operation mode of an agitator</source>
+        <translation>Mode de marche d’un agitateur</translation>
+    </message>
+    <message>
+        <source>PID loop on a first-order process</source>
+        <translation>Boucle PID sur un procédé du premier ordre</translation>
+    </message>
+    <message>
+        <source>First-order filter and two sines a decade apart</source>
+        <translation>Filtre du premier ordre et deux sinus à une décade d’écart</translation>
+    </message>
+    <message>
+        <source>Pump that looks for its cheapest speed</source>
+        <translation>Pompe qui cherche sa vitesse la plus économique</translation>
+    </message>
+    <message>
+        <source>Two pumps in a well</source>
+        <translation>Deux pompes dans un puits</translation>
+    </message>
+    <message>
+        <source>Pulse width modulation of a sine</source>
+        <translation>Modulation de largeur d’impulsion d’un sinus</translation>
+    </message>
+    <message>
+        <source>Rack with a robot</source>
+        <translation>Rayonnage avec robot</translation>
+    </message>
+    <message>
+        <source>Robot and CNC machine</source>
+        <translation>Robot et machine CNC</translation>
+    </message>
+    <message>
+        <source>Robot that packs boxes</source>
+        <translation>Robot qui remplit des cartons</translation>
+    </message>
+    <message>
+        <source>Two level sensors that watch each other</source>
+        <translation>Deux capteurs de niveau qui se surveillent</translation>
+    </message>
+    <message>
+        <source>Pumping station with six pumps</source>
+        <translation>Station de pompage à six pompes</translation>
+    </message>
+    <message>
+        <source>Motor with selector</source>
+        <translation>Moteur avec sélecteur</translation>
+    </message>
+    <message>
+        <source>Stack of integers</source>
+        <translation>Pile d’entiers</translation>
+    </message>
+    <message>
+        <source>Tank that is filled, heated and emptied</source>
+        <translation>Cuve remplie, chauffée et vidée</translation>
+    </message>
+    <message>
+        <source>Tank, operated by hand</source>
+        <translation>Cuve en mode manuel</translation>
+    </message>
+    <message>
+        <source>Level and volume</source>
+        <translation>Niveau et volume</translation>
+    </message>
+    <message>
+        <source>Traffic light</source>
+        <translation>Feu tricolore</translation>
+    </message>
+    <message>
+        <source>Valve matrix</source>
+        <translation>Matrice de vannes</translation>
+    </message>
+    <message>
+        <source>Three kinds of valves</source>
+        <translation>Trois types de vannes</translation>
+    </message>
+    <message>
+        <source>Pump in waves</source>
+        <translation>Pompe dans les vagues</translation>
+    </message>
+    <message>
+        <source>Truck scale</source>
+        <translation>Pont-bascule</translation>
+    </message>
+    <message>
+        <source>Workbook</source>
+        <translation>Cahier d’exercices</translation>
+    </message>
+</context>
+<context>
+    <name>FigureText</name>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>An XY plot draws one channel over another: add a second channel to the trace.</source>
+        <translation>Un tracé XY dessine une voie en fonction d’une autre&#xa0;: ajoutez une deuxième voie à la trace.</translation>
+    </message>
+    <message>
+        <source>XY plot</source>
+        <translation>Tracé XY</translation>
+    </message>
+    <message>
+        <source>There are no samples in view: run the program or show another stretch.</source>
+        <translation>Aucun échantillon dans la zone visible&#xa0;: exécutez le programme ou affichez une autre plage.</translation>
+    </message>
+    <message>
+        <source>%L1 points over %2</source>
+        <translation>%L1 points sur %2</translation>
+    </message>
+    <message>
+        <source>A spectrum shows the frequencies of the visible channels: add a channel.</source>
+        <translation>Un spectre affiche les fréquences des voies visibles&#xa0;: ajoutez une voie.</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spectre</translation>
+    </message>
+    <message>
+        <source>Frequency [Hz]</source>
+        <translation>Fréquence [Hz]</translation>
+    </message>
+    <message>
+        <source>amplitude</source>
+        <translation>amplitude</translation>
+    </message>
+    <message>
+        <source>%1: no peak, RMS %2</source>
+        <translation>%1&#xa0;: pas de pic, valeur efficace %2</translation>
+    </message>
+    <message>
+        <source>%1: %2, RMS %3</source>
+        <translation>%1&#xa0;: %2, valeur efficace %3</translation>
+    </message>
+    <message>
+        <source>A frequency response compares an output with an input: add both as channels, and choose the input.</source>
+        <translation>Une réponse en fréquence compare une sortie à une entrée&#xa0;: ajoutez les deux comme voies, et choisissez l’entrée.</translation>
+    </message>
+    <message>
+        <source>Frequency response</source>
+        <translation>Réponse en fréquence</translation>
+    </message>
+    <message>
+        <source>gain [dB]</source>
+        <translation>gain [dB]</translation>
+    </message>
+    <message>
+        <source>phase [°]</source>
+        <translation>phase [°]</translation>
+    </message>
+    <message>
+        <source>coherence</source>
+        <translation>cohérence</translation>
+    </message>
+    <message>
+        <source>%1: %L2 of %L3 frequencies with a coherence above 0.8</source>
+        <translation>%1&#xa0;: %L2 fréquences sur %L3 avec une cohérence supérieure à 0,8</translation>
+    </message>
+    <message>
+        <source>Runs are laid over each other at their triggers: enter a trigger in the properties of the trace.</source>
+        <translation>Les exécutions sont superposées à leur déclenchement&#xa0;: saisissez un déclencheur dans les propriétés de la trace.</translation>
+    </message>
+    <message>
+        <source>The trigger has not fired in this recording yet.</source>
+        <translation>Le déclencheur ne s’est pas encore déclenché dans cet enregistrement.</translation>
+    </message>
+    <message>
+        <source>Runs of the visible channels are laid over each other: add a channel.</source>
+        <translation>Les exécutions des voies visibles sont superposées&#xa0;: ajoutez une voie.</translation>
+    </message>
+    <message>
+        <source>Time since the trigger [s]</source>
+        <translation>Temps depuis le déclenchement [s]</translation>
+    </message>
+    <message>
+        <source>%1: runs differ most %2 after the trigger, by %3</source>
+        <translation>%1&#xa0;: écart maximal des exécutions %2 après le déclenchement, de %3</translation>
+    </message>
+    <message>
+        <source>Charts over Time Only</source>
+        <translation>Courbes temporelles seules</translation>
+    </message>
+    <message>
+        <source>XY Plot</source>
+        <translation>Tracé XY</translation>
+    </message>
+    <message>
+        <source>Frequency Response (Bode)</source>
+        <translation>Réponse en fréquence (Bode)</translation>
+    </message>
+    <message>
+        <source>Runs over Each Other</source>
+        <translation>Exécutions superposées</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n run(s)</source>
+        <translation>
+            <numerusform>%n exécution</numerusform>
+            <numerusform>%n exécutions</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>Waveform</name>
+    <message>
+        <source>The table has no column of times; name one time_s (seconds) or time_ms</source>
+        <translation>Le tableau n’a pas de colonne de temps&#x202f;; nommez-en une time_s (secondes) ou time_ms</translation>
+    </message>
+    <message>
+        <source>The table has no column {0}; it has {1}</source>
+        <translation>Le tableau n’a pas de colonne {0}&#x202f;; il a {1}</translation>
+    </message>
+    <message>
+        <source>The table has no column {0}; did you mean {1}?</source>
+        <translation>Le tableau n’a pas de colonne {0}&#x202f;; vouliez-vous dire {1}&#x202f;?</translation>
+    </message>
+    <message>
+        <source>Line {0} has no number in column {1}</source>
+        <translation>La ligne {0} n’a pas de nombre dans la colonne {1}</translation>
+    </message>
+    <message>
+        <source>The time in line {0} is before that of the line above</source>
+        <translation>Le temps de la ligne {0} est antérieur à celui de la ligne précédente</translation>
+    </message>
+    <message>
+        <source>The table has no column of numbers besides the time</source>
+        <translation>Le tableau n’a pas de colonne de nombres en dehors du temps</translation>
+    </message>
+    <message>
+        <source>The table has no rows under its headings</source>
+        <translation>Le tableau n’a pas de lignes sous ses en-têtes</translation>
+    </message>
+    <message>
+        <source>The table cannot be shown as a recording: {0}</source>
+        <translation>Le tableau ne peut pas être affiché comme enregistrement&#xa0;: {0}</translation>
+    </message>
+    <message>
+        <source>the names of its columns cannot be variables</source>
+        <translation>les noms de ses colonnes ne peuvent pas être des variables</translation>
+    </message>
+    <message>
+        <source>{0} {0:sample is|samples are} too few for a spectrum; show a longer stretch</source>
+        <translation>{0} {0:échantillon|échantillons}, c’est trop peu pour un spectre&#x202f;; affichez une plage plus longue</translation>
+    </message>
+    <message>
+        <source>{0} {0:sample is|samples are} too few for a frequency response; show a longer stretch</source>
+        <translation>{0} {0:échantillon|échantillons}, c’est trop peu pour une réponse en fréquence&#x202f;; affichez une plage plus longue</translation>
+    </message>
+    <message>
+        <source>The input does not move here; there is nothing to answer to</source>
+        <translation>L’entrée ne varie pas ici&#x202f;; il n’y a pas de réponse à calculer</translation>
+    </message>
+    <message>
+        <source>{0} needs a closing parenthesis at the end; it goes around the whole expression</source>
+        <translation>{0} demande une parenthèse fermante à la fin&#x202f;; elle entoure toute l’expression</translation>
+    </message>
+    <message>
+        <source>{0} needs a time above 0 as its second argument, for example {1}</source>
+        <translation>{0} demande un temps supérieur à 0 comme deuxième argument, par exemple {1}</translation>
+    </message>
+    <message>
+        <source>{0} takes one expression</source>
+        <translation>{0} prend une seule expression</translation>
+    </message>
+</context>
+<context>
+    <name>plc::plot::PlotView</name>
+    <message>
+        <source>Chart</source>
+        <translation>Grafcet</translation>
+    </message>
+    <message>
+        <source>%1
+Click selects, Ctrl+click shows or hides.</source>
+        <translation>%1
+Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
+    </message>
+</context>
+<context>
+    <name>plc::trace::FigurePane</name>
+    <message>
+        <source>Save as %1</source>
+        <translation>Enregistrer en %1</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Ajustement</translation>
+    </message>
+    <message>
+        <source>Copy as picture</source>
+        <translation>Copier comme image</translation>
+    </message>
+    <message>
+        <source>Save as %1…</source>
+        <translation>Enregistrer en %1…</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenêtre</translation>
+    </message>
+    <message>
+        <source>Hann window</source>
+        <translation>Fenêtre de Hann</translation>
+    </message>
+    <message>
+        <source>Flat top: exact amplitudes</source>
+        <translation>Flat top&#xa0;: amplitudes exactes</translation>
+    </message>
+    <message>
+        <source>No window</source>
+        <translation>Pas de fenêtre</translation>
+    </message>
+    <message>
+        <source>Logarithmic</source>
+        <translation>Logarithmique</translation>
+    </message>
+    <message>
+        <source>Charts over time only</source>
+        <translation>Courbes temporelles seules</translation>
+    </message>
+    <message>
+        <source>Horizontal value</source>
+        <translation>Valeur horizontale</translation>
+    </message>
+    <message>
+        <source>Window of the spectrum</source>
+        <translation>Fenêtre du spectre</translation>
+    </message>
+    <message>
+        <source>Logarithmic axes</source>
+        <translation>Axes logarithmiques</translation>
+    </message>
+    <message>
+        <source>Input:</source>
+        <translation>Entrée&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Horizontal:</source>
+        <translation>Horizontal&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Entrée</translation>
+    </message>
+    <message>
+        <source>Measure between Points</source>
+        <translation>Mesurer entre deux points</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::AttachDialog</name>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Code</translation>
+    </message>
+    <message>
+        <source>Attach to a Controller</source>
+        <translation>Se connecter à un automate</translation>
+    </message>
+    <message>
+        <source>from the file attach-code of the controller</source>
+        <translation>du fichier attach-code de l’automate</translation>
+    </message>
+    <message>
+        <source>only for certificates that this computer does not know</source>
+        <translation>seulement pour les certificats que cet ordinateur ne connaît pas</translation>
+    </message>
+    <message>
+        <source>…</source>
+        <translation>…</translation>
+    </message>
+    <message>
+        <source>Choose a certificate</source>
+        <translation>Choisir un certificat</translation>
+    </message>
+    <message>
+        <source>Trusted certificate</source>
+        <translation>Certificat de confiance</translation>
+    </message>
+    <message>
+        <source>Attach</source>
+        <translation>Se connecter</translation>
+    </message>
+    <message>
+        <source>Choose a Certificate</source>
+        <translation>Choisir un certificat</translation>
+    </message>
+    <message>
+        <source>Certificates (*.pem *.crt *.cer);;All files (*)</source>
+        <translation>Certificats (*.pem *.crt *.cer);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Attaching…</source>
+        <translation>Connexion…</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::Attachment</name>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>Detach</source>
+        <translation>Se déconnecter</translation>
+    </message>
+    <message>
+        <source>Attached to %1</source>
+        <translation>Connecté à %1</translation>
+    </message>
+    <message>
+        <source>Attached to %1; its program is not the one that is open here</source>
+        <translation>Connecté à %1&#x202f;; son programme n’est pas celui qui est ouvert ici</translation>
+    </message>
+    <message>
+        <source>%1 is lost – connecting again…</source>
+        <translation>Connexion à %1 perdue – reconnexion…</translation>
+    </message>
+    <message>
+        <source>Attaching to %1…</source>
+        <translation>Connexion à %1…</translation>
+    </message>
+    <message>
+        <source>The controller runs there; what is written and forced here acts there</source>
+        <translation>L’automate s’exécute là-bas&#x202f;; ce qui est écrit et forcé ici agit là-bas</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::NativeProgramDialog</name>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>Build</source>
+        <translation>Compiler</translation>
+    </message>
+    <message>
+        <source>Build a Native Program</source>
+        <translation>Créer un programme natif</translation>
+    </message>
+    <message>
+        <source>…</source>
+        <translation>…</translation>
+    </message>
+    <message>
+        <source>Choose the file</source>
+        <translation>Choisir le fichier</translation>
+    </message>
+    <message>
+        <source>Native Program</source>
+        <translation>Programme natif</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Machine</translation>
+    </message>
+    <message>
+        <source>The program runs without Stepwise on a machine with Linux: its PLC code and a small runner in one file.</source>
+        <translation>Le programme s’exécute sans Stepwise sur une machine Linux&#xa0;: son code d’automate (API) et un petit moteur d’exécution dans un seul fichier.</translation>
+    </message>
+    <message>
+        <source>Building…</source>
+        <translation>Création…</translation>
+    </message>
+    <message>
+        <source>%1 is built</source>
+        <translation>%1 est créé</translation>
+    </message>
+</context>
+<context>
+    <name>Remote</name>
+    <message>
+        <source>The request is not understood; studio and controller may be of different versions</source>
+        <translation>La requête n’est pas comprise&#x202f;; le studio et l’automate sont peut-être de versions différentes</translation>
+    </message>
+    <message>
+        <source>There is no request {0}; studio and controller may be of different versions</source>
+        <translation>La requête {0} n’existe pas&#x202f;; le studio et l’automate sont peut-être de versions différentes</translation>
+    </message>
+    <message>
+        <source>Breakpoints stop a machine in the middle of a scan; `stepwise serve` allows them with --allow-breakpoints</source>
+        <translation>Les points d’arrêt arrêtent une machine au milieu d’un cycle&#x202f;; «&#xa0;stepwise serve&#xa0;» les autorise avec --allow-breakpoints</translation>
+    </message>
+    <message>
+        <source>{0} is forced; release it before writing</source>
+        <translation>{0} est forcé&#x202f;; levez le forçage avant d’écrire</translation>
+    </message>
+    <message>
+        <source>{0} is not forced</source>
+        <translation>{0} n’est pas forcé</translation>
+    </message>
+    <message>
+        <source>Another program is being built for this controller; try again when it is in</source>
+        <translation>Un autre programme est en cours de compilation pour cet automate&#x202f;; réessayez quand il sera chargé</translation>
+    </message>
+    <message>
+        <source>The program has {0} {0:error|errors}; the controller goes on with the old one</source>
+        <translation>Le programme a {0} {0:erreur|erreurs}&#x202f;; l’automate continue avec l’ancien</translation>
+    </message>
+    <message>
+        <source>The controller&apos;s program has no file {0}</source>
+        <translation>Le programme de l’automate n’a pas de fichier {0}</translation>
+    </message>
+    <message>
+        <source>A recording is being fetched already; wait until it has come</source>
+        <translation>Un enregistrement est déjà en cours de récupération&#x202f;; attendez qu’il soit arrivé</translation>
+    </message>
+    <message>
+        <source>A controller that serves others is not put back in time; fetch its recording and go on from there</source>
+        <translation>Un automate qui en sert d’autres n’est pas ramené en arrière&#x202f;; récupérez son enregistrement et continuez à partir de là</translation>
+    </message>
+    <message>
+        <source>{0} is not the address of a controller; write for example https://plant:8443/</source>
+        <translation>{0} n’est pas l’adresse d’un automate&#x202f;; écrivez par exemple https://plant:8443/</translation>
+    </message>
+    <message>
+        <source>{0} cannot be reached: {1}</source>
+        <translation>{0} est injoignable&#xa0;: {1}</translation>
+    </message>
+    <message>
+        <source>{0} refuses the connection: {1}</source>
+        <translation>{0} refuse la connexion&#xa0;: {1}</translation>
+    </message>
+    <message>
+        <source>The code is wrong; it is in the file attach-code of the controller&apos;s state folder</source>
+        <translation>Le code est faux&#x202f;; il se trouve dans le fichier attach-code du dossier d’état de l’automate</translation>
+    </message>
+    <message>
+        <source>There were too many wrong codes from this computer; wait a minute</source>
+        <translation>Trop de codes faux depuis cet ordinateur&#x202f;; attendez une minute</translation>
+    </message>
+    <message>
+        <source>The code would cross the network unprotected; use an https address, and start the controller with --certificate</source>
+        <translation>Le code traverserait le réseau sans protection&#x202f;; utilisez une adresse https et démarrez l’automate avec --certificate</translation>
+    </message>
+    <message>
+        <source>The certificate of {0} is not trusted: {1}; name the file of the certificate that you trust</source>
+        <translation>Le certificat de {0} n’est pas approuvé&#xa0;: {1}&#x202f;; indiquez le fichier du certificat auquel vous faites confiance</translation>
+    </message>
+    <message>
+        <source>The certificate cannot be read from {0}; it must be a PEM file</source>
+        <translation>Le certificat ne peut pas être lu depuis {0}&#x202f;; ce doit être un fichier PEM</translation>
+    </message>
+    <message>
+        <source>The connection to {0} is lost</source>
+        <translation>La connexion à {0} est perdue</translation>
+    </message>
+    <message>
+        <source>{0} does not answer</source>
+        <translation>{0} ne répond pas</translation>
+    </message>
+    <message>
+        <source>The controller&apos;s program cannot be built here as it is there; use the same version of Stepwise on both sides</source>
+        <translation>Le programme de l’automate ne peut pas être compilé ici comme là-bas&#x202f;; utilisez la même version de Stepwise des deux côtés</translation>
     </message>
 </context>
 </TS>

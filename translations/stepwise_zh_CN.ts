@@ -153,7 +153,7 @@
     </message>
     <message>
         <source>A {0} may not fit into {1} of type {2}; a value that does not fit leaves the variable as it is and makes the channel bad</source>
-        <translation>{0} 可能放不进类型为 {2} 的 {1}；放不下的值不会改变变量，并使通道变为不良</translation>
+        <translation>{0} 可能放不进类型为 {2} 的 {1}；放不下的值不会改变变量，并将通道标为无效</translation>
     </message>
     <message>
         <source>{0} is an output of the program; an input channel needs %I or a variable</source>
@@ -177,7 +177,7 @@
     </message>
     <message>
         <source>{0} says whether the channel is good and must be a BOOL or an integer</source>
-        <translation>{0} 表示通道是否良好，必须是 BOOL 或整数</translation>
+        <translation>{0} 表示通道是否有效，必须是 BOOL 或整数</translation>
     </message>
     <message>
         <source>{0} says whether the device answers and must be a BOOL</source>
@@ -286,6 +286,10 @@
     <message>
         <source>Set the speed to real time first; devices cannot keep up with another one</source>
         <translation>请先将速度设为实时；设备跟不上其他速度</translation>
+    </message>
+    <message>
+        <source>The devices of an attached controller are connected there</source>
+        <translation>已连接的远程控制器的设备在其所在处连接</translation>
     </message>
 </context>
 <context>
@@ -801,6 +805,14 @@
     <message>
         <source>{0} is not a block of this program; only a block can have a task of its own</source>
         <translation>{0} 不是此程序的功能块；只有功能块可以有自己的任务</translation>
+    </message>
+    <message>
+        <source>{0} cannot hold an exception code; declare it as __SYSTEM.ExceptionCode</source>
+        <translation>{0} 不能容纳异常代码；请声明为 __SYSTEM.ExceptionCode</translation>
+    </message>
+    <message>
+        <source>{0} converts the number, as in CODESYS; to keep the bits, put both types into a UNION</source>
+        <translation>{0} 与 CODESYS 一样转换数值；若要保留各位，请将两种类型放入 UNION</translation>
     </message>
 </context>
 <context>
@@ -1537,7 +1549,7 @@
     </message>
     <message>
         <source>This loop of the test does not end</source>
-        <translation>测试中的此循环不结束</translation>
+        <translation>测试中的此循环不会结束</translation>
     </message>
     <message>
         <source>The step of this loop is 0</source>
@@ -2072,7 +2084,7 @@
         <translation>文件已被其他程序更改，未被覆盖</translation>
     </message>
     <message>
-        <source>This is no file that can be imported: PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
+        <source>This file cannot be imported; PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
         <translation>此文件不能导入：可读取 PLCopen XML（.xml）、TwinCAT（.TcPOU 等）、CODESYS 文本（.EXP、.export）和结构化文本（.st）</translation>
     </message>
     <message>
@@ -2080,7 +2092,7 @@
         <translation>此 XML 既不是 PLCopen XML，也不是 TwinCAT 或 CODESYS 的；请将项目导出为 PLCopen XML 并导入该文件</translation>
     </message>
     <message>
-        <source>There is nothing in it that can be imported</source>
+        <source>It contains nothing that can be imported</source>
         <translation>其中没有可导入的内容</translation>
     </message>
     <message>
@@ -2205,7 +2217,7 @@
     </message>
     <message>
         <source>The picture {0} draws more than {1} shapes</source>
-        <translation>图片 {0} 绘制的形状超过 {1} 个</translation>
+        <translation>图片 {0} 包含的形状超过 {1} 个</translation>
     </message>
     <message>
         <source>The shapes of the picture {0} are nested more than {1} deep or contain themselves</source>
@@ -2533,11 +2545,11 @@
     </message>
     <message>
         <source>The faceplate is so small here that its smallest font has {0} px; from {2} mm, {1} px are needed</source>
-        <translation>此处面板太小，其最小字体只有 {0} px；在 {2} mm 处需要 {1} px</translation>
+        <translation>此处面板组件太小，其最小字体只有 {0} px；在 {2} mm 处需要 {1} px</translation>
     </message>
     <message>
         <source>The faceplate is so small here that a finger finds only {0} px to press; {1} px are needed</source>
-        <translation>此处面板太小，手指只有 {0} px 可按；需要 {1} px</translation>
+        <translation>此处面板组件太小，手指只有 {0} px 可按；需要 {1} px</translation>
     </message>
     <message>
         <source>{0} x {1} px are too small for a finger beside its neighbours; {2} px are needed in both directions</source>
@@ -2580,20 +2592,8 @@
         <translation>项目有 {0} 个报警，但没有任何画面带有报警列表或报警横幅</translation>
     </message>
     <message>
-        <source>Nothing is bound: {0} is empty</source>
-        <translation>没有绑定：{0} 为空</translation>
-    </message>
-    <message>
-        <source>Any number can be written to {0}; set {1}</source>
-        <translation>可以向 {0} 写入任意数字；请设置 {1}</translation>
-    </message>
-    <message>
         <source>{0} is critical after project.json, but one press writes it</source>
         <translation>project.json 将 {0} 列为关键变量，但按一下即可写入</translation>
-    </message>
-    <message>
-        <source>Only {1} may write {0}, but nothing asks for confirmation</source>
-        <translation>只有 {1} 可以写 {0}，但没有要求确认</translation>
     </message>
     <message>
         <source>{0} suppresses alarms, but one press writes it</source>
@@ -2608,10 +2608,6 @@
         <translation>红色、橙色和黄色留给报警。操作员若整天看到它们，在关键时刻就会视而不见 (ISA-101, ISA-18.2)。</translation>
     </message>
     <message>
-        <source>One man in twelve confuses colours, and bright light takes them away. Say the same by a text, a shape, a blinking or at least a different brightness.</source>
-        <translation>每十二名男性中就有一人混淆颜色，强光下颜色也会消失。请同时用文本、形状、闪烁或至少不同的亮度表达。</translation>
-    </message>
-    <message>
         <source>Text needs a contrast of 4.5 to 1 against its ground, large text 3 to 1 (WCAG 2, ISO 9241-303). Roles of the theme keep it in every theme.</source>
         <translation>文本与背景的对比度需达到 4.5 比 1，大号文本为 3 比 1 (WCAG 2, ISO 9241-303)。主题角色在每个主题中都能保证这一点。</translation>
     </message>
@@ -2620,7 +2616,7 @@
         <translation>大写字母的视角至少应为 16 角分 (ISO 9241-303)。距离和像素大小在 project.json 中设置。</translation>
     </message>
     <message>
-        <source>A panel on which everything stands is searched, not read. Move details to a panel of the next level (ISA-101).</source>
+        <source>A panel that shows everything is searched, not read. Move details to a panel of the next level (ISA-101).</source>
         <translation>什么都放的画面只能搜索，无法阅读。请把细节移到下一级画面 (ISA-101)。</translation>
     </message>
     <message>
@@ -2642,10 +2638,6 @@
     <message>
         <source>A slip of the finger sends 500 for 50. Limits refuse it where it is typed.</source>
         <translation>手指一滑就可能把 50 输成 500。限值会在输入时拒绝它。</translation>
-    </message>
-    <message>
-        <source>What only some may do, or what project.json lists as critical, must not happen by brushing the glass. Set &quot;Writes are confirmed&quot;, or ask a question.</source>
-        <translation>只有部分人可以做的操作，或 project.json 列为关键的操作，不应因误触而发生。请设置“写入需确认”，或提出询问。</translation>
     </message>
     <message>
         <source>An alarm that nobody sees is none. Put an alarm banner on the frame or an alarm list on a panel (ISA-18.2).</source>
@@ -2674,6 +2666,50 @@
     <message>
         <source>A finger needs 7 mm in both directions between the neighbours, in a glove 9 mm, which the strict level asks for. The size of a pixel is set in project.json.</source>
         <translation>相邻元素之间，手指在两个方向上需要 7 mm，戴手套需要 9 mm，严格级别即要求 9 mm。像素大小在 project.json 中设置。</translation>
+    </message>
+    <message>
+        <source>Nothing is bound; fill in “{0}”</source>
+        <translation>没有绑定；请填写“{0}”</translation>
+    </message>
+    <message>
+        <source>Any number can be written to {0}; set “{1}”</source>
+        <translation>任何数值都可写入 {0}；请设置“{1}”</translation>
+    </message>
+    <message>
+        <source>One man in twelve cannot tell some colours apart, and bright light washes them out. Show the same by a text, a shape, blinking or at least a different brightness.</source>
+        <translation>每十二名男性中就有一人难以分辨某些颜色，强光下颜色也会变淡。请同时用文本、形状、闪烁或至少不同的亮度表达。</translation>
+    </message>
+    <message>
+        <source>What only some may do, or what project.json lists as critical, must not happen by an accidental touch. Set &quot;Writes are confirmed&quot;, or enter a question.</source>
+        <translation>只有部分人可以做的操作，或 project.json 列为关键的操作，不应因误触而发生。请设置“写入需确认”，或填写询问文本。</translation>
+    </message>
+    <message>
+        <source>Only {1} may write {0}, but no confirmation is asked; set &quot;Writes are confirmed&quot;</source>
+        <translation>只有 {1} 可以写 {0}，但未要求确认；请设置“写入需确认”</translation>
+    </message>
+    <message>
+        <source>The theme is not valid JSON with a base and colors</source>
+        <translation>主题不是包含 base 和 colors 的有效 JSON</translation>
+    </message>
+    <message>
+        <source>There is no built-in theme &quot;{0}&quot;; a base is light, dark or contrast</source>
+        <translation>没有内置主题“{0}”；基础主题为 light、dark 或 contrast</translation>
+    </message>
+    <message>
+        <source>There is no colour role {0}</source>
+        <translation>没有颜色角色 {0}</translation>
+    </message>
+    <message>
+        <source>There is no colour role {0}; did you mean {1}?</source>
+        <translation>没有颜色角色 {0}；是否指 {1}？</translation>
+    </message>
+    <message>
+        <source>The colour of {0} must be written like {1}</source>
+        <translation>{0} 的颜色必须写成 {1} 的形式</translation>
+    </message>
+    <message>
+        <source>There is no theme {0}; choose one of {1}</source>
+        <translation>没有主题 {0}；请从 {1} 中选择</translation>
     </message>
 </context>
 <context>
@@ -3896,6 +3932,54 @@
         <source>Panel area</source>
         <translation>画面区域</translation>
     </message>
+    <message>
+        <source>Share of the free room in a row</source>
+        <translation>占行内剩余空间的份额</translation>
+    </message>
+    <message>
+        <source>Columns taken in a grid</source>
+        <translation>在网格中占用的列数</translation>
+    </message>
+    <message>
+        <source>Closed if</source>
+        <translation>关闭条件</translation>
+    </message>
+    <message>
+        <source>On its way if</source>
+        <translation>动作中条件</translation>
+    </message>
+    <message>
+        <source>By hand if</source>
+        <translation>手动条件</translation>
+    </message>
+    <message>
+        <source>Out of service if</source>
+        <translation>停用条件</translation>
+    </message>
+    <message>
+        <source>Layout</source>
+        <translation>布局</translation>
+    </message>
+    <message>
+        <source>Columns (0: as many as fit)</source>
+        <translation>列数（0：尽可能多）</translation>
+    </message>
+    <message>
+        <source>Smallest column</source>
+        <translation>最小列宽</translation>
+    </message>
+    <message>
+        <source>Gap</source>
+        <translation>间距</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>边距</translation>
+    </message>
+    <message>
+        <source>Across the line</source>
+        <translation>垂直方向</translation>
+    </message>
 </context>
 <context>
     <name>HmiChoices</name>
@@ -4510,6 +4594,34 @@
     <message>
         <source>Building</source>
         <translation>建筑物</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>网格</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>自由</translation>
+    </message>
+    <message>
+        <source>Row</source>
+        <translation>行</translation>
+    </message>
+    <message>
+        <source>Column</source>
+        <translation>列</translation>
+    </message>
+    <message>
+        <source>Row if wide, column if tall</source>
+        <translation>宽时为行，高时为列</translation>
+    </message>
+    <message>
+        <source>Filling it</source>
+        <translation>填满</translation>
+    </message>
+    <message>
+        <source>Change the theme</source>
+        <translation>切换主题</translation>
     </message>
 </context>
 <context>
@@ -6026,6 +6138,30 @@ Not kept: %3</source>
         <source>This folder is not empty; name a new one</source>
         <translation>此文件夹不为空；请指定新的文件夹</translation>
     </message>
+    <message>
+        <source>program units</source>
+        <translation>程序组织单元</translation>
+    </message>
+    <message>
+        <source>data types</source>
+        <translation>数据类型</translation>
+    </message>
+    <message>
+        <source>global variable lists</source>
+        <translation>全局变量列表</translation>
+    </message>
+    <message>
+        <source>configurations</source>
+        <translation>配置</translation>
+    </message>
+    <message>
+        <source>texts</source>
+        <translation>文本</translation>
+    </message>
+    <message>
+        <source>files</source>
+        <translation>文件</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::InsideViews</name>
@@ -7052,6 +7188,22 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <source>&lt;h3&gt;Stepwise %1&lt;/h3&gt;&lt;p&gt;An open PLC studio: IEC 61131-3 programs as native code, every scan recorded, operator panels in many languages.&lt;/p&gt;&lt;p&gt;Licence: GPL-3.0&lt;/p&gt;</source>
         <translation>&lt;h3&gt;Stepwise %1&lt;/h3&gt;&lt;p&gt;开放的 PLC 工作室：IEC 61131-3 程序编译为本机代码，记录每个扫描周期，多语言操作画面。&lt;/p&gt;&lt;p&gt;许可证：GPL-3.0&lt;/p&gt;</translation>
     </message>
+    <message>
+        <source>High-Contrast Theme</source>
+        <translation>高对比度主题</translation>
+    </message>
+    <message>
+        <source>Attach to a Controller…</source>
+        <translation>连接控制器…</translation>
+    </message>
+    <message>
+        <source>Detach from the Controller</source>
+        <translation>断开与控制器的连接</translation>
+    </message>
+    <message>
+        <source>Build a Native Program…</source>
+        <translation>生成本机程序…</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MergeDialog</name>
@@ -7725,6 +7877,10 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source> MB</source>
         <translation> MB</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>高对比度</translation>
     </message>
 </context>
 <context>
@@ -9753,6 +9909,10 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <source>Bind</source>
         <translation>绑定</translation>
     </message>
+    <message>
+        <source>Place in cell</source>
+        <translation>放入单元格</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::DesignContext</name>
@@ -10004,6 +10164,26 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Panel</source>
         <translation>画面</translation>
+    </message>
+    <message>
+        <source>Issues</source>
+        <translation>问题</translation>
+    </message>
+    <message>
+        <source>Lay out in a row</source>
+        <translation>按行布局</translation>
+    </message>
+    <message>
+        <source>Lay out in a column</source>
+        <translation>按列布局</translation>
+    </message>
+    <message>
+        <source>Lay out in a grid</source>
+        <translation>按网格布局</translation>
+    </message>
+    <message>
+        <source>Lay out</source>
+        <translation>布局</translation>
     </message>
 </context>
 <context>
@@ -11120,6 +11300,729 @@ Click selects, Ctrl+click shows or hides.</source>
     <message>
         <source>%1, %2 earlier</source>
         <translation>%1，早 %2</translation>
+    </message>
+    <message>
+        <source>Measure between points</source>
+        <translation>测量两点之间</translation>
+    </message>
+    <message>
+        <source>Drag from one point to another: time, value, slope and frequency between them (M)</source>
+        <translation>从一点拖到另一点：显示两点间的时间、值、斜率和频率 (M)</translation>
+    </message>
+    <message>
+        <source>Recordings and tables (*.rec *.csv *.tsv *.txt);;All files (*)</source>
+        <translation>记录和表 (*.rec *.csv *.tsv *.txt);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>XY plot, spectrum, frequency response, runs</source>
+        <translation>XY 图、频谱、频率响应、各次运行</translation>
+    </message>
+    <message>
+        <source>Add channel of another file…</source>
+        <translation>添加其他文件的通道…</translation>
+    </message>
+    <message>
+        <source>Show Beside</source>
+        <translation>并排显示</translation>
+    </message>
+    <message>
+        <source>Measure between Points</source>
+        <translation>测量两点之间</translation>
+    </message>
+    <message>
+        <source>Add note</source>
+        <translation>添加备注</translation>
+    </message>
+    <message>
+        <source>Add Note</source>
+        <translation>添加备注</translation>
+    </message>
+    <message>
+        <source>Note:</source>
+        <translation>备注：</translation>
+    </message>
+    <message>
+        <source>Edit Note</source>
+        <translation>编辑备注</translation>
+    </message>
+    <message>
+        <source>Edit note</source>
+        <translation>编辑备注</translation>
+    </message>
+    <message>
+        <source>Remove note</source>
+        <translation>移除备注</translation>
+    </message>
+    <message>
+        <source>Edit Note…</source>
+        <translation>编辑备注…</translation>
+    </message>
+    <message>
+        <source>Remove Note</source>
+        <translation>移除备注</translation>
+    </message>
+    <message>
+        <source>Add Note…</source>
+        <translation>添加备注…</translation>
+    </message>
+    <message>
+        <source>File to add a channel of</source>
+        <translation>要添加通道的文件</translation>
+    </message>
+</context>
+<context>
+    <name>Examples</name>
+    <message>
+        <source>Automatic guided vehicle</source>
+        <translation>自动导引车</translation>
+    </message>
+    <message>
+        <source>Alarm texts in five languages</source>
+        <translation>五种语言的报警文本</translation>
+    </message>
+    <message>
+        <source>Heated tank with analog blocks</source>
+        <translation>带模拟量功能块的加热罐</translation>
+    </message>
+    <message>
+        <source>Bottling line</source>
+        <translation>灌装线</translation>
+    </message>
+    <message>
+        <source>Car park with a robot</source>
+        <translation>机器人停车场</translation>
+    </message>
+    <message>
+        <source>Car wash with recipes</source>
+        <translation>带配方的洗车机</translation>
+    </message>
+    <message>
+        <source>Room heated by supply air</source>
+        <translation>送风供暖的房间</translation>
+    </message>
+    <message>
+        <source>Motor valve with command monitor</source>
+        <translation>带指令监视的电动阀</translation>
+    </message>
+    <message>
+        <source>Conveyor with a sequence</source>
+        <translation>带顺序控制的输送带</translation>
+    </message>
+    <message>
+        <source>Depalletiser</source>
+        <translation>卸垛机</translation>
+    </message>
+    <message>
+        <source>District-heating substation</source>
+        <translation>集中供热换热站</translation>
+    </message>
+    <message>
+        <source>Dosing</source>
+        <translation>配料</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>过滤器</translation>
+    </message>
+    <message>
+        <source>Gravel plant</source>
+        <translation>砾石厂</translation>
+    </message>
+    <message>
+        <source>Heater and valve</source>
+        <translation>加热器与阀门</translation>
+    </message>
+    <message>
+        <source>Hour meter with reset and enable</source>
+        <translation>带复位和使能的计时器</translation>
+    </message>
+    <message>
+        <source>Items per hour</source>
+        <translation>每小时产量</translation>
+    </message>
+    <message>
+        <source>Items and meters</source>
+        <translation>工件与计量表</translation>
+    </message>
+    <message>
+        <source>Level lamps</source>
+        <translation>液位指示灯</translation>
+    </message>
+    <message>
+        <source>Light tower</source>
+        <translation>信号灯塔</translation>
+    </message>
+    <message>
+        <source>Tuning a control loop</source>
+        <translation>控制回路整定</translation>
+    </message>
+    <message>
+        <source>Mixer for two liquids and two bricks</source>
+        <translation>两种液体与两块料的混合机</translation>
+    </message>
+    <message>
+        <source>Motor with self-holding</source>
+        <translation>电机自锁</translation>
+    </message>
+    <message>
+        <source>Operation mode of an agitator</source>
+        <translation>搅拌器的运行模式</translation>
+    </message>
+    <message>
+        <source>PID loop on a first-order process</source>
+        <translation>一阶过程的 PID 回路</translation>
+    </message>
+    <message>
+        <source>First-order filter and two sines a decade apart</source>
+        <translation>一阶滤波器与相差十倍频的两个正弦</translation>
+    </message>
+    <message>
+        <source>Pump that looks for its cheapest speed</source>
+        <translation>寻找最经济转速的水泵</translation>
+    </message>
+    <message>
+        <source>Two pumps in a well</source>
+        <translation>一口井中的两台泵</translation>
+    </message>
+    <message>
+        <source>Pulse width modulation of a sine</source>
+        <translation>正弦信号的脉宽调制</translation>
+    </message>
+    <message>
+        <source>Rack with a robot</source>
+        <translation>机器人货架</translation>
+    </message>
+    <message>
+        <source>Robot and CNC machine</source>
+        <translation>机器人与数控机床</translation>
+    </message>
+    <message>
+        <source>Robot that packs boxes</source>
+        <translation>装箱机器人</translation>
+    </message>
+    <message>
+        <source>Two level sensors that watch each other</source>
+        <translation>相互监视的两个液位传感器</translation>
+    </message>
+    <message>
+        <source>Pumping station with six pumps</source>
+        <translation>六泵泵站</translation>
+    </message>
+    <message>
+        <source>Motor with selector</source>
+        <translation>带选择开关的电机</translation>
+    </message>
+    <message>
+        <source>Stack of integers</source>
+        <translation>整数堆栈</translation>
+    </message>
+    <message>
+        <source>Tank that is filled, heated and emptied</source>
+        <translation>罐的充填、加热与排空</translation>
+    </message>
+    <message>
+        <source>Tank, operated by hand</source>
+        <translation>手动操作的罐</translation>
+    </message>
+    <message>
+        <source>Level and volume</source>
+        <translation>液位与体积</translation>
+    </message>
+    <message>
+        <source>Traffic light</source>
+        <translation>交通灯</translation>
+    </message>
+    <message>
+        <source>Valve matrix</source>
+        <translation>阀门矩阵</translation>
+    </message>
+    <message>
+        <source>Three kinds of valves</source>
+        <translation>三种阀门</translation>
+    </message>
+    <message>
+        <source>Pump in waves</source>
+        <translation>波浪中的泵</translation>
+    </message>
+    <message>
+        <source>Truck scale</source>
+        <translation>汽车衡</translation>
+    </message>
+    <message>
+        <source>Workbook</source>
+        <translation>练习册</translation>
+    </message>
+</context>
+<context>
+    <name>FigureText</name>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1，位于 %2</translation>
+    </message>
+    <message>
+        <source>An XY plot draws one channel over another: add a second channel to the trace.</source>
+        <translation>XY 图以一个通道为横轴绘制另一个通道：请向跟踪添加第二个通道。</translation>
+    </message>
+    <message>
+        <source>XY plot</source>
+        <translation>XY 图</translation>
+    </message>
+    <message>
+        <source>There are no samples in view: run the program or show another stretch.</source>
+        <translation>可见范围内没有采样值：请运行程序或显示其他区段。</translation>
+    </message>
+    <message>
+        <source>%L1 points over %2</source>
+        <translation>%L1 个点，历时 %2</translation>
+    </message>
+    <message>
+        <source>A spectrum shows the frequencies of the visible channels: add a channel.</source>
+        <translation>频谱显示可见通道的频率：请添加通道。</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>频谱</translation>
+    </message>
+    <message>
+        <source>Frequency [Hz]</source>
+        <translation>频率 [Hz]</translation>
+    </message>
+    <message>
+        <source>amplitude</source>
+        <translation>幅值</translation>
+    </message>
+    <message>
+        <source>%1: no peak, RMS %2</source>
+        <translation>%1：无峰值，有效值 %2</translation>
+    </message>
+    <message>
+        <source>%1: %2, RMS %3</source>
+        <translation>%1：%2，有效值 %3</translation>
+    </message>
+    <message>
+        <source>A frequency response compares an output with an input: add both as channels, and choose the input.</source>
+        <translation>频率响应比较输出与输入：请将两者添加为通道，并选择输入。</translation>
+    </message>
+    <message>
+        <source>Frequency response</source>
+        <translation>频率响应</translation>
+    </message>
+    <message>
+        <source>gain [dB]</source>
+        <translation>增益 [dB]</translation>
+    </message>
+    <message>
+        <source>phase [°]</source>
+        <translation>相位 [°]</translation>
+    </message>
+    <message>
+        <source>coherence</source>
+        <translation>相干性</translation>
+    </message>
+    <message>
+        <source>%1: %L2 of %L3 frequencies with a coherence above 0.8</source>
+        <translation>%1：%L3 个频率中有 %L2 个的相干性高于 0.8</translation>
+    </message>
+    <message>
+        <source>Runs are laid over each other at their triggers: enter a trigger in the properties of the trace.</source>
+        <translation>各次运行按触发点叠加：请在跟踪的属性中输入触发器。</translation>
+    </message>
+    <message>
+        <source>The trigger has not fired in this recording yet.</source>
+        <translation>此记录中触发器尚未触发。</translation>
+    </message>
+    <message>
+        <source>Runs of the visible channels are laid over each other: add a channel.</source>
+        <translation>可见通道的各次运行叠加显示：请添加通道。</translation>
+    </message>
+    <message>
+        <source>Time since the trigger [s]</source>
+        <translation>触发后的时间 [s]</translation>
+    </message>
+    <message>
+        <source>%1: runs differ most %2 after the trigger, by %3</source>
+        <translation>%1：各次运行在触发后 %2 差异最大，为 %3</translation>
+    </message>
+    <message>
+        <source>Charts over Time Only</source>
+        <translation>仅时间曲线</translation>
+    </message>
+    <message>
+        <source>XY Plot</source>
+        <translation>XY 图</translation>
+    </message>
+    <message>
+        <source>Frequency Response (Bode)</source>
+        <translation>频率响应（伯德图）</translation>
+    </message>
+    <message>
+        <source>Runs over Each Other</source>
+        <translation>叠加各次运行</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n run(s)</source>
+        <translation>
+            <numerusform>%n 次运行</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>Waveform</name>
+    <message>
+        <source>The table has no column of times; name one time_s (seconds) or time_ms</source>
+        <translation>表中没有时间列；请将一列命名为 time_s（秒）或 time_ms</translation>
+    </message>
+    <message>
+        <source>The table has no column {0}; it has {1}</source>
+        <translation>表中没有列 {0}；有 {1}</translation>
+    </message>
+    <message>
+        <source>The table has no column {0}; did you mean {1}?</source>
+        <translation>表中没有列 {0}；是否指 {1}？</translation>
+    </message>
+    <message>
+        <source>Line {0} has no number in column {1}</source>
+        <translation>第 {0} 行的列 {1} 中没有数字</translation>
+    </message>
+    <message>
+        <source>The time in line {0} is before that of the line above</source>
+        <translation>第 {0} 行的时间早于上一行</translation>
+    </message>
+    <message>
+        <source>The table has no column of numbers besides the time</source>
+        <translation>表中除时间外没有数字列</translation>
+    </message>
+    <message>
+        <source>The table has no rows under its headings</source>
+        <translation>表头下没有数据行</translation>
+    </message>
+    <message>
+        <source>The table cannot be shown as a recording: {0}</source>
+        <translation>表不能作为记录显示：{0}</translation>
+    </message>
+    <message>
+        <source>the names of its columns cannot be variables</source>
+        <translation>其列名不能作为变量</translation>
+    </message>
+    <message>
+        <source>{0} {0:sample is|samples are} too few for a spectrum; show a longer stretch</source>
+        <translation>{0} 个采样值不足以计算频谱；请显示更长的区段</translation>
+    </message>
+    <message>
+        <source>{0} {0:sample is|samples are} too few for a frequency response; show a longer stretch</source>
+        <translation>{0} 个采样值不足以计算频率响应；请显示更长的区段</translation>
+    </message>
+    <message>
+        <source>The input does not move here; there is nothing to answer to</source>
+        <translation>此处输入没有变化；没有可计算的响应</translation>
+    </message>
+    <message>
+        <source>{0} needs a closing parenthesis at the end; it goes around the whole expression</source>
+        <translation>{0} 末尾需要右括号；括号包围整个表达式</translation>
+    </message>
+    <message>
+        <source>{0} needs a time above 0 as its second argument, for example {1}</source>
+        <translation>{0} 的第二个实参必须是大于 0 的时间，例如 {1}</translation>
+    </message>
+    <message>
+        <source>{0} takes one expression</source>
+        <translation>{0} 只接受一个表达式</translation>
+    </message>
+</context>
+<context>
+    <name>plc::plot::PlotView</name>
+    <message>
+        <source>Chart</source>
+        <translation>顺序功能图</translation>
+    </message>
+    <message>
+        <source>%1
+Click selects, Ctrl+click shows or hides.</source>
+        <translation>%1
+单击选择，Ctrl+单击显示或隐藏。</translation>
+    </message>
+</context>
+<context>
+    <name>plc::trace::FigurePane</name>
+    <message>
+        <source>Save as %1</source>
+        <translation>保存为 %1</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>适应方式</translation>
+    </message>
+    <message>
+        <source>Copy as picture</source>
+        <translation>复制为图片</translation>
+    </message>
+    <message>
+        <source>Save as %1…</source>
+        <translation>保存为 %1…</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>窗函数</translation>
+    </message>
+    <message>
+        <source>Hann window</source>
+        <translation>汉宁窗</translation>
+    </message>
+    <message>
+        <source>Flat top: exact amplitudes</source>
+        <translation>平顶窗：幅值准确</translation>
+    </message>
+    <message>
+        <source>No window</source>
+        <translation>不加窗</translation>
+    </message>
+    <message>
+        <source>Logarithmic</source>
+        <translation>对数</translation>
+    </message>
+    <message>
+        <source>Charts over time only</source>
+        <translation>仅时间曲线</translation>
+    </message>
+    <message>
+        <source>Horizontal value</source>
+        <translation>横轴值</translation>
+    </message>
+    <message>
+        <source>Window of the spectrum</source>
+        <translation>频谱的窗函数</translation>
+    </message>
+    <message>
+        <source>Logarithmic axes</source>
+        <translation>对数坐标轴</translation>
+    </message>
+    <message>
+        <source>Input:</source>
+        <translation>输入：</translation>
+    </message>
+    <message>
+        <source>Horizontal:</source>
+        <translation>横轴：</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>输入</translation>
+    </message>
+    <message>
+        <source>Measure between Points</source>
+        <translation>测量两点之间</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::AttachDialog</name>
+    <message>
+        <source>Address</source>
+        <translation>地址</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>代码</translation>
+    </message>
+    <message>
+        <source>Attach to a Controller</source>
+        <translation>连接控制器</translation>
+    </message>
+    <message>
+        <source>from the file attach-code of the controller</source>
+        <translation>来自控制器的 attach-code 文件</translation>
+    </message>
+    <message>
+        <source>only for certificates that this computer does not know</source>
+        <translation>仅用于此计算机不认识的证书</translation>
+    </message>
+    <message>
+        <source>…</source>
+        <translation>…</translation>
+    </message>
+    <message>
+        <source>Choose a certificate</source>
+        <translation>选择证书</translation>
+    </message>
+    <message>
+        <source>Trusted certificate</source>
+        <translation>受信任的证书</translation>
+    </message>
+    <message>
+        <source>Attach</source>
+        <translation>连接</translation>
+    </message>
+    <message>
+        <source>Choose a Certificate</source>
+        <translation>选择证书</translation>
+    </message>
+    <message>
+        <source>Certificates (*.pem *.crt *.cer);;All files (*)</source>
+        <translation>证书 (*.pem *.crt *.cer);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Attaching…</source>
+        <translation>正在连接…</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::Attachment</name>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1，位于 %2</translation>
+    </message>
+    <message>
+        <source>Detach</source>
+        <translation>断开</translation>
+    </message>
+    <message>
+        <source>Attached to %1</source>
+        <translation>已连接到 %1</translation>
+    </message>
+    <message>
+        <source>Attached to %1; its program is not the one that is open here</source>
+        <translation>已连接到 %1；其程序与此处打开的不同</translation>
+    </message>
+    <message>
+        <source>%1 is lost – connecting again…</source>
+        <translation>与 %1 的连接已断开 – 正在重新连接…</translation>
+    </message>
+    <message>
+        <source>Attaching to %1…</source>
+        <translation>正在连接 %1…</translation>
+    </message>
+    <message>
+        <source>The controller runs there; what is written and forced here acts there</source>
+        <translation>控制器在那里运行；在此处写入和强制的值会在那里生效</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::NativeProgramDialog</name>
+    <message>
+        <source>File</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>Build</source>
+        <translation>编译</translation>
+    </message>
+    <message>
+        <source>Build a Native Program</source>
+        <translation>生成本机程序</translation>
+    </message>
+    <message>
+        <source>…</source>
+        <translation>…</translation>
+    </message>
+    <message>
+        <source>Choose the file</source>
+        <translation>选择文件</translation>
+    </message>
+    <message>
+        <source>Native Program</source>
+        <translation>本机程序</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>机器</translation>
+    </message>
+    <message>
+        <source>The program runs without Stepwise on a machine with Linux: its PLC code and a small runner in one file.</source>
+        <translation>程序无需 Stepwise 即可在 Linux 机器上运行：一个文件包含其 PLC 代码和小型运行时。</translation>
+    </message>
+    <message>
+        <source>Building…</source>
+        <translation>正在生成…</translation>
+    </message>
+    <message>
+        <source>%1 is built</source>
+        <translation>%1 已生成</translation>
+    </message>
+</context>
+<context>
+    <name>Remote</name>
+    <message>
+        <source>The request is not understood; studio and controller may be of different versions</source>
+        <translation>无法理解该请求；工作室与控制器的版本可能不同</translation>
+    </message>
+    <message>
+        <source>There is no request {0}; studio and controller may be of different versions</source>
+        <translation>没有请求 {0}；工作室与控制器的版本可能不同</translation>
+    </message>
+    <message>
+        <source>Breakpoints stop a machine in the middle of a scan; `stepwise serve` allows them with --allow-breakpoints</source>
+        <translation>断点会使机器停在扫描周期中间；“stepwise serve”可用 --allow-breakpoints 允许断点</translation>
+    </message>
+    <message>
+        <source>{0} is forced; release it before writing</source>
+        <translation>{0} 已被强制；写入前请取消强制</translation>
+    </message>
+    <message>
+        <source>{0} is not forced</source>
+        <translation>{0} 未被强制</translation>
+    </message>
+    <message>
+        <source>Another program is being built for this controller; try again when it is in</source>
+        <translation>正在为此控制器编译另一个程序；请在其载入后重试</translation>
+    </message>
+    <message>
+        <source>The program has {0} {0:error|errors}; the controller goes on with the old one</source>
+        <translation>程序有 {0} 个错误；控制器继续运行旧程序</translation>
+    </message>
+    <message>
+        <source>The controller&apos;s program has no file {0}</source>
+        <translation>控制器的程序中没有文件 {0}</translation>
+    </message>
+    <message>
+        <source>A recording is being fetched already; wait until it has come</source>
+        <translation>正在获取一个记录；请等待其完成</translation>
+    </message>
+    <message>
+        <source>A controller that serves others is not put back in time; fetch its recording and go on from there</source>
+        <translation>正在为他人服务的控制器不会回退时间；请获取其记录并从那里继续</translation>
+    </message>
+    <message>
+        <source>{0} is not the address of a controller; write for example https://plant:8443/</source>
+        <translation>{0} 不是控制器的地址；例如请写 https://plant:8443/</translation>
+    </message>
+    <message>
+        <source>{0} cannot be reached: {1}</source>
+        <translation>无法访问 {0}：{1}</translation>
+    </message>
+    <message>
+        <source>{0} refuses the connection: {1}</source>
+        <translation>{0} 拒绝连接：{1}</translation>
+    </message>
+    <message>
+        <source>The code is wrong; it is in the file attach-code of the controller&apos;s state folder</source>
+        <translation>代码错误；代码在控制器状态文件夹的 attach-code 文件中</translation>
+    </message>
+    <message>
+        <source>There were too many wrong codes from this computer; wait a minute</source>
+        <translation>此计算机输入错误代码的次数过多；请等待一分钟</translation>
+    </message>
+    <message>
+        <source>The code would cross the network unprotected; use an https address, and start the controller with --certificate</source>
+        <translation>代码将在网络上明文传输；请使用 https 地址，并用 --certificate 启动控制器</translation>
+    </message>
+    <message>
+        <source>The certificate of {0} is not trusted: {1}; name the file of the certificate that you trust</source>
+        <translation>{0} 的证书不受信任：{1}；请指定您信任的证书文件</translation>
+    </message>
+    <message>
+        <source>The certificate cannot be read from {0}; it must be a PEM file</source>
+        <translation>无法从 {0} 读取证书；必须是 PEM 文件</translation>
+    </message>
+    <message>
+        <source>The connection to {0} is lost</source>
+        <translation>与 {0} 的连接已断开</translation>
+    </message>
+    <message>
+        <source>{0} does not answer</source>
+        <translation>{0} 没有应答</translation>
+    </message>
+    <message>
+        <source>The controller&apos;s program cannot be built here as it is there; use the same version of Stepwise on both sides</source>
+        <translation>控制器的程序无法在此处按其原样编译；请两侧使用相同版本的 Stepwise</translation>
     </message>
 </context>
 </TS>

@@ -82,7 +82,7 @@ public:
                                 .arg(size.height())
                                 .arg(scale)
                                 .arg(mode == QIcon::Disabled)
-                                .arg(colors().dark);
+                                .arg(colors().base.rgb() + colors().dark);
         QPixmap pixmap;
         if (QPixmapCache::find(key, &pixmap)) return pixmap;
         pixmap = QPixmap(size);

@@ -28,7 +28,8 @@ struct PlotAxes::Parts {
     QCategoryAxis* time = nullptr;
     std::vector<QCategoryAxis*> values;
     AxisSpec timeSpec;
-    bool timeLabels = true, grid = true, dark = false, styled = false;
+    bool timeLabels = true, grid = true;
+    const ThemeColors* styledFor = nullptr;
     std::vector<AxisSpec> valueSpecs;
     QFont font;
     bool marginsKnown = false;
@@ -73,9 +74,8 @@ struct PlotAxes::Parts {
         return axis;
     }
     void restyle() {
-        if (styled && dark == colors().dark) return;
-        styled = true;
-        dark = colors().dark;
+        if (styledFor == &colors()) return;
+        styledFor = &colors();
         style(*time, timeSpec);
         for (size_t i = 0; i < values.size(); ++i) style(*values[i], valueSpecs[i]);
     }
@@ -96,13 +96,14 @@ PlotAxes::PlotAxes() : m(std::make_unique<Parts>()) {
 PlotAxes::~PlotAxes() = default;
 
 void PlotAxes::setFont(const QFont& font) {
-    if (m->font == font && m->styled) return;
+    if (m->font == font && m->styledFor) return;
     m->font = font;
-    m->styled = m->marginsKnown = false;
+    m->styledFor = nullptr;
+    m->marginsKnown = false;
 }
 
 void PlotAxes::setTimeAxis(const AxisSpec& spec, bool hasLabels) {
-    const bool sameForm = m->timeLabels == hasLabels && m->styled;
+    const bool sameForm = m->timeLabels == hasLabels && m->styledFor;
     if (sameForm && m->timeSpec == spec) return;
     m->timeSpec = spec;
     m->timeLabels = hasLabels;
@@ -141,7 +142,7 @@ void PlotAxes::setValueAxes(const std::vector<AxisSpec>& specs) {
 void PlotAxes::setGridVisible(bool visible) {
     if (m->grid == visible) return;
     m->grid = visible;
-    m->styled = false;
+    m->styledFor = nullptr;
 }
 
 QMarginsF PlotAxes::margins() {

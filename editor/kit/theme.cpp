@@ -88,6 +88,45 @@ ThemeColors makeDark() {
     return c;
 }
 
+/// Every ink has at least 7:1 on black (WCAG AAA), every line that divides at least 3:1.
+ThemeColors makeContrast() {
+    ThemeColors c;
+    c.dark = true;
+    c.contrast = true;
+    c.window = rgb("#000000");
+    c.base = rgb("#000000");
+    c.alternate = rgb("#141414");
+    c.raised = rgb("#000000");
+    c.text = rgb("#ffffff");
+    c.muted = rgb("#d8d8d8");
+    c.disabled = rgb("#a6a6a6");
+    c.border = rgb("#ffffff");
+    c.divider = rgb("#8c8c8c");
+    c.hover = rgb("#2b2b2b");
+    c.pressed = rgb("#454545");
+    c.accent = rgb("#ffe600");
+    c.onAccent = rgb("#000000");
+    c.selection = rgb("#004ec2");
+    c.good = rgb("#4dff88");
+    c.warning = rgb("#ffc233");
+    c.bad = rgb("#ff8a8a");
+    c.info = rgb("#7fd0ff");
+    c.online = rgb("#66d9ff");
+    c.forced = rgb("#ffb000");
+    c.breakpoint = rgb("#ff8a8a");
+    c.current = rgb("#5c5200");
+    c.plotGround = rgb("#000000");
+    c.plotGrid = rgb("#5e5e5e");
+    c.plotAxis = rgb("#ffffff");
+    c.plotCursor = rgb("#ffffff");
+    c.plotGap = rgb("#333333");
+    c.plotTrigger = rgb("#ff80ff");
+    for (const char* curve :
+         {"#66b8ff", "#ff9d5c", "#4dff88", "#ff8fbb", "#c9b0ff", "#33e6ff", "#ffe14d", "#ffffff", "#f29cff", "#c6f24d"})
+        c.curves.push_back(rgb(curve));
+    return c;
+}
+
 } // namespace
 
 const ThemeColors& lightColors() {
@@ -100,6 +139,11 @@ const ThemeColors& darkColors() {
     return colors;
 }
 
+const ThemeColors& contrastColors() {
+    static const ThemeColors colors = makeContrast();
+    return colors;
+}
+
 QPalette paletteFor(const ThemeColors& c) {
     QPalette p;
     p.setColor(QPalette::Window, c.window);
@@ -108,7 +152,7 @@ QPalette paletteFor(const ThemeColors& c) {
     p.setColor(QPalette::AlternateBase, c.alternate);
     p.setColor(QPalette::ToolTipBase, c.raised);
     p.setColor(QPalette::ToolTipText, c.text);
-    p.setColor(QPalette::PlaceholderText, c.disabled);
+    p.setColor(QPalette::PlaceholderText, c.muted);
     p.setColor(QPalette::Text, c.text);
     p.setColor(QPalette::Button, c.window);
     p.setColor(QPalette::ButtonText, c.text);
@@ -163,6 +207,8 @@ const ThemeColors& Theme::colors() const {
         return lightColors();
     case ThemeChoice::Dark:
         return darkColors();
+    case ThemeChoice::Contrast:
+        return contrastColors();
     }
     return lightColors();
 }

@@ -1,6 +1,6 @@
-// The studio's look: one set of named colours for light and dark, a palette made from it and the style that draws with
-// it. One Theme lives as a child of the QApplication; `Theme::current()` finds it, or makes a light one in a test. GUI
-// thread only. Widgets that paint with theme colours repaint on `changed`.
+// The studio's look: one set of named colours for light, dark and high contrast, a palette made from it and the style
+// that draws with it. One Theme lives as a child of the QApplication; `Theme::current()` finds it, or makes a light one
+// in a test. GUI thread only. Widgets that paint with theme colours repaint on `changed`.
 #pragma once
 
 #include <QColor>
@@ -13,11 +13,12 @@ class QApplication;
 
 namespace plc::kit {
 
-enum class ThemeChoice { System, Light, Dark };
+enum class ThemeChoice { System, Light, Dark, Contrast }; // their numbers are kept in the settings
 
 /// Every colour that the studio paints with, by what it is for.
 struct ThemeColors {
     bool dark = false;
+    bool contrast = false;                      // white on black, lines instead of shades
     QColor window, base, alternate, raised;     // grounds: behind docks, behind text, every second row, menus and tips
     QColor text, muted, disabled;               // inks
     QColor border, divider, hover, pressed;     // lines and states of controls
@@ -32,6 +33,7 @@ struct ThemeColors {
 
 const ThemeColors& lightColors();
 const ThemeColors& darkColors();
+const ThemeColors& contrastColors();
 QPalette paletteFor(const ThemeColors& colors);
 
 class Theme : public QObject {

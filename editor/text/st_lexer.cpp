@@ -1,5 +1,6 @@
 #include "editor/text/st_lexer.h"
 
+#include "editor/kit/contrast.h"
 #include "editor/kit/theme.h"
 #include "runtime/base/text.h"
 
@@ -75,7 +76,7 @@ QString StLexer::description(int style) const {
 
 QColor StLexer::colourOf(TokenClass kind) const {
     const Ink ink = inkOf(kind);
-    return QColor::fromRgb(kit::colors().dark ? ink.dark : ink.light);
+    return kit::legible(QColor::fromRgb(kit::colors().dark ? ink.dark : ink.light));
 }
 
 void StLexer::applyTheme() {
@@ -97,7 +98,7 @@ void StLexer::applyTheme() {
         styled.setBold(ink.bold);
         styled.setItalic(ink.italic);
         setFont(styled, i);
-        setColor(QColor::fromRgb(kit::colors().dark ? ink.dark : ink.light), i);
+        setColor(colourOf(static_cast<TokenClass>(i)), i);
         setPaper(kit::colors().base, i);
     }
 }

@@ -1,5 +1,6 @@
 #include "editor/trace/trace_plot.h"
 
+#include "editor/kit/contrast.h"
 #include "editor/kit/curve_words.h"
 #include "editor/kit/message_text.h"
 #include "editor/kit/plot_scale.h"
@@ -33,9 +34,10 @@ QColor colorOf(const QString& name) {
 /// A colour chosen on a light ground must also be seen on a dark one, and the other way round.
 QColor readable(const QColor& color) {
     const double ground = kit::colors().plotGround.lightnessF(), own = color.lightnessF();
-    if (std::abs(ground - own) >= 0.3) return color;
-    return QColor::fromHslF(static_cast<float>(std::max(0.0, static_cast<double>(color.hslHueF()))),
-                            color.hslSaturationF(), static_cast<float>(ground < 0.5 ? ground + 0.45 : ground - 0.45));
+    if (std::abs(ground - own) >= 0.3) return kit::legible(color);
+    return kit::legible(QColor::fromHslF(static_cast<float>(std::max(0.0, static_cast<double>(color.hslHueF()))),
+                                         color.hslSaturationF(),
+                                         static_cast<float>(ground < 0.5 ? ground + 0.45 : ground - 0.45)));
 }
 
 kit::AxisMode modeOf(ScaleMode mode) {

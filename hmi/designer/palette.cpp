@@ -16,6 +16,12 @@ namespace plc::hmi {
 
 namespace {
 
+/// The pictures of elements look as the studio does.
+const char* themeOfStudio() {
+    const kit::ThemeColors& colors = kit::colors();
+    return colors.contrast ? "contrast" : colors.dark ? "dark" : "light";
+}
+
 constexpr int kFieldsRole = Qt::UserRole, kWordsRole = Qt::UserRole + 1;
 
 class PaletteTree final : public QTreeWidget {
@@ -51,7 +57,7 @@ Json newFaceplateFields(const NamedPanel& panel) {
 
 QIcon faceplateIcon(const NamedPanel& panel, const std::vector<NamedPanel>& panels, int side) {
     Panel shown = panel.panel;
-    shown.set("theme", kit::Theme::current().isDark() ? "dark" : "light");
+    shown.set("theme", themeOfStudio());
     PanelScene scene;
     scene.setDesigning(true);
     scene.setFaceplates(lookupIn(panels));
@@ -73,7 +79,7 @@ QIcon elementIcon(const Json& fields, int side) {
     Element element{fields};
     const QSizeF size = element.rect().size();
     panel.set("size", Json::array({static_cast<int>(size.width()) + 8, static_cast<int>(size.height()) + 8}));
-    panel.set("theme", kit::Theme::current().isDark() ? "dark" : "light");
+    panel.set("theme", themeOfStudio());
     panel.set("background", "none");
     element.set("rect", rectToJson(QRectF(QPointF(4, 4), size)));
     panel.elements().push_back(element);

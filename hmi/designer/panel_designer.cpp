@@ -104,6 +104,7 @@ PanelDesigner::PanelDesigner(DesignContext& context, const QString& panelName, Q
         if (m_document.panel().find(id)) m_selection.set({id});
         if (const QString tag = item->text(2); !tag.isEmpty()) m_context.setLanguage(tag);
     });
+    m_findingList->setAccessibleName(tr("Issues"));
     m_findingList->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(m_findingList, &QWidget::customContextMenuRequested, this, &PanelDesigner::showFindingMenu);
     connect(&m_document, &PanelDocument::changed, this, [this](const Touched& touched) {

@@ -3,15 +3,10 @@
 #include <QStringList>
 
 #include <algorithm>
-#include <cmath>
 
 namespace plc::hmi {
 
 namespace {
-
-double linear(double channel) {
-    return channel <= 0.04045 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
-}
 
 /// 0 grey … 1 pure.
 double chroma(const QColor& color) {
@@ -24,15 +19,6 @@ bool isOneOf(const QString& color, std::initializer_list<const char*> names) {
 }
 
 } // namespace
-
-double luminance(const QColor& color) {
-    return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF()) + 0.0722 * linear(color.blueF());
-}
-
-double contrast(const QColor& a, const QColor& b) {
-    const auto [low, high] = std::minmax({luminance(a), luminance(b)});
-    return (high + 0.05) / (low + 0.05);
-}
 
 bool isAlarmColour(const QString& color) {
     if (!color.startsWith(u'#')) return isOneOf(color, {"alarm", "high", "warning", "red", "orange", "yellow"});

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <mutex>
 
 namespace plc::hmi {
 
@@ -64,6 +66,15 @@ const char* unboundOf(const Element& element) {
     if (isDisplay(element)) return element.text("value").isEmpty() ? "value" : nullptr;
     const bool writes = isOperated(element) && element.descriptor().property("target") != nullptr;
     return writes && element.text("target").isEmpty() ? "target" : nullptr;
+}
+
+/// Its title as words of a message; forms are pointed to, so they stay.
+messages::Phrase titleOf(const Element& element, const char* property) {
+    static std::mutex guard;
+    static std::map<const char*, messages::Form> forms;
+    const char* title = element.descriptor().property(property)->title;
+    const std::lock_guard lock(guard);
+    return messages::Phrase(forms.try_emplace(title, messages::Form{"Hmi", title, title, nullptr, 0}).first->second);
 }
 
 bool isConfirmed(const Element& element) {
@@ -125,12 +136,12 @@ void checkOperation(StandardFindings& out) {
     for (const Element& element : out.panel().elements()) {
         if (const char* property = unboundOf(element))
             out.add(StandardRule::NothingBound, element.id(), QString::fromLatin1(property),
-                    errors::ElementNotBound(std::string(property)));
+                    errors::ElementNotBound(titleOf(element, property)));
         if (element.kind() == ElementKind::NumericEntry && !element.text("target").isEmpty())
             for (const char* limit : {"minimum", "maximum"})
                 if (element.text(limit).isEmpty())
                     out.add(StandardRule::WriteWithoutLimits, element.id(), QString::fromLatin1(limit),
-                            errors::EntryWithoutLimit(toUtf8(element.text("target")), std::string(limit)));
+                            errors::EntryWithoutLimit(toUtf8(element.text("target")), titleOf(element, limit)));
         checkConfirmation(out, element);
     }
 }

@@ -2,9 +2,11 @@
 
 #include "app/editor_tabs.h"
 #include "app/exchange_dialogs.h"
+#include "app/explanation_dialog.h"
 #include "app/live_views.h"
 #include "app/merge_dialog.h"
 #include "app/new_project.h"
+#include "app/problems_view.h"
 #include "app/project_tree.h"
 #include "app/settings_dialog.h"
 #include "app/st_page.h"
@@ -190,6 +192,10 @@ void lookAtAllDocuments(MainWindow& window, const Look& look) {
     look(window, "texts");
     window.openAlarms();
     look(window, "alarms");
+    window.openRecipes();
+    look(window, "recipes");
+    window.openPeople();
+    look(window, "users");
     window.openDesigner("all");
     auto* designer = qobject_cast<hmi::PanelDesigner*>(window.tabs().currentWidget());
     ASSERT_NE(designer, nullptr);
@@ -206,6 +212,23 @@ void lookAtAllDocuments(MainWindow& window, const Look& look) {
     window.openPalette();
     look(window, "palette");
     window.findChild<kit::CommandPalette*>()->hide();
+}
+
+/// The page of a problem, a window beside the studio's.
+static void lookAtExplanation(MainWindow& window, const Look& look) {
+    StPage* page = window.tabs().openFile("src/main.st");
+    const std::string before = page->active().utf8();
+    const auto end = static_cast<uint32_t>(before.find("END_PROGRAM"));
+    page->active().applyEdits({{{FileId(), end, end}, "missing := 1;\n"}});
+    ASSERT_TRUE(waitFor([&] { return window.problems().errorCount() > 0; }));
+    page->active().goTo(end + 2);
+    page->active().setFocus();
+    window.action("help.explain")->trigger();
+    auto* dialog = window.findChild<ExplanationDialog*>();
+    ASSERT_NE(dialog, nullptr);
+    look(*dialog, "explanation");
+    dialog->close();
+    window.workspace().revert("src/main.st");
 }
 
 void lookAtAllDialogs(MainWindow& window, const Look& look) {
@@ -227,6 +250,12 @@ void lookAtAllDialogs(MainWindow& window, const Look& look) {
     lookAtDialog(look, "conversion", [&] { window.showConverted(analysis::TextLanguage::Il); });
     lookAtDialog(look, "delete a unit", [&] { window.deleteUnit("src/motor.st", 0, 20, "Motor"); });
     lookAtDialog(look, "delete a panel", [&] { window.deleteProjectFile("panel", "all"); });
+    window.action("run.pause")->trigger();
+    ASSERT_TRUE(waitFor([&] { return window.control().status().state == controller::State::Paused; }));
+    window.control().view(5);
+    lookAtDialog(look, "what if", [&] { window.action("time.whatIf")->trigger(); });
+    window.backToLive();
+    lookAtExplanation(window, look);
     lookAtDialog(look, "differences", [&] {
         MergeDialog dialog("src/main.st", "a := 1;\n", "a := 2;\n", &window);
         dialog.exec();

@@ -99,7 +99,7 @@ TEST(DocComments, HoldExamplesThatParse) {
                 isHidden |= pragma.isAttribute && pragma.key == "hide";
             if (isHidden || name == "standard") continue;
             ASSERT_NE(begin, std::string::npos) << folded << " has no example";
-            size_t end = comment.find("Mended:", begin);
+            size_t end = comment.find("Corrected:", begin);
             if (end == std::string::npos) end = comment.size();
             const std::string example = comment.substr(begin + 8, end - begin - 8);
             diagnostics::Sink sink;

@@ -1,6 +1,7 @@
 // What a user does to the small widgets of the kit: typing, choosing, spinning, undoing.
 #include "editor/kit/canvas.h"
 #include "editor/kit/command_palette.h"
+#include "editor/kit/contrast.h"
 #include "editor/kit/edit_history.h"
 #include "editor/kit/expression_edit.h"
 #include "editor/kit/fuzzy.h"
@@ -78,24 +79,38 @@ TEST(Icons, FollowTheTheme) {
     EXPECT_EQ(light, run.pixmap(32, 32).toImage());
 }
 
-TEST(Theme, TextCanBeReadOnItsGroundInBothThemes) {
-    auto luminance = [](const QColor& c) {
-        auto part = [](double v) { return v <= 0.03928 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); };
-        return 0.2126 * part(c.redF()) + 0.7152 * part(c.greenF()) + 0.0722 * part(c.blueF());
-    };
-    auto contrast = [&](const QColor& a, const QColor& b) {
-        const double la = luminance(a), lb = luminance(b);
-        return (std::max(la, lb) + 0.05) / (std::min(la, lb) + 0.05);
-    };
-    for (const ThemeColors* c : {&lightColors(), &darkColors()}) {
+TEST(Theme, TextCanBeReadOnItsGroundInEveryTheme) {
+    for (const ThemeColors* c : {&lightColors(), &darkColors(), &contrastColors()}) {
         for (const QColor& ground : {c->base, c->window, c->raised, c->alternate, c->selection})
-            EXPECT_GE(contrast(c->text, ground), 7);
+            EXPECT_GE(contrast(c->text, ground), 7) << ground.name().toStdString();
         for (const QColor& ink : {c->muted, c->good, c->warning, c->bad, c->online, c->forced})
             EXPECT_GE(contrast(ink, c->base), 4.5) << ink.name().toStdString();
         for (const QColor& curve : c->curves)
             EXPECT_GE(contrast(curve, c->plotGround), 3) << curve.name().toStdString();
         EXPECT_GE(contrast(c->onAccent, c->accent), 4.5);
     }
+}
+
+TEST(Theme, HighContrastHasSevenToOneForEveryInkAndThreeForEveryLine) {
+    const ThemeColors& c = contrastColors();
+    for (const QColor& ground : {c.window, c.base, c.alternate, c.raised, c.hover, c.pressed, c.selection, c.current})
+        EXPECT_GE(contrast(c.text, ground), 7) << ground.name().toStdString();
+    for (const QColor& ink : {c.muted, c.disabled, c.accent, c.good, c.warning, c.bad, c.info, c.online, c.forced,
+                              c.breakpoint, c.plotAxis, c.plotCursor, c.plotTrigger})
+        EXPECT_GE(contrast(ink, c.base), 7) << ink.name().toStdString();
+    for (const QColor& curve : c.curves) EXPECT_GE(contrast(curve, c.plotGround), 7) << curve.name().toStdString();
+    EXPECT_GE(contrast(c.onAccent, c.accent), 7);
+    for (const QColor& line : {c.border, c.divider, c.plotGrid})
+        EXPECT_GE(contrast(line, c.base), 3) << line.name().toStdString();
+}
+
+TEST(Theme, HighContrastBrightensAnInkUntilItCanBeRead) {
+    const QColor dull("#8fa392"), deep("#2020c0");
+    EXPECT_EQ(legible(deep), deep) << "another theme leaves it";
+    Theme::current().setChoice(ThemeChoice::Contrast);
+    for (const QColor& ink : {dull, deep, QColor(Qt::black)}) EXPECT_GE(contrast(legible(ink), colors().base), 7);
+    EXPECT_EQ(legible(Qt::yellow), QColor(Qt::yellow)) << "it can be read already";
+    Theme::current().setChoice(ThemeChoice::Light);
 }
 
 TEST(CommandPalette, TypedLettersFindAndReturnRunsTheAction) {
