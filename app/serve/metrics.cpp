@@ -68,6 +68,23 @@ QByteArray quoted(const std::string& text) {
     return '"' + out.replace('\\', "\\\\").replace('"', "\\\"").replace('\n', "\\n") + '"';
 }
 
+/// Counts by powers of two of a microsecond, the last one of all that is longer.
+template <class Counts>
+void addBuckets(Metrics& out, const QByteArray& name, const QByteArray& label, const Counts& counts, double seconds) {
+    const QByteArray before = label.isEmpty() ? QByteArray() : label + ',';
+    uint64_t sum = 0;
+    for (size_t i = 0; i < counts.size(); ++i) {
+        sum += counts[i];
+        const double limit = std::ldexp(1e-6, static_cast<int>(i));
+        const bool isLast = i + 1 == counts.size();
+        out.line(name + "_bucket",
+                 before + "le=\"" + (isLast ? QByteArray("+Inf") : QByteArray::number(limit, 'g', 9)) + '"',
+                 static_cast<double>(sum));
+    }
+    out.line(name + "_sum", label, seconds);
+    out.line(name + "_count", label, static_cast<double>(sum));
+}
+
 void addTasks(Metrics& out, const session::Session& session) {
     const std::vector<controller::TaskStatistics> tasks = session.taskStatistics();
     const auto each = [&](const char* name, const char* type, const char* help, auto value) {
@@ -82,19 +99,19 @@ void addTasks(Metrics& out, const session::Session& session) {
          [](const Task& t) { return double(t.jitterNs) * 1e-9; });
     out.begin("stepwise_task_duration_seconds", "histogram", "Execution time of the task.");
     for (const Task& task : tasks) {
-        const QByteArray label = "task=" + quoted(task.name);
-        uint64_t sum = 0;
-        for (size_t i = 0; i < task.histogram.size(); ++i) {
-            sum += task.histogram[i];
-            const double limit = std::ldexp(1e-6, static_cast<int>(i));
-            const bool isLast = i + 1 == task.histogram.size();
-            out.line("stepwise_task_duration_seconds_bucket",
-                     label + ",le=\"" + (isLast ? QByteArray("+Inf") : QByteArray::number(limit, 'g', 9)) + '"',
-                     static_cast<double>(sum));
-        }
-        out.line("stepwise_task_duration_seconds_sum", label, task.meanNs * static_cast<double>(task.count) * 1e-9);
-        out.line("stepwise_task_duration_seconds_count", label, static_cast<double>(sum));
+        addBuckets(out, "stepwise_task_duration_seconds", "task=" + quoted(task.name), task.histogram,
+                   task.meanNs * static_cast<double>(task.count) * 1e-9);
     }
+}
+
+void addScanTimes(Metrics& out, const session::ScanTimes& times) {
+    const auto each = [&](const char* name, const char* help, const session::TimeHistogram& of) {
+        out.begin(name, "histogram", help);
+        addBuckets(out, name, {}, of.buckets(), of.meanNs() * static_cast<double>(of.count()) * 1e-9);
+    };
+    each("stepwise_scan_wake_up_seconds", "How late scans began.", times.wakeUp);
+    each("stepwise_scan_execution_seconds", "How long scans took.", times.execution);
+    each("stepwise_scan_end_seconds", "How long after they were due scans ended.", times.end);
 }
 
 } // namespace
@@ -143,6 +160,7 @@ QByteArray prometheusText(const session::Session& session, const ServerFigures& 
     out.add("stepwise_last_scan_seconds", "gauge", "Execution time of the last scan.",
             static_cast<double>(status.lastScanNs) * 1e-9);
     addTasks(out, session);
+    addScanTimes(out, session.scanTimes());
     out.add("stepwise_recording_bytes", "gauge", "Size of the recording on disk.",
             static_cast<double>(figures.recordingBytes));
     out.add("stepwise_browsers", "gauge", "Connected browsers.", static_cast<double>(figures.browsers));

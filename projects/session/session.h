@@ -2,6 +2,7 @@
 // stepped by the caller. Command line, `stepwise test`, panel player and studio all use this (D9). The functions may be
 // called from any thread unless they say otherwise; they post to the scan thread and read published snapshots (D8).
 #pragma once
+#include "projects/session/scan_times.h"
 #include "runtime/compiler/driver/driver.h"
 #include "runtime/controller/controller.h"
 #include "runtime/debug/breakpoint.h"
@@ -61,12 +62,16 @@ struct Assignment {
     types::Value value;
 };
 
+class Mirror;
+
 class Session {
 public:
     explicit Session(driver::Built built, Settings settings = {});
     ~Session(); // ends it
     /// Stops the scan thread and writes what is retained; what was recorded can still be read. It cannot run again.
     void end();
+    /// The controller runs elsewhere (mirror.h): what is asked of it goes there, what is shown comes from there.
+    [[nodiscard]] bool isMirror() const;
 
     [[nodiscard]] const driver::Built& built() const;
     [[nodiscard]] std::shared_ptr<const image::CompiledProgram> program() const;
@@ -102,6 +107,8 @@ public:
     void unforceAll();
     [[nodiscard]] std::vector<controller::Forced> forces() const;
     [[nodiscard]] std::vector<controller::TaskStatistics> taskStatistics() const;
+    /// Of the scans in real time since the start or resetStatistics().
+    [[nodiscard]] ScanTimes scanTimes() const;
     void resetTaskStatistics();
     void resetStatistics();
     /// Index counts from the first event of the session; of very many only the newest are kept.
@@ -139,6 +146,7 @@ public:
     [[nodiscard]] history::Recompile recompile(const std::string& text, const std::string& scope = {}) const;
 
 private:
+    friend class Mirror;
     struct State;
     std::unique_ptr<State> m;
 };
