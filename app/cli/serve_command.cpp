@@ -49,6 +49,7 @@ Result<serve::ServeSettings> readSettings(const Arguments& arguments, const proj
         if (!size) return size.error();
         out.recordingLimit = *size;
     }
+    out.allowsBreakpoints = arguments.has("--allow-breakpoints");
     if (arguments.has("--real-time")) out.realTime.emplace();
     if (const auto text = arguments.value("--core")) {
         const auto core = parseCount(*text);
@@ -123,7 +124,9 @@ int run(const Arguments& arguments) {
     }
     if (const Message problem = session.status().retainProblem; !problem.isEmpty())
         std::cerr << "stepwise: " << problem << "\n";
-    const auto served = serve::serve(panels, session, *settings, isInterrupted);
+    serve::ServeSettings forServer = *settings;
+    forServer.devices = engine.get();
+    const auto served = serve::serve(panels, session, forServer, isInterrupted);
     if (engine) engine->disconnect();
     if (!served) return wrongUse(served.error());
     if (arguments.has("--stats")) {
@@ -154,6 +157,7 @@ Command serveCommand() {
           {"--real-time", "", "ask for locked memory and SCHED_FIFO; says what was granted"},
           {"--core", "N", "the scan thread on this core alone, with --real-time"},
           {"--devices", "", "connect the devices of devices.json"},
+          {"--allow-breakpoints", "", "attached studios may stop the controller inside a scan"},
           {"--stats", "", "at the end how long tasks ran, how late scans began and ended, and the latest scans"},
           {"--start", "DT#2026-01-01-06:00:00", "calendar at the first scan"},
           {"--library", "NAME", "a library the files use, besides the standard (repeatable)"}},

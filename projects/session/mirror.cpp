@@ -34,13 +34,13 @@ void Mirror::scanned(std::span<const std::byte> image, uint64_t scan, Nanosecond
     Session::State& state = *m.m;
     const image::Layout& layout = m.program()->layout;
     PLC_ASSERT(image.size() >= layout.dataEnd, return );
+    const bool beganAgain = scan < state.scans.load(std::memory_order_relaxed); // it was reset or restarted
+    if (state.settings.record && beganAgain) state.history.beginBranch(history::kNoParent);
     if (state.settings.record) state.history.append(image, scan, time);
     state.scans.store(scan + 1, std::memory_order_relaxed);
     state.time.store(time.count(), std::memory_order_relaxed);
     show(image, false);
 }
-
-void Mirror::halted(std::span<const std::byte> image) { show(image, true); }
 
 void Mirror::show(std::span<const std::byte> image, bool isHalted) {
     Session::State& state = *m.m;
@@ -62,8 +62,10 @@ void Mirror::told(Figures figures) {
     Session::State& state = *m.m;
     const std::lock_guard lock(state.mutex);
     const Status& status = figures.status;
-    state.scans.store(status.scans, std::memory_order_relaxed);
-    state.time.store(status.time.count(), std::memory_order_relaxed);
+    if (state.history.statistics().end == 0) { // else those that were shown count
+        state.scans.store(status.scans, std::memory_order_relaxed);
+        state.time.store(status.time.count(), std::memory_order_relaxed);
+    }
     state.lastScanNs.store(status.lastScanNs, std::memory_order_relaxed);
     state.load.store(status.load, std::memory_order_relaxed);
     state.skipped.store(status.skippedScans, std::memory_order_relaxed);

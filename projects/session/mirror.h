@@ -60,8 +60,8 @@ public:
 
     /// A scan that the controller made, in the program that the mirror has; recorded and shown.
     void scanned(std::span<const std::byte> image, uint64_t scan, Nanoseconds time);
-    /// The image where the controller stands, frames included.
-    void halted(std::span<const std::byte> image);
+    /// The image where the controller stands between scans, or inside one with its frames.
+    void stands(std::span<const std::byte> image, bool isHalted) { show(image, isHalted); }
     struct Figures {
         Status status; // position and fault texts as they are there
         std::vector<controller::Forced> forces;
