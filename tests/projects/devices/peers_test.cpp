@@ -1,6 +1,7 @@
 // Against other people's implementations: pymodbus as the device and as the client of our server, mosquitto as the
 // broker, and a serial line made of two pseudo terminals.
 #include "tests/projects/devices/peers.h"
+#include "tests/support/paths.h"
 
 #include <csignal>
 #include <cstdlib>
@@ -302,6 +303,27 @@ TEST(Pymodbus, EveryByteOrderMeansTheSameOnBothSides) {
     EXPECT_EQ(code, 0);
     EXPECT_EQ(run.value("Main.r1"), "2.5");
     EXPECT_EQ(run.value("Main.d3"), "-100003");
+}
+
+/// The shipped example over its real line: its client at its own server.
+TEST(ModbusTank, TheExampleRunsOverTheLine) {
+    const auto read = [](const std::string& name) {
+        std::ifstream file(plc::sourceDir() + "/projects/examples/modbus_tank/" + name);
+        return std::string(std::istreambuf_iterator<char>(file), {});
+    };
+    std::string json = read("devices.json");
+    const std::string port = std::to_string(freePort());
+    for (size_t at; (at = json.find("15020")) != std::string::npos;) json.replace(at, 5, port);
+    LiveRun run(read("src/main.st") + read("src/station.st"), json);
+    ASSERT_TRUE(run.session->controller().write(
+        "Station.OverModbus", {run.session->program()->layout.find("Station.OverModbus")->type, int64_t(1)}));
+    EXPECT_TRUE(run.scanUntil([&] {
+        return run.value("Station.Pump") == "TRUE" && run.value("IO.LevelGood") == "TRUE";
+    })) << run.status(1).problem.english();
+    EXPECT_TRUE(run.scanUntil([&] { return run.value("IO.LevelRaw") != "200" && run.value("IO.Pump") == "TRUE"; }))
+        << "the level rises over the line";
+    EXPECT_EQ(run.value("Main.LineLost"), "FALSE");
+    EXPECT_GT(run.replaysExactly(), 0u);
 }
 
 // ---------------------------------------------------------------- a serial line
