@@ -1,5 +1,6 @@
 // The table of actions: shortcuts as CODESYS has them (F5 run, F8 step in, F10 over, F9 breakpoint, F11 build), all
 // editable.
+#include "app/attachment.h"
 #include "app/devices_view.h"
 #include "app/editor_tabs.h"
 #include "app/exchange_dialogs.h"
@@ -7,6 +8,7 @@
 #include "app/focus_command.h"
 #include "app/inside_views.h"
 #include "app/main_window.h"
+#include "app/native_program.h"
 #include "app/perspectives.h"
 #include "app/problems_view.h"
 #include "app/search_view.h"
@@ -133,6 +135,9 @@ const std::vector<ActionSpec> kActions = {
     {"run.force", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Force Prepared Values"), "F7", drawn(Icon::Force), [](MainWindow& w) { w.watch().forcePrepared(); }},
     {"run.releaseAll", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Release All Forces"), "Alt+F7", drawn(Icon::Unforce), [](MainWindow& w) { if (w.control().session()) w.control().session()->unforceAll(); }},
     {"run.devices", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Connect or Disconnect the Devices"), "", drawn(Icon::Link), [](MainWindow& w) { DevicesView::of(w).toggleConnection(); }},
+    {"run.attach", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Attach to a Controller…"), "", drawn(Icon::Link), [](MainWindow& w) { Attachment::of(w).ask(w); }},
+    {"run.detach", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Detach from the Controller"), "", none, [](MainWindow& w) { Attachment::of(w).detach(); }},
+    {"run.native", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Build a Native Program…"), "", drawn(Icon::Export), [](MainWindow& w) { buildNativeProgram(w); }},
     {"run.tests", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run the Tests"), "Ctrl+T", drawn(Icon::Test), [](MainWindow& w) { w.runTests(); }},
 
     {"time.back", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Time"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "One Scan Back"), "Ctrl+Alt+Left", drawn(Icon::StepBack), [](MainWindow& w) { w.control().stepView(-1); }},

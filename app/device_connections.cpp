@@ -34,6 +34,10 @@ void DeviceConnections::attach() {
     m_refusal = devices::errors::NeedController();
     session::Session* session = m_control.session();
     if (!session) return emit changed();
+    if (session->isMirror()) {
+        m_refusal = devices::errors::ControllerElsewhere();
+        return emit changed();
+    }
     const std::string folder = m_workspace.folder().toStdString();
     const auto file = devices::DeviceFile::load(folder);
     if (!file)

@@ -45,11 +45,11 @@ std::string overview() {
 
 const std::vector<Command>& commands() {
     static const std::vector<Command> all = {
-        checkCommand(),  runCommand(),    formatCommand(), testCommand(),    traceCommand(),
-        replayCommand(), panelCommand(),  docCommand(),    convertCommand(), importCommand(),
-        exportCommand(), ladderCommand(), whyCommand(),    tuneCommand(),    serveCommand(),
-        textsCommand(),  recipeCommand(), peopleCommand(), alarmsCommand(),  devicesCommand(),
-        lspCommand(),    dapCommand(),    mcpCommand(),    explainCommand(), buildCommand()};
+        checkCommand(),  runCommand(),     formatCommand(),  testCommand(),   traceCommand(),  replayCommand(),
+        panelCommand(),  docCommand(),     convertCommand(), importCommand(), exportCommand(), ladderCommand(),
+        whyCommand(),    tuneCommand(),    serveCommand(),   textsCommand(),  recipeCommand(), peopleCommand(),
+        alarmsCommand(), devicesCommand(), lspCommand(),     dapCommand(),    mcpCommand(),    explainCommand(),
+        buildCommand(),  attachCommand()};
     return all;
 }
 

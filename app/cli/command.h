@@ -37,6 +37,7 @@ int runCommandLine(const std::vector<std::string>& words);
 [[nodiscard]] Command whyCommand();
 [[nodiscard]] Command tuneCommand();
 [[nodiscard]] Command serveCommand();
+[[nodiscard]] Command attachCommand();
 [[nodiscard]] Command textsCommand();
 [[nodiscard]] Command recipeCommand();
 [[nodiscard]] Command peopleCommand();

@@ -49,6 +49,7 @@ Result<serve::ServeSettings> readSettings(const Arguments& arguments, const proj
         if (!size) return size.error();
         out.recordingLimit = *size;
     }
+    out.allowsBreakpoints = arguments.has("--allow-breakpoints");
     if (arguments.has("--real-time")) out.realTime.emplace();
     if (const auto text = arguments.value("--core")) {
         const auto core = parseCount(*text);
@@ -59,15 +60,31 @@ Result<serve::ServeSettings> readSettings(const Arguments& arguments, const proj
     return out;
 }
 
+template <class Counts> void printHistogram(const Counts& counts) {
+    for (size_t i = 0; i < counts.size(); ++i)
+        if (counts[i] > 0) std::cout << "  up to " << (uint64_t(1) << i) << " us: " << counts[i] << "\n";
+}
+
+/// How late scans began and ended, and which ended latest: `stepwise replay` shows them in the recording.
+void printScanTimes(const session::ScanTimes& times) {
+    for (const auto& [what, of] : {std::pair("wake-up", &times.wakeUp), std::pair("execution", &times.execution),
+                                   std::pair("end of scan", &times.end)}) {
+        std::cout << what << ": mean " << static_cast<int64_t>(of->meanNs()) / 1000 << " us, most "
+                  << of->mostNs() / 1000 << " us\n";
+        printHistogram(of->buckets());
+    }
+    for (const session::ScanTime& scan : times.worst)
+        std::cout << "scan " << scan.scan << " at " << types::durationText(scan.at.count()) << " began "
+                  << scan.wakeUpNs / 1000 << " us late and ran " << scan.executionNs / 1000 << " us\n";
+}
+
 /// Execution times in powers of two of a microsecond, the greatest lateness of a start beside them.
 void printStatistics(const std::vector<controller::TaskStatistics>& tasks) {
     for (const controller::TaskStatistics& task : tasks) {
         std::cout << task.name << ": " << task.count << " runs, " << task.overruns << " overruns, least "
                   << task.minNs / 1000 << " us, mean " << static_cast<int64_t>(task.meanNs) / 1000 << " us, most "
                   << task.maxNs / 1000 << " us, latest start " << task.jitterNs / 1000 << " us\n";
-        for (size_t i = 0; i < task.histogram.size(); ++i)
-            if (task.histogram[i] > 0)
-                std::cout << "  up to " << (uint64_t(1) << i) << " us: " << task.histogram[i] << "\n";
+        printHistogram(task.histogram);
     }
 }
 
@@ -109,10 +126,15 @@ int run(const Arguments& arguments) {
     }
     if (const Message problem = session.status().retainProblem; !problem.isEmpty())
         std::cerr << "stepwise: " << problem << "\n";
-    const auto served = serve::serve(panels, session, *settings, isInterrupted);
+    serve::ServeSettings forServer = *settings;
+    forServer.devices = engine.get();
+    const auto served = serve::serve(panels, session, forServer, isInterrupted);
     if (engine) engine->disconnect();
     if (!served) return wrongUse(served.error());
-    if (arguments.has("--stats")) printStatistics(session.taskStatistics());
+    if (arguments.has("--stats")) {
+        printStatistics(session.taskStatistics());
+        printScanTimes(session.scanTimes());
+    }
     if (const Message problem = session.status().retainProblem; !problem.isEmpty()) {
         std::cerr << "stepwise: " << problem << "\n";
         return kWrongUse;
@@ -138,7 +160,8 @@ Command serveCommand() {
           {"--core", "N", "the scan thread on this core alone, with --real-time"},
           {"--theme", "NAME", "show all panels in this theme: light, dark, contrast, or one of hmi/themes"},
           {"--devices", "", "connect the devices of devices.json"},
-          {"--stats", "", "task statistics at the end"},
+          {"--allow-breakpoints", "", "attached studios may stop the controller inside a scan"},
+          {"--stats", "", "at the end how long tasks ran, how late scans began and ended, and the latest scans"},
           {"--start", "DT#2026-01-01-06:00:00", "calendar at the first scan"},
           {"--library", "NAME", "a library the files use, besides the standard (repeatable)"}},
          "stepwise serve projects/examples/alarm_texts --port 8080"},

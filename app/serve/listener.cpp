@@ -57,6 +57,15 @@ void Listener::readHead(QTcpSocket* socket) {
                       {400, "text/plain; charset=utf-8", "This is no request that the server understands.\n", {}});
     }
     if (head.request.isWebSocket()) {
+        if (head.request.path == kAttachPath) {
+            if (!mayAttach || !mayAttach(socket->peerAddress()) || !head.request.field("origin").isEmpty()) {
+                ++m_refusals;
+                return answer(socket, {403, "text/plain; charset=utf-8", "Attaching needs TLS and a studio.\n", {}});
+            }
+            disconnect(socket, &QTcpSocket::disconnected, socket, nullptr);
+            socket->setReadBufferSize(0);
+            return onWebSocket(socket);
+        }
         if (!head.request.isSameOrigin() || head.request.path != "/panel-stream") {
             ++m_refusals;
             return answer(socket,

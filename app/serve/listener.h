@@ -3,6 +3,7 @@
 #pragma once
 #include "app/serve/http.h"
 
+#include <QHostAddress>
 #include <QSslConfiguration>
 #include <QTcpServer>
 #include <QTcpSocket>
@@ -10,6 +11,8 @@
 #include <functional>
 
 namespace plc::serve {
+
+inline constexpr const char* kAttachPath = "/attach";
 
 struct ListenerLimits {
     int connections = 256;
@@ -28,6 +31,8 @@ public:
 
     /// Answers a request; the socket is closed behind it.
     std::function<HttpAnswer(const HttpRequest&)> onRequest;
+    /// Whether a studio at that address may try to attach; never a page in a browser.
+    std::function<bool(const QHostAddress&)> mayAttach;
     /// Takes over a socket whose request to become a WebSocket has not been read yet.
     std::function<void(QTcpSocket*)> onWebSocket;
 

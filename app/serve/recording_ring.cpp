@@ -37,6 +37,7 @@ RecordingRing::RecordingRing(const session::Session& session, RingSettings setti
     const auto known = files(m_settings.folder);
     if (!known.empty()) m_number = known.back().first;
     begin(0);
+    m_start = m_number;
     m_thread = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }
 
@@ -83,8 +84,31 @@ void RecordingRing::write() {
         if (sizeOf(m_file) >= m_settings.fileSize && *saved > m_first) begin(*saved);
         deleteOldest();
     }
+    keepWorst();
     const std::lock_guard lock(m_mutex);
     m_figures.problem = saved ? std::string() : saved.error().english();
+}
+
+/// One file a second at most: of the first scans after a start each is among the worst for a while.
+void RecordingRing::keepWorst() {
+    const fs::path folder = m_settings.folder / "worst";
+    const auto fileOf = [&](uint64_t scan) {
+        return folder / (std::to_string(m_start) + "-scan-" + std::to_string(scan) + kEnding);
+    };
+    std::set<uint64_t> worst;
+    for (const session::ScanTime& each : m_session.scanTimes().worst) worst.insert(each.scan);
+    std::error_code ignored;
+    for (auto it = m_kept.begin(); it != m_kept.end();) {
+        if (!worst.contains(*it)) fs::remove(fileOf(*it), ignored);
+        it = worst.contains(*it) ? std::next(it) : m_kept.erase(it);
+    }
+    const auto fresh = std::find_if(worst.begin(), worst.end(), [&](uint64_t scan) { return !m_kept.contains(scan); });
+    if (fresh == worst.end()) return;
+    m_kept.insert(*fresh); // also when it cannot be written: it is not tried for ever
+    const auto position = m_session.history().positionOfScan(*fresh);
+    if (!position) return;
+    fs::create_directories(folder, ignored);
+    (void)m_session.history().saveRange(fileOf(*fresh).string(), {*position, *position + 1});
 }
 
 void RecordingRing::deleteOldest() {

@@ -1,12 +1,14 @@
 // The recording of a served controller on disk: files one after the other, each complete in itself, the oldest deleted
 // when all together are larger than allowed. The newest is written again every second, so that a power cut costs one.
-// Has a thread of its own; the scan never waits for a disk. The session must outlive it.
+// The pieces with the scans that ended latest are kept beside them, however old. Has a thread of its own; the scan
+// never waits for a disk. The session must outlive it.
 #pragma once
 #include "projects/session/session.h"
 
 #include <condition_variable>
 #include <filesystem>
 #include <mutex>
+#include <set>
 #include <thread>
 
 namespace plc::serve {
@@ -33,10 +35,12 @@ private:
     void write();
     void begin(history::Position first);
     void deleteOldest();
+    void keepWorst();
     const session::Session& m_session;
     RingSettings m_settings;
     std::filesystem::path m_file;
-    uint64_t m_number = 0;
+    uint64_t m_number = 0, m_start = 0; // of files; of the first of this start
+    std::set<uint64_t> m_kept;          // numbers of scans
     history::Position m_first = 0, m_written = 0;
     mutable std::mutex m_mutex;
     std::condition_variable_any m_wake;

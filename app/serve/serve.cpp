@@ -45,10 +45,10 @@ Result<void> writeCode(const std::string& path, const std::string& code) {
     return {};
 }
 
-Result<QByteArray> accessCode(const ServeSettings& settings) {
-    const std::string path = tokenPath(settings);
+/// `isOurs`: made when it is missing.
+Result<QByteArray> codeIn(const std::string& path, bool isOurs) {
     std::error_code ignored;
-    if (settings.tokenFile.empty() && !fs::exists(path, ignored))
+    if (isOurs && !fs::exists(path, ignored))
         if (auto written = writeCode(path, newCode()); !written) return written.error();
     std::ifstream file(path);
     std::string code;
@@ -113,18 +113,24 @@ Result<void> serve(const hmi::PanelProject& project, session::Session& session, 
     if (hasPeople) {
         logIn = byPeople(project.people);
     } else {
-        Result<QByteArray> code = accessCode(settings);
+        Result<QByteArray> code = codeIn(tokenPath(settings), settings.tokenFile.empty());
         if (!code) return code.error();
         logIn = byAccessCode(*code);
     }
-    Server server(project, session, std::move(logIn), settings.server);
+    const std::string attachFile = (fs::path(settings.stateFolder) / "attach-code").string();
+    const Result<QByteArray> attachCode = codeIn(attachFile, true);
+    if (!attachCode) return attachCode.error();
+    ServerSettings forServer = settings.server;
+    forServer.attach = AttachSettings{*attachCode, settings.allowsBreakpoints};
+    Server server(project, session, std::move(logIn), std::move(forServer));
     if (auto started = server.start(); !started) return started;
     std::unique_ptr<RecordingRing> ring;
     if (settings.recordingLimit > 0)
         ring = std::make_unique<RecordingRing>(
             session, RingSettings{fs::path(settings.stateFolder) / "recording", settings.recordingLimit,
                                   std::clamp<uint64_t>(settings.recordingLimit / 8, 1 << 16, uint64_t(8) << 20)});
-    server.describeRecording = [&ring](ServerFigures& figures) {
+    server.describeRecording = [&ring, devices = settings.devices](ServerFigures& figures) {
+        if (devices) figures.devices = devices->status();
         if (!ring) return;
         const RecordingRing::Figures now = ring->figures();
         figures.recordingBytes = now.bytes;
@@ -139,7 +145,8 @@ Result<void> serve(const hmi::PanelProject& project, session::Session& session, 
     std::cout << "serving " << settings.server.name << " at " << server.url().toStdString() << "\n"
               << (hasPeople ? std::string("the users of hmi/people.json log in to operate")
                             : "the access code to operate is in " + tokenPath(settings))
-              << std::endl;
+              << "\n"
+              << "the code to attach a studio is in " << attachFile << std::endl;
     const ServiceNotes notes;
     notes.ready("serving " + settings.server.name);
     Liveness liveness(*session.program());

@@ -13,6 +13,8 @@ struct ServeSettings {
     std::string tokenFile;                         // empty: "access-code" in the state folder, made when missing
     uint64_t recordingLimit = uint64_t(256) << 20; // 0: nothing is recorded on disk
     std::optional<RealTimeWishes> realTime;
+    bool allowsBreakpoints = false;           // for attached studios
+    const devices::Engine* devices = nullptr; // none are connected
 };
 
 /// The state folder, created when missing, for this process alone as long as this lives.

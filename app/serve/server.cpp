@@ -28,14 +28,19 @@ QByteArray escaped(const QString& text) { return text.toHtmlEscaped().toUtf8(); 
 Server::Server(const hmi::PanelProject& project, session::Session& session, LogIn logIn, ServerSettings settings)
     : m_project(project), m_session(session), m_settings(std::move(settings)), m_gate(std::move(logIn)),
       m_station(project, &session), m_listener(m_settings.listener),
-      m_sockets(QStringLiteral("Stepwise"), QWebSocketServer::NonSecureMode) {
+      m_sockets(QStringLiteral("Stepwise"), QWebSocketServer::NonSecureMode),
+      m_attachGate(m_settings.attach ? byAccessCode(m_settings.attach->code) : LogIn()) {
     [[maybe_unused]] static const bool registered = (registerPages(), true);
     m_listener.onRequest = [this](const HttpRequest& request) { return answer(request); };
+    m_listener.mayAttach = [this](const QHostAddress& peer) {
+        return m_settings.attach && mayAttach(peer, m_listener.hasTls());
+    };
     m_listener.onWebSocket = [this](QTcpSocket* socket) { m_sockets.handleConnection(socket); };
     connect(&m_sockets, &QWebSocketServer::newConnection, this, &Server::accept);
     // Writes that the scan refused do not say who asked for them.
     connect(&m_station, &hmi::PanelPlayer::writeRefused, this, [this](const QString& reason) {
         for (PanelLink* link : m_links) link->tell(reason);
+        for (AttachLink* link : m_attached) link->tell(reason);
     });
     m_timer.setTimerType(Qt::PreciseTimer);
     m_timer.setInterval(kFrame);
@@ -45,6 +50,7 @@ Server::Server(const hmi::PanelProject& project, session::Session& session, LogI
 
 Server::~Server() {
     for (PanelLink* link : m_links) delete link;
+    for (AttachLink* link : m_attached) delete link;
 }
 
 Result<void> Server::useTls() {
@@ -142,6 +148,10 @@ QByteArray Server::overview() const {
 
 void Server::accept() {
     while (QWebSocket* socket = m_sockets.nextPendingConnection()) {
+        if (socket->requestUrl().path() == QLatin1String(kAttachPath)) {
+            acceptStudio(socket);
+            continue;
+        }
         if (m_links.size() >= m_settings.browsers || m_project.panels.empty()) {
             ++m_dropped;
             socket->close(QWebSocketProtocol::CloseCodePolicyViolated, QStringLiteral("too many browsers"));
@@ -160,10 +170,27 @@ void Server::accept() {
     }
 }
 
+void Server::acceptStudio(QWebSocket* socket) {
+    if (!m_settings.attach || m_attached.size() >= m_settings.attach->studios) {
+        ++m_dropped;
+        socket->close(QWebSocketProtocol::CloseCodePolicyViolated, QStringLiteral("too many studios"));
+        connect(socket, &QWebSocket::disconnected, socket, &QObject::deleteLater);
+        return;
+    }
+    auto* link = new AttachLink(socket, m_session, m_attachGate, *m_settings.attach, m_settings.name, this);
+    m_attached.push_back(link);
+    connect(link, &AttachLink::gone, this, [this, link](bool wasHostile) {
+        m_dropped += wasHostile ? 1 : 0;
+        std::erase(m_attached, link);
+        link->deleteLater();
+    });
+}
+
 /// Many browsers, or slow pictures, get fewer frames: half of the time is left for everything else.
 void Server::frames() {
     const qint64 begin = m_clock.elapsed();
     for (PanelLink* link : std::vector(m_links)) link->frame(now());
+    for (AttachLink* link : std::vector(m_attached)) link->frame(now());
     const qint64 took = m_clock.elapsed() - begin;
     const int wanted = static_cast<int>(std::clamp<qint64>(2 * took, kFrame, 500));
     if (wanted != m_timer.interval()) m_timer.setInterval(wanted);
@@ -181,7 +208,8 @@ ServerFigures Server::figures() const {
         out.sentFrames += link->sentFrames();
     }
     out.refusedConnections = m_listener.refusals();
-    out.refusedLogIns = m_gate.refusals();
+    for (const AttachLink* link : m_attached) out.studios += link->isIn() ? 1 : 0;
+    out.refusedLogIns = m_gate.refusals() + m_attachGate.refusals();
     out.droppedBrowsers = m_dropped;
     out.uptimeSeconds = static_cast<double>(m_clock.elapsed()) * 1e-3;
     if (describeRecording) describeRecording(out);

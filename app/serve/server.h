@@ -2,6 +2,7 @@
 // The scan thread is only read and posted to, so nothing here can hold it up. Main thread; session and project must
 // outlive it.
 #pragma once
+#include "app/serve/attach_link.h"
 #include "app/serve/listener.h"
 #include "app/serve/metrics.h"
 #include "app/serve/panel_link.h"
@@ -21,7 +22,8 @@ struct ServerSettings {
     ListenerLimits listener;
     LinkLimits link;
     size_t browsers = 64;
-    std::function<qint64()> clock; // ms for blinking and animation; empty: since the start
+    std::optional<AttachSettings> attach; // nothing: no studio can attach
+    std::function<qint64()> clock;        // ms for blinking and animation; empty: since the start
 };
 
 class Server final : public QObject {
@@ -43,6 +45,7 @@ private:
     HttpAnswer answer(const HttpRequest& request);
     QByteArray overview() const;
     void accept();
+    void acceptStudio(QWebSocket* socket);
     void frames();
     qint64 now() const { return m_settings.clock ? m_settings.clock() : m_clock.elapsed(); }
     const hmi::PanelProject& m_project;
@@ -54,6 +57,8 @@ private:
     Listener m_listener;
     QWebSocketServer m_sockets;
     std::vector<PanelLink*> m_links;
+    Gate m_attachGate;
+    std::vector<AttachLink*> m_attached;
     QTimer m_timer;
     QElapsedTimer m_clock;
     uint64_t m_goneBytes = 0, m_goneFrames = 0, m_dropped = 0;

@@ -78,7 +78,8 @@ void RunControl::build(std::function<void(bool)> then) {
         size_t errors = 0;
         for (const diagnostics::Diagnostic& d : built->checked.analysis->diagnostics)
             errors += d.severity == diagnostics::Severity::Error;
-        if (good) adopt(built, false);
+        const bool isElsewhere = m_session && m_session->isMirror(); // a build is no reason to leave it
+        if (good && !isElsewhere) adopt(built, false);
         emit buildFinished(good, good ? tr("Built in %1 ms").arg(built->checkMs + built->codeMs, 0, 'f', 0)
                                  : !built->failure.isEmpty()
                                      ? kit::messageText(built->failure)
@@ -134,6 +135,19 @@ void RunControl::adopt(std::shared_ptr<driver::Built> built, bool changeRunning)
     m_shown.setLive(m_session.get());
     m_haltsSeen = 0;
     postBreakpoints();
+    m_timer.start();
+    tick();
+    emit sessionChanged();
+}
+
+void RunControl::showElsewhere(std::unique_ptr<session::Session> mirror) {
+    if (m_building) m_building->cancel();
+    leaveRecorded();
+    if (!mirror) return disconnectSession();
+    m_viewed.reset();
+    endSession();
+    m_session = std::move(mirror);
+    m_haltsSeen = 0;
     m_timer.start();
     tick();
     emit sessionChanged();
@@ -201,7 +215,7 @@ void RunControl::start() {
 
 /// Goes on with the controller as it stands; builds when there is none, after a fault and where the text has changed.
 void RunControl::startThen(bool paused, std::function<void()> then) {
-    const bool stands = m_session && (m_status.state == controller::State::Paused ||
+    const bool stands = m_session && (m_session->isMirror() || m_status.state == controller::State::Paused ||
                                       (m_status.state == controller::State::Stopped && isUpToDate()));
     if (stands) {
         m_session->startThread(m_mode, paused);

@@ -70,7 +70,9 @@ public:
     void setMode(session::RunMode mode);
     [[nodiscard]] session::RunMode mode() const { return m_mode; }
     void disconnectSession(); // project closes
-    void announce();          // all of its state again, to views that are new
+    /// A session that shows a controller elsewhere takes the place of the present one; null: it is let go.
+    void showElsewhere(std::unique_ptr<session::Session> mirror);
+    void announce(); // all of its state again, to views that are new
 
     // breakpoints, kept with the project
     [[nodiscard]] const std::vector<EditorBreakpoint>& breakpoints() const { return m_breakpoints.all(); }

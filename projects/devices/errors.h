@@ -1,4 +1,4 @@
-// errors::NoVariableNamed(name)…: what devices.json is told and what devices report, from messages.def. For the sources
+// errors::NoVariableNamed(name)…: problems in devices.json and what devices report, from messages.def. For the sources
 // that report. Functions, any thread.
 #pragma once
 #include "runtime/base/messages.h"

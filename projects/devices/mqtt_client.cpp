@@ -73,7 +73,7 @@ private:
     void connect();
     void round();
     void lose(Message why);
-    void setUp();
+    [[nodiscard]] bool setUp();
     void connected(int code);
     void received(const mosquitto_message& message);
     void publishOutputs(bool isLeaving);
@@ -103,7 +103,8 @@ void MqttClient::run() {
     leave();
 }
 
-void MqttClient::setUp() {
+/// False: the authority's file cannot be read. Nothing is said without TLS then.
+bool MqttClient::setUp() {
     const Device& device = m_port.device;
     mosquitto* client = m_client.get();
     mosquitto_connect_callback_set(
@@ -117,11 +118,12 @@ void MqttClient::setUp() {
                                          : firstLine((std::filesystem::path(m_folder) / device.passwordFile).string());
         mosquitto_username_pw_set(client, device.user.c_str(), password.empty() ? nullptr : password.c_str());
     }
-    if (!device.tls) return;
+    if (!device.tls) return true;
     const std::string authority =
         device.caFile.empty() ? std::string() : (std::filesystem::path(m_folder) / device.caFile).string();
-    mosquitto_tls_set(client, authority.empty() ? nullptr : authority.c_str(),
-                      authority.empty() ? "/etc/ssl/certs" : nullptr, nullptr, nullptr, nullptr);
+    return mosquitto_tls_set(client, authority.empty() ? nullptr : authority.c_str(),
+                             authority.empty() ? "/etc/ssl/certs" : nullptr, nullptr, nullptr,
+                             nullptr) == MOSQ_ERR_SUCCESS;
 }
 
 void MqttClient::connect() {
@@ -133,7 +135,7 @@ void MqttClient::connect() {
     if (isStopping()) return;
     m_client.reset(mosquitto_new(device.clientId.empty() ? nullptr : device.clientId.c_str(), true, this));
     if (!m_client) return lose(errors::NotConnected(where, errors::ofSystem(errno)));
-    setUp();
+    if (!setUp()) return lose(errors::NotConnected(where, errors::ofSystem(ENOENT)));
     const int keepAlive = std::max<int>(kShortestKeepAlive, static_cast<int>(device.timeout.count() / 1000));
     const int done = mosquitto_connect(m_client.get(), device.host.c_str(), device.port, keepAlive);
     if (done != MOSQ_ERR_SUCCESS) {

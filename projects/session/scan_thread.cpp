@@ -127,8 +127,10 @@ void Session::State::scanInRealTime(int64_t now, double factor) {
         wakeUp.wait(std::clamp<int64_t>(wait, 0, 100'000'000));
         return;
     }
+    const uint64_t scan = controller.nextScan();
     (void)controller.scan(Nanoseconds(plcNow));
     const int64_t end = wallNow();
+    if (mode.pace == Pace::Real) times.add({scan, controller.lastTime(), plcNow - due, end - now});
     lastScanNs.store(end - now, std::memory_order_relaxed);
     afterScans(now, end);
 }
@@ -275,6 +277,7 @@ void Session::State::putShared() {
     shared.frames = haltFrames;
     shared.haltProblem = haltProblem;
     shared.tasks = controller.statistics();
+    shared.times = times;
     lastShare = wallNow();
     for (controller::Event& event : newEvents) shared.events.push_back(std::move(event));
     newEvents.clear();

@@ -123,6 +123,7 @@ void Session::runHere(const std::function<bool(const controller::Controller&)>& 
 // ---------------------------------------------------------------- the scan thread
 
 void Session::startThread(RunMode mode, bool paused) {
+    if (m->sendsElsewhere({paused ? OrderKind::Pause : OrderKind::Start})) return;
     if (m->thread.joinable()) {
         setMode(mode);
         start();
@@ -150,6 +151,7 @@ void Session::startThread(RunMode mode, bool paused) {
 }
 
 void Session::setMode(RunMode mode) {
+    if (m->outlet) return; // it keeps its own time
     m->post(When::Now, [s = m.get(), mode] {
         s->mode = mode;
         s->mode.factor = std::max(mode.factor, 1e-6);
@@ -158,6 +160,7 @@ void Session::setMode(RunMode mode) {
 }
 
 void Session::start() {
+    if (m->sendsElsewhere({OrderKind::Start})) return;
     m->post(When::Now, [s = m.get()] {
         if (s->isHalted) {
             s->debugger->resume();
@@ -169,6 +172,7 @@ void Session::start() {
 }
 
 void Session::pause() {
+    if (m->sendsElsewhere({OrderKind::Pause})) return;
     m->post(When::Now, [s = m.get()] {
         if (s->isHalted)
             s->pausesAfterScan = true;
@@ -178,6 +182,7 @@ void Session::pause() {
 }
 
 void Session::singleScan() {
+    if (m->sendsElsewhere({OrderKind::SingleScan})) return;
     m->post(When::Now, [s = m.get()] {
         if (s->isHalted) { // the scan that stands is the one
             s->debugger->resume();
@@ -193,14 +198,20 @@ void Session::singleScan() {
 }
 
 void Session::stop() {
+    if (m->sendsElsewhere({OrderKind::Stop})) return;
     m->post(When::Leave, [s = m.get()] { s->controller.stop(); });
 }
 
 void Session::reset(controller::ResetKind kind) {
+    if (m->outlet) return m->outlet->post({.kind = OrderKind::Reset, .reset = kind});
     m->post(When::Leave, [s = m.get(), kind] { s->controller.reset(kind); });
 }
 
 void Session::write(Target target, types::Value value, std::string origin) {
+    if (m->outlet)
+        return m->outlet->post({.kind = OrderKind::Write,
+                                .values = {{std::move(target.path), std::move(value)}},
+                                .origin = std::move(origin)});
     m->post(When::Now,
             [s = m.get(), target = std::move(target), value = std::move(value), origin = std::move(origin)]() mutable {
                 s->writes.write(std::move(target), std::move(value), std::move(origin));
@@ -209,6 +220,9 @@ void Session::write(Target target, types::Value value, std::string origin) {
 }
 
 void Session::writeTogether(std::vector<Assignment> values, std::string origin) {
+    if (m->outlet)
+        return m->outlet->post(
+            {.kind = OrderKind::WriteTogether, .values = std::move(values), .origin = std::move(origin)});
     m->post(When::Now, [s = m.get(), values = std::move(values), origin = std::move(origin)] {
         s->controller.actFor(origin);
         if (auto done = writeAllOrNone(s->controller, values); !done) s->newRefusals.push_back(done.error());
@@ -217,6 +231,10 @@ void Session::writeTogether(std::vector<Assignment> values, std::string origin) 
 }
 
 void Session::press(Target target, types::Value pressed, types::Value released, std::string origin) {
+    if (m->outlet)
+        return m->outlet->post({.kind = OrderKind::Press,
+                                .values = {{target.path, std::move(pressed)}, {target.path, std::move(released)}},
+                                .origin = std::move(origin)});
     m->post(When::Now, [s = m.get(), target = std::move(target), pressed = std::move(pressed),
                         released = std::move(released), origin = std::move(origin)]() mutable {
         s->writes.press(std::move(target), std::move(pressed), std::move(released), std::move(origin));
@@ -226,6 +244,7 @@ void Session::press(Target target, types::Value pressed, types::Value released, 
 }
 
 void Session::release(Target target) {
+    if (m->outlet) return m->outlet->post({.kind = OrderKind::Release, .path = std::move(target.path)});
     m->post(When::Now, [s = m.get(), target = std::move(target)]() mutable {
         s->writes.release(std::move(target));
         if (!s->isQueueing.load())
@@ -234,6 +253,9 @@ void Session::release(Target target) {
 }
 
 void Session::force(std::string path, types::Value value, std::string origin) {
+    if (m->outlet)
+        return m->outlet->post(
+            {.kind = OrderKind::Force, .values = {{std::move(path), std::move(value)}}, .origin = std::move(origin)});
     m->post(When::Now, [s = m.get(), path = std::move(path), value = std::move(value), origin = std::move(origin)] {
         s->controller.actFor(origin);
         if (const Result<void> done = s->controller.force(path, value); !done) s->newRefusals.push_back(done.error());
@@ -242,12 +264,14 @@ void Session::force(std::string path, types::Value value, std::string origin) {
 }
 
 void Session::unforce(std::string path) {
+    if (m->outlet) return m->outlet->post({.kind = OrderKind::Unforce, .path = std::move(path)});
     m->post(When::Now, [s = m.get(), path = std::move(path)] {
         if (const Result<void> done = s->controller.release(path); !done) s->newRefusals.push_back(done.error());
     });
 }
 
 void Session::unforceAll() {
+    if (m->sendsElsewhere({OrderKind::UnforceAll})) return;
     m->post(When::Now, [s = m.get()] { s->controller.releaseAll(); });
 }
 
@@ -262,16 +286,27 @@ std::vector<controller::TaskStatistics> Session::taskStatistics() const {
     return m->shared.tasks;
 }
 
+ScanTimes Session::scanTimes() const {
+    if (!m->isQueueing.load(std::memory_order_acquire)) return m->times;
+    const std::lock_guard lock(m->mutex);
+    return m->shared.times;
+}
+
 void Session::resetTaskStatistics() {
+    if (m->sendsElsewhere({OrderKind::ResetStatistics})) return;
     m->post(When::Now, [s = m.get()] { s->controller.resetStatistics(); });
 }
 
 void Session::resetStatistics() {
-    m->post(When::Now, [s = m.get()] { s->controller.resetStatistics(); });
+    if (m->sendsElsewhere({OrderKind::ResetStatistics})) return;
+    m->post(When::Now, [s = m.get()] {
+        s->controller.resetStatistics();
+        s->times = {};
+    });
 }
 
 std::vector<controller::Event> Session::eventsSince(size_t index) const {
-    if (!m->isQueueing.load(std::memory_order_acquire)) m->share(true);
+    if (!m->isQueueing.load(std::memory_order_acquire) && !m->outlet) m->share(true);
     const std::lock_guard lock(m->mutex);
     const size_t skipped = index > m->shared.firstEvent ? index - m->shared.firstEvent : 0;
     if (skipped >= m->shared.events.size()) return {};
@@ -314,6 +349,11 @@ void Session::changeProgram(driver::Built next, std::function<void(const control
         if (done) done(refused);
         return;
     }
+    if (m->outlet) {
+        Order order{.kind = OrderKind::ChangeProgram, .built = std::move(built), .done = std::move(done)};
+        if (breakpoints) order.breakpoints = std::move(*breakpoints);
+        return m->outlet->post(std::move(order));
+    }
     m->post(When::Boundary,
             [s = m.get(), built = std::move(built), done = std::move(done), breakpoints = std::move(breakpoints)] {
                 const driver::Built* before = s->current.load();
@@ -337,6 +377,7 @@ void Session::changeProgram(driver::Built next, std::function<void(const control
 }
 
 Result<void> Session::resumeFrom(history::Position position) {
+    if (m->outlet) return m->outlet->whyNotBack();
     std::shared_ptr<const image::CompiledProgram> program;
     const std::optional<history::ScanStamp> stamp = m->history.stamp(position);
     std::vector<std::byte> image = m->history.seek(position, &program);
@@ -363,6 +404,7 @@ Result<void> Session::resumeFrom(history::Position position) {
 // ---------------------------------------------------------------- debugging
 
 void Session::setBreakpoints(std::vector<Breakpoint> breakpoints) {
+    if (m->outlet) return m->outlet->post({.kind = OrderKind::SetBreakpoints, .breakpoints = std::move(breakpoints)});
     m->post(When::Now, [s = m.get(), wanted = std::move(breakpoints)]() mutable {
         s->breakpoints = wanted; // kept for the debugger that startThread makes
         if (s->debugger) s->debugger->setBreakpoints(std::move(wanted));
@@ -370,6 +412,7 @@ void Session::setBreakpoints(std::vector<Breakpoint> breakpoints) {
 }
 
 void Session::resume() {
+    if (m->sendsElsewhere({OrderKind::Resume})) return;
     m->post(When::Now, [s = m.get()] {
         if (!s->isHalted) return;
         s->debugger->resume();
@@ -378,6 +421,7 @@ void Session::resume() {
 }
 
 void Session::step(Step kind) {
+    if (m->outlet) return m->outlet->post({.kind = OrderKind::Step, .step = kind});
     m->post(When::Now, [s = m.get(), kind] {
         if (!s->debugger) return;
         s->debugger->step(kind);
@@ -389,6 +433,7 @@ void Session::step(Step kind) {
 }
 
 void Session::runTo(FileId file, uint32_t line) {
+    if (m->outlet) return m->outlet->post({.kind = OrderKind::RunTo, .file = file, .line = line});
     m->post(When::Now, [s = m.get(), file, line] {
         if (!s->debugger) return;
         s->debugger->runTo(file, line);

@@ -3,6 +3,7 @@
 // called from any thread unless they say otherwise; they post to the scan thread and read published snapshots (D8).
 #pragma once
 #include "projects/session/run.h"
+#include "projects/session/scan_times.h"
 #include "runtime/compiler/driver/driver.h"
 #include "runtime/debug/breakpoint.h"
 
@@ -30,12 +31,16 @@ struct Settings {
     bool record = true;
 };
 
+class Mirror;
+
 class Session final : public Run {
 public:
     explicit Session(driver::Built built, Settings settings = {});
     ~Session() override; // ends it
     /// Stops the scan thread and writes what is retained; what was recorded can still be read. It cannot run again.
     void end();
+    /// The controller runs elsewhere (mirror.h): what is asked of it goes there, what is shown comes from there.
+    [[nodiscard]] bool isMirror() const;
 
     [[nodiscard]] const driver::Built& built() const;
     [[nodiscard]] std::shared_ptr<const image::CompiledProgram> program() const override;
@@ -69,6 +74,8 @@ public:
     void unforceAll() override;
     [[nodiscard]] std::vector<controller::Forced> forces() const override;
     [[nodiscard]] std::vector<controller::TaskStatistics> taskStatistics() const;
+    /// Of the scans in real time since the start or resetStatistics().
+    [[nodiscard]] ScanTimes scanTimes() const;
     void resetTaskStatistics();
     void resetStatistics();
     /// Index counts from the first event of the session; of very many only the newest are kept.
@@ -97,6 +104,7 @@ public:
     [[nodiscard]] std::vector<std::pair<std::string, types::Value>> frameVariables(size_t frame) const;
 
 private:
+    friend class Mirror;
     struct State;
     std::unique_ptr<State> m;
 };

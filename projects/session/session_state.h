@@ -1,6 +1,7 @@
 // What a Session keeps, for the files that implement it. Three kinds of members: constant or thread-safe, the scan
 // thread's own, and `shared`, copies of what seldom changes behind a mutex that the scan thread only ever tries.
 #pragma once
+#include "projects/session/mirror.h"
 #include "projects/session/session.h"
 #include "projects/session/versions.h"
 #include "projects/session/wake_up.h"
@@ -30,6 +31,7 @@ struct Session::State final : controller::ScanObserver {
     ~State() override;
 
     Settings settings;
+    std::shared_ptr<Outlet> outlet;                     // of a mirror: nothing runs here
     std::shared_ptr<Versions> versions;                 // the run's
     std::atomic<const driver::Built*> current{nullptr}; // kept alive by `versions`
     history::History history;
@@ -57,6 +59,7 @@ struct Session::State final : controller::ScanObserver {
         std::optional<controller::Fault> fault, simulationFault;
         std::vector<controller::Forced> forces;
         std::vector<controller::TaskStatistics> tasks;
+        ScanTimes times;
         std::deque<controller::Event> events; // the newest
         size_t firstEvent = 0;                // how many older ones are gone
         std::vector<Error> refusals;
@@ -73,6 +76,7 @@ struct Session::State final : controller::ScanObserver {
     std::vector<debug::Breakpoint> breakpoints; // as last set
     std::unique_ptr<debug::Debugger> debugger;
     WriteQueue writes;
+    ScanTimes times;
     std::deque<Command> deferred; // posted while halted or in a long scan, for the boundary
     int64_t leaveAskedAt = 0;     // in a long scan: since when a stop is waiting; 0 = none is
     RunMode mode;
@@ -92,6 +96,8 @@ struct Session::State final : controller::ScanObserver {
     int64_t skippedReportedAt = 0;
 
     void post(When when, std::function<void()> run);
+    /// Of a mirror, the order goes to the controller that it shows.
+    [[nodiscard]] bool sendsElsewhere(Order order);
     void adopt(std::shared_ptr<const driver::Built> built);
     void optimise(std::shared_ptr<const driver::Built> built);
 

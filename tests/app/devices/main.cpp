@@ -1,4 +1,4 @@
-// The devices in the studio's window; settings of its own.
+// Devices and served controllers in the studio's window; settings of its own.
 #include "editor/kit/theme.h"
 #include "runtime/compiler/jit/jit.h"
 #include "runtime/controller/controller.h"

@@ -1,6 +1,7 @@
 // `stepwise serve` as a process: started, asked, stopped, killed.
 #include "chromium.h"
 #include "served.h"
+#include "service.h"
 
 #include <QDir>
 #include <QFile>
@@ -22,33 +23,6 @@ CONFIGURATION C RESOURCE R ON PLC
     PROGRAM Main WITH T : Main;
 END_RESOURCE END_CONFIGURATION
 )";
-
-/// A service in a process of its own, on any free port.
-struct Service {
-    QProcess process;
-    QString url;
-    explicit Service(const QStringList& words) {
-        process.start(QString::fromStdString(binaryDir() + "/bin/stepwise"),
-                      QStringList{"serve", "--port", "0"} + words);
-        EXPECT_TRUE(
-            waitUntil([&] { return process.canReadLine() || process.state() == QProcess::NotRunning; }, 60'000));
-        url = QString::fromUtf8(process.readLine()).section(u' ', -1).trimmed();
-        EXPECT_TRUE(url.startsWith("http")) << process.readAllStandardError().toStdString();
-    }
-    QJsonObject status() const {
-        QTcpSocket socket;
-        const QUrl place(url);
-        socket.connectToHost(place.host(), static_cast<quint16>(place.port()));
-        socket.write("GET /status HTTP/1.1\r\nHost: x\r\n\r\n");
-        QByteArray answer;
-        waitUntil([&] {
-            answer += socket.readAll();
-            return socket.state() == QAbstractSocket::UnconnectedState;
-        });
-        answer += socket.readAll();
-        return QJsonDocument::fromJson(answer.mid(answer.indexOf("\r\n\r\n") + 4)).object();
-    }
-};
 
 struct Files {
     QTemporaryDir folder;

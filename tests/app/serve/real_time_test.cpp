@@ -1,5 +1,5 @@
 // `stepwise serve` as a service of systemd and in real time: what it reports to the service manager, what it asks of
-// the machine.
+// the machine, and its figures of late scans.
 #include "chromium.h"
 #include "served.h"
 
@@ -118,6 +118,33 @@ TEST_F(RealTime, WhatTheMachineGrantsIsSoAndEveryWishIsAnswered) {
         EXPECT_EQ(CPU_COUNT(&cores), 1);
     }
     stop();
+}
+
+TEST_F(RealTime, StatisticsHaveWakeUpExecutionAndEndOfScan) {
+    start({"--stats"});
+    const auto thread = scanThread();
+    EXPECT_TRUE(thread);
+    EXPECT_TRUE(waitUntil([&, begin = std::chrono::steady_clock::now()] {
+        return std::chrono::steady_clock::now() - begin > std::chrono::milliseconds(500);
+    }));
+    stop();
+    for (const char* words : {"wake-up: mean ", "execution: mean ", "end of scan: mean ", " us late and ran "})
+        EXPECT_TRUE(said.contains(words)) << words << "\n" << said.toStdString();
+}
+
+TEST(ScanTimes, TheWorstAreKeptAndTheHistogramsCountAll) {
+    session::ScanTimes times;
+    for (uint64_t n = 0; n < 1000; ++n)
+        times.add({n, std::chrono::milliseconds(n), static_cast<int64_t>((n * 7919) % 1000) * 1000, 500});
+    EXPECT_EQ(times.wakeUp.count(), 1000u);
+    EXPECT_EQ(times.wakeUp.mostNs(), 999'000);
+    EXPECT_EQ(times.execution.buckets()[0], 1000u) << "below a microsecond";
+    uint64_t all = 0;
+    for (const uint64_t count : times.end.buckets()) all += count;
+    EXPECT_EQ(all, 1000u);
+    ASSERT_EQ(times.worst.size(), session::ScanTimes::kWorst);
+    for (size_t i = 0; i < times.worst.size(); ++i)
+        EXPECT_EQ(times.worst[i].wakeUpNs, static_cast<int64_t>(999 - i) * 1000);
 }
 
 } // namespace

@@ -1,10 +1,12 @@
 // Against other people's implementations: pymodbus as the device and as the client of our server, mosquitto as the
 // broker, and a serial line made of two pseudo terminals.
 #include "tests/projects/devices/peers.h"
+#include "tests/support/paths.h"
 
 #include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
+#include <filesystem>
 #include <fstream>
 #include <poll.h>
 #include <spawn.h>
@@ -234,6 +236,96 @@ TEST(Pymodbus, ItsClientIsAnswered) {
     EXPECT_EQ(code, 0);
 }
 
+namespace {
+
+/// Each order with pymodbus's own builder and decoder: what it writes is read, what is shown it decodes.
+const char* const kPymodbusOrders = R"(
+import sys, time
+from pymodbus.client import ModbusTcpClient
+from pymodbus.constants import Endian
+from pymodbus.payload import BinaryPayloadBuilder, BinaryPayloadDecoder
+orders = [(Endian.Big, Endian.Big), (Endian.Big, Endian.Little), (Endian.Little, Endian.Big), (Endian.Little, Endian.Little)]
+client = ModbusTcpClient("127.0.0.1", port=int(sys.argv[1]))
+for i in range(200):
+    if client.connect(): break
+    time.sleep(0.05)
+for i, (bytes, words) in enumerate(orders):
+    builder = BinaryPayloadBuilder(byteorder=bytes, wordorder=words)
+    builder.add_32bit_float(1.5 + i)
+    builder.add_32bit_int(-100000 - i)
+    builder.add_64bit_float(1e100 + i)
+    builder.add_64bit_int(-1234567890123 - i)
+    if client.write_registers(20 * i, builder.to_registers(), slave=1).isError(): sys.exit(2)
+for attempt in range(400):
+    good = 0
+    for i, (bytes, words) in enumerate(orders):
+        answer = client.read_input_registers(20 * i, 12, slave=1)
+        if answer.isError(): continue
+        d = BinaryPayloadDecoder.fromRegisters(answer.registers, byteorder=bytes, wordorder=words)
+        found = (d.decode_32bit_float(), d.decode_32bit_int(), d.decode_64bit_float(), d.decode_64bit_int())
+        good += found == (3.0 + 2 * i, -100001 - i, 2e100, -1234567890124 - i)
+    if good == 4: sys.exit(0)
+    time.sleep(0.02)
+sys.exit(3)
+)";
+
+} // namespace
+
+TEST(Pymodbus, EveryByteOrderMeansTheSameOnBothSides) {
+    const uint16_t port = freePort();
+    std::string variables, body, channels;
+    for (int i = 0; i < 4; ++i) {
+        const std::string n = std::to_string(i), at = std::to_string(20 * i),
+                          order = std::array{"ABCD", "CDAB", "BADC", "DCBA"}[size_t(i)];
+        variables += "r" + n + ", rr" + n + " : REAL; d" + n + ", dd" + n + " : DINT; l" + n + ", ll" + n +
+                     " : LREAL; i" + n + ", ii" + n + " : LINT; ";
+        body += "rr" + n + " := 2.0 * r" + n + "; dd" + n + " := d" + n + " - 1; ll" + n + " := 2.0 * l" + n + "; ii" +
+                n + " := i" + n + " - 1; ";
+        int offset = 0;
+        for (const auto& [name, type, size] : {std::tuple("r", "REAL", 2), std::tuple("d", "DINT", 2),
+                                               std::tuple("l", "LREAL", 4), std::tuple("i", "LINT", 4)}) {
+            for (const bool isOut : {false, true})
+                channels += std::string(channels.empty() ? "" : ", ") + R"({"name": ")" + name + (isOut ? "o" : "i") +
+                            n + R"(", "variable": "Main.)" + name + (isOut ? name : "") + n + R"(", "type": ")" + type +
+                            R"(", "order": ")" + order + R"(", "table": ")" + (isOut ? "input" : "holding") +
+                            R"(", "address": )" + std::to_string(20 * i + offset) + "}";
+            offset += size;
+        }
+    }
+    LiveRun run("PROGRAM Main VAR " + variables + " END_VAR " + body + " END_PROGRAM " + kTask,
+                "{\"devices\": [{\"name\": \"Us\", \"protocol\": \"modbus-server\", \"port\": " + std::to_string(port) +
+                    ", \"channels\": [" + channels + "]}]}");
+    std::atomic<int> code{-1};
+    Process client({"/usr/bin/python3", write("orders.py", kPymodbusOrders), std::to_string(port)});
+    std::thread waits([&] { code = client.wait(); });
+    EXPECT_TRUE(run.scanUntil([&] { return code >= 0; }));
+    waits.join();
+    EXPECT_EQ(code, 0);
+    EXPECT_EQ(run.value("Main.r1"), "2.5");
+    EXPECT_EQ(run.value("Main.d3"), "-100003");
+}
+
+/// The shipped example over its real line: its client at its own server.
+TEST(ModbusTank, TheExampleRunsOverTheLine) {
+    const auto read = [](const std::string& name) {
+        std::ifstream file(plc::sourceDir() + "/projects/examples/modbus_tank/" + name);
+        return std::string(std::istreambuf_iterator<char>(file), {});
+    };
+    std::string json = read("devices.json");
+    const std::string port = std::to_string(freePort());
+    for (size_t at; (at = json.find("15020")) != std::string::npos;) json.replace(at, 5, port);
+    LiveRun run(read("src/main.st") + read("src/station.st"), json);
+    ASSERT_TRUE(run.session->controller().write(
+        "Station.OverModbus", {run.session->program()->layout.find("Station.OverModbus")->type, int64_t(1)}));
+    EXPECT_TRUE(run.scanUntil([&] {
+        return run.value("Station.Pump") == "TRUE" && run.value("IO.LevelGood") == "TRUE";
+    })) << run.status(1).problem.english();
+    EXPECT_TRUE(run.scanUntil([&] { return run.value("IO.LevelRaw") != "200" && run.value("IO.Pump") == "TRUE"; }))
+        << "the level rises over the line";
+    EXPECT_EQ(run.value("Main.LineLost"), "FALSE");
+    EXPECT_GT(run.replaysExactly(), 0u);
+}
+
 // ---------------------------------------------------------------- a serial line
 
 namespace {
@@ -369,4 +461,59 @@ TEST(Mqtt, AMessageThatCannotBeReadMakesTheChannelBad) {
     EXPECT_TRUE(run.scanUntil([&] { return run.value("Main.code") == "4"; })) << run.value("Main.code");
     EXPECT_EQ(run.value("Main.back"), "4");
     EXPECT_EQ(run.status().problem.english(), "back: the message holds no value that can be read");
+}
+
+namespace {
+
+void openssl(std::vector<std::string> words) {
+    words.insert(words.begin(), "/usr/bin/openssl");
+    EXPECT_EQ(Process(std::move(words)).wait(), 0);
+}
+
+/// An authority of our own and a broker's certificate that it signed.
+struct Authority {
+    std::string folder = write("authority", "") + ".d", ca = folder + "/ca.pem", certificate = folder + "/broker.pem",
+                key = folder + "/broker.key";
+    explicit Authority(const std::string& name) {
+        folder += name;
+        std::filesystem::create_directories(folder);
+        ca = folder + "/ca.pem", certificate = folder + "/broker.pem", key = folder + "/broker.key";
+        const std::string caKey = folder + "/ca.key", request = folder + "/broker.csr", names = folder + "/names";
+        std::ofstream(names) << "subjectAltName=IP:127.0.0.1\n";
+        openssl({"req", "-x509", "-newkey", "rsa:2048", "-nodes", "-days", "2", "-subj", "/CN=ours", "-keyout", caKey,
+                 "-out", ca});
+        openssl({"req", "-newkey", "rsa:2048", "-nodes", "-subj", "/CN=127.0.0.1", "-keyout", key, "-out", request});
+        openssl({"x509", "-req", "-in", request, "-CA", ca, "-CAkey", caKey, "-CAcreateserial", "-days", "2",
+                 "-extfile", names, "-out", certificate});
+    }
+    ~Authority() { std::filesystem::remove_all(folder); }
+};
+
+} // namespace
+
+TEST(Mqtt, ByTlsWithTheAuthorityThatIsNamedAndNoOther) {
+    const uint16_t port = freePort();
+    const Authority ours("1"), others("2");
+    const std::string settings =
+        write("tls.conf", "listener " + std::to_string(port) + " 127.0.0.1\nallow_anonymous true\nuser root\ncafile " +
+                              ours.ca + "\ncertfile " + ours.certificate + "\nkeyfile " + ours.key + "\n");
+    const Process mosquitto({"/usr/sbin/mosquitto", "-c", settings});
+    const std::string program =
+        std::string("PROGRAM Main VAR out : INT; back : INT; good : BOOL; END_VAR out := out + 1; END_PROGRAM ") +
+        kTask;
+    const std::string channels =
+        R"({"name": "out", "variable": "Main.out", "direction": "out", "topic": "x", "type": "INT"},
+                                {"name": "back", "variable": "Main.back", "topic": "x", "quality": "Main.good"})";
+    {
+        LiveRun run(program, broker(port, channels, ", \"tls\": true, \"caFile\": \"" + ours.ca + "\""));
+        EXPECT_TRUE(run.scanUntil([&] { return run.value("Main.good") == "TRUE"; })) << run.status().problem.english();
+        EXPECT_GT(run.replaysExactly(), 0u);
+    }
+    for (const std::string& fields :
+         {", \"tls\": true, \"caFile\": \"" + others.ca + "\"", std::string(", \"tls\": true"), std::string(),
+          std::string(", \"tls\": true, \"caFile\": \"/no/such.pem\"")}) {
+        LiveRun run(program, broker(port, channels, fields));
+        EXPECT_TRUE(run.scanUntil([&] { return run.status().state == LinkState::Lost; })) << fields;
+        EXPECT_EQ(run.value("Main.good"), "FALSE") << fields;
+    }
 }
