@@ -28,8 +28,8 @@
 #include "editor/kit/long_task.h"
 #include "editor/kit/message_text.h"
 #include "editor/kit/mnemonics.h"
-#include "editor/kit/plot_scale.h"
 #include "editor/kit/work_strip.h"
+#include "editor/plot/plot_scale.h"
 #include "editor/tuning/tuning_view.h"
 
 #include <QAction>
@@ -575,7 +575,7 @@ void MainWindow::updateStatus() {
                              .arg(ground.name(), ink.name());
     if (m_stateLabel->styleSheet() != look) m_stateLabel->setStyleSheet(look);
     m_timeLabel->setText(
-        online ? tr("%1 · scan %2").arg(kit::momentText(status.time.count() / 1'000'000 * 1'000'000)).arg(status.scans)
+        online ? tr("%1 · scan %2").arg(plot::momentText(status.time.count() / 1'000'000 * 1'000'000)).arg(status.scans)
                : QString());
     m_loadLabel->setText(online ? tr("%1 µs · %2 % load")
                                       .arg(QLocale().toString(static_cast<double>(status.lastScanNs) / 1e3, 'f', 1),

@@ -16,8 +16,8 @@ std::optional<std::pair<int64_t, int64_t>> ColumnSource::timeRange() const {
     return std::pair(c.firstTime(), c.lastTime());
 }
 
-void ColumnSource::buckets(int64_t from, int64_t to, std::span<kit::PlotBucket> out) const {
-    static_assert(sizeof(kit::PlotBucket) == sizeof(history::ColumnBucket));
+void ColumnSource::buckets(int64_t from, int64_t to, std::span<plot::PlotBucket> out) const {
+    static_assert(sizeof(plot::PlotBucket) == sizeof(history::ColumnBucket));
     std::vector<history::ColumnBucket> buckets(out.size());
     column().buckets(from, to, buckets);
     for (size_t i = 0; i < out.size(); ++i)
@@ -27,7 +27,7 @@ void ColumnSource::buckets(int64_t from, int64_t to, std::span<kit::PlotBucket> 
 
 void ColumnSource::visit(int64_t from, int64_t to, const Visitor& visitor) const {
     const Column& c = column();
-    std::vector<kit::PlotSample> block;
+    std::vector<plot::PlotSample> block;
     c.visit(c.rowAtOrAfter(from), c.rowAtOrAfter(to), [&](std::span<const history::ColumnRow> rows) {
         block.clear();
         for (const history::ColumnRow& row : rows) block.push_back({row.time, row.value});
@@ -35,32 +35,32 @@ void ColumnSource::visit(int64_t from, int64_t to, const Visitor& visitor) const
     });
 }
 
-std::optional<kit::PlotSample> ColumnSource::inForceAt(int64_t time) const {
+std::optional<plot::PlotSample> ColumnSource::inForceAt(int64_t time) const {
     const auto row = column().rowInForceAt(time);
     if (!row) return std::nullopt;
     const history::ColumnRow r = column().row(*row);
-    return kit::PlotSample{r.time, r.value};
+    return plot::PlotSample{r.time, r.value};
 }
 
-std::optional<kit::PlotSample> ColumnSource::after(int64_t time) const {
+std::optional<plot::PlotSample> ColumnSource::after(int64_t time) const {
     const Column& c = column();
     if (time == std::numeric_limits<int64_t>::max()) return std::nullopt;
     const uint64_t row = c.rowAtOrAfter(time + 1);
     if (row == c.endRow()) return std::nullopt;
     const history::ColumnRow r = c.row(row);
-    return kit::PlotSample{r.time, r.value};
+    return plot::PlotSample{r.time, r.value};
 }
 
-std::optional<kit::WholeNumber> ColumnSource::integerAt(int64_t time) const {
+std::optional<plot::WholeNumber> ColumnSource::integerAt(int64_t time) const {
     const Column& c = column();
     if (c.kind() != history::ColumnKind::Int64 && c.kind() != history::ColumnKind::Uint64) return std::nullopt;
     const auto row = c.rowInForceAt(time);
     if (!row) return std::nullopt;
-    return kit::WholeNumber{static_cast<uint64_t>(c.integer(*row)), c.kind() == history::ColumnKind::Uint64};
+    return plot::WholeNumber{static_cast<uint64_t>(c.integer(*row)), c.kind() == history::ColumnKind::Uint64};
 }
 
-std::optional<std::pair<kit::WholeNumber, kit::WholeNumber>> ColumnSource::integerExtent(int64_t from,
-                                                                                         int64_t to) const {
+std::optional<std::pair<plot::WholeNumber, plot::WholeNumber>> ColumnSource::integerExtent(int64_t from,
+                                                                                           int64_t to) const {
     const Column& c = column();
     const bool isUnsigned = c.kind() == history::ColumnKind::Uint64;
     if ((c.kind() != history::ColumnKind::Int64 && !isUnsigned) || to < from) return std::nullopt;
@@ -75,24 +75,24 @@ std::optional<std::pair<kit::WholeNumber, kit::WholeNumber>> ColumnSource::integ
         if (less(value, low)) low = value;
         if (less(high, value)) high = value;
     }
-    return std::pair(kit::WholeNumber{static_cast<uint64_t>(low), isUnsigned},
-                     kit::WholeNumber{static_cast<uint64_t>(high), isUnsigned});
+    return std::pair(plot::WholeNumber{static_cast<uint64_t>(low), isUnsigned},
+                     plot::WholeNumber{static_cast<uint64_t>(high), isUnsigned});
 }
 
-std::vector<kit::PlotGap> ColumnSource::gaps(int64_t from, int64_t to) const {
-    std::vector<kit::PlotGap> result;
+std::vector<plot::PlotGap> ColumnSource::gaps(int64_t from, int64_t to) const {
+    std::vector<plot::PlotGap> result;
     for (const ColumnGap& gap : column().gaps()) {
         if (gap.from >= to || gap.to <= from) continue;
-        auto reason = kit::PlotGap::Reason::NotRecorded;
+        auto reason = plot::PlotGap::Reason::NotRecorded;
         switch (gap.reason) {
         case ColumnGap::Reason::Evicted:
-            reason = kit::PlotGap::Reason::Evicted;
+            reason = plot::PlotGap::Reason::Evicted;
             break;
         case ColumnGap::Reason::NoPath:
-            reason = kit::PlotGap::Reason::NoPath;
+            reason = plot::PlotGap::Reason::NoPath;
             break;
         case ColumnGap::Reason::SkippedScans:
-            reason = kit::PlotGap::Reason::SkippedScans;
+            reason = plot::PlotGap::Reason::SkippedScans;
             break;
         case ColumnGap::Reason::NotRecorded:
             break;
@@ -169,10 +169,10 @@ void TraceFeed::retryProblems() {
         channel->problem = type ? Message() : type.error().message;
         if (!type) continue;
         channel->type = *type;
-        const auto kind = type->isBool      ? kit::PlotValueKind::Bool
-                          : type->isInteger ? kit::PlotValueKind::Integer
-                          : type->isSingle  ? kit::PlotValueKind::Single
-                                            : kit::PlotValueKind::Double;
+        const auto kind = type->isBool      ? plot::PlotValueKind::Bool
+                          : type->isInteger ? plot::PlotValueKind::Integer
+                          : type->isSingle  ? plot::PlotValueKind::Single
+                                            : plot::PlotValueKind::Double;
         channel->source = std::make_shared<ColumnSource>(m_store, m_store->add(type->kind), kind);
         restart(*channel);
     }

@@ -1,9 +1,9 @@
 #include "editor/trace/trace_picture.h"
 
-#include "editor/kit/plot_export.h"
-#include "editor/kit/plot_scale.h"
-#include "editor/kit/plot_table.h"
 #include "editor/kit/theme.h"
+#include "editor/plot/plot_export.h"
+#include "editor/plot/plot_scale.h"
+#include "editor/plot/plot_table.h"
 #include "editor/trace/program_variables.h"
 #include "editor/trace/trace_plot.h"
 #include "editor/trace/trigger.h"
@@ -24,14 +24,14 @@ std::optional<int64_t> shotOf(const TraceSetup& setup, const TraceFeed& feed) {
     if (!source || setup.trigger.mode == TriggerMode::Off) return std::nullopt;
     TriggerMachine machine;
     machine.setSetup(setup.trigger);
-    source->visit(INT64_MIN, INT64_MAX, [&](std::span<const kit::PlotSample> block) {
-        for (const kit::PlotSample& s : block)
+    source->visit(INT64_MIN, INT64_MAX, [&](std::span<const plot::PlotSample> block) {
+        for (const plot::PlotSample& s : block)
             machine.feed(s.time, std::isnan(s.value) ? std::nullopt : std::optional(s.value != 0));
     });
     return machine.completeAt() ? machine.completeAt() : machine.firedAt();
 }
 
-std::string tableText(const kit::MeasureTable& table) {
+std::string tableText(const plot::MeasureTable& table) {
     std::vector<qsizetype> widths;
     for (qsizetype c = 0; c < table.headers.size(); ++c) {
         qsizetype wide = table.headers[c].size();
@@ -74,7 +74,7 @@ Result<std::string> renderTrace(const Recording& recording, const TraceOutput& o
     kit::Theme& theme = kit::Theme::current();
     const kit::ThemeChoice before = theme.choice();
     theme.setChoice(output.isDark ? kit::ThemeChoice::Dark : kit::ThemeChoice::Light);
-    kit::PlotModel model;
+    plot::PlotModel model;
     applySetup(model, setup, &feed);
     applyMarks(model, recording, feed.chain());
     std::unique_ptr<TraceFeed> older;
@@ -85,9 +85,9 @@ Result<std::string> renderTrace(const Recording& recording, const TraceOutput& o
         applyBeneath(model, setup, *older);
     }
     std::string text;
-    auto whole = kit::wholeRange(model);
+    auto whole = plot::wholeRange(model);
     if (whole) // the last scan's values hold for the length of a scan
-        for (const kit::PlotCurve& curve : model.curves)
+        for (const plot::PlotCurve& curve : model.curves)
             if (const auto last = curve.source ? curve.source->timeRange() : std::nullopt;
                 last && last->second == whole->second)
                 if (const auto before = curve.source->inForceAt(last->second - 1)) {
@@ -101,7 +101,7 @@ Result<std::string> renderTrace(const Recording& recording, const TraceOutput& o
         model.origin = *shot;
         if (!output.from) model.from = *shot - setup.trigger.before;
         if (!output.to) model.to = std::max(*shot + setup.trigger.after, model.from + 1);
-        text += TraceText::tr("Triggered at %1.").arg(kit::momentText(*shot)).toStdString() + "\n";
+        text += TraceText::tr("Triggered at %1.").arg(plot::momentText(*shot)).toStdString() + "\n";
     } else if (setup.trigger.mode != TriggerMode::Off && !setup.trigger.expression.empty()) {
         text += TraceText::tr("The trigger did not fire.").toStdString() + "\n";
     }
@@ -109,14 +109,14 @@ Result<std::string> renderTrace(const Recording& recording, const TraceOutput& o
     model.cursorB = setup.cursorB;
     model.hasTable = setup.hasTable;
     if (output.wantsStatistics) { // without cursors: over all that is shown
-        kit::PlotModel measured = model;
-        measured.cursorA = kit::snappedTime(model, model.cursorA.value_or(model.from));
-        measured.cursorB = kit::snappedTime(model, model.cursorB.value_or(model.to));
-        text += tableText(kit::measureTable(measured));
+        plot::PlotModel measured = model;
+        measured.cursorA = plot::snappedTime(model, model.cursorA.value_or(model.from));
+        measured.cursorB = plot::snappedTime(model, model.cursorB.value_or(model.to));
+        text += tableText(plot::measureTable(measured));
     }
     Result<void> done;
-    if (!output.picture.isEmpty()) done = kit::exportPicture(model, output.picture, {output.size, output.scale});
-    if (done && !output.csv.isEmpty()) done = kit::exportCsv(model, model.from, model.to, output.csv);
+    if (!output.picture.isEmpty()) done = plot::exportPicture(model, output.picture, {output.size, output.scale});
+    if (done && !output.csv.isEmpty()) done = plot::exportCsv(model, model.from, model.to, output.csv);
     theme.setChoice(before);
     if (!done) return done.error();
     return text;

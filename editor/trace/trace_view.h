@@ -3,7 +3,7 @@
 #pragma once
 
 #include "editor/kit/ask_why.h"
-#include "editor/kit/plot_view.h"
+#include "editor/plot/plot_view.h"
 #include "editor/trace/program_variables.h"
 #include "editor/trace/trace_plot.h"
 #include "editor/trace/trigger.h"
@@ -66,7 +66,7 @@ public:
     /// Memory for the columns of open traces.
     void setColumnBudget(size_t bytes);
 
-    kit::PlotView* plot() const { return m_plot; }
+    plot::PlotView* plot() const { return m_plot; }
     ChannelPanel* channels() const { return m_channels; }
     TriggerState triggerState() const { return m_trigger.state(); }
     void armTrigger();
@@ -144,7 +144,7 @@ private:
     QTimer m_timer;
     int m_ticks = 0;
 
-    kit::PlotView* m_plot;
+    plot::PlotView* m_plot;
     ChannelPanel* m_channels;
     QTableWidget* m_table;
     QLabel* m_state;

@@ -1,7 +1,7 @@
 #include "editor/tuning/curve_view.h"
 
-#include "editor/kit/plot_scale.h"
 #include "editor/kit/theme.h"
+#include "editor/plot/plot_scale.h"
 
 #include <QMouseEvent>
 #include <QPainter>
@@ -17,9 +17,9 @@ namespace {
 QString text(const std::string& s) { return QString::fromStdString(s); }
 
 /// Least and greatest of the curves, with room where there is none.
-std::pair<double, double> rangeOf(const tuning::Chart& chart, std::vector<double> tuning::Curve::*values) {
+std::pair<double, double> rangeOf(const signals::Chart& chart, std::vector<double> signals::Curve::*values) {
     double low = 1e300, high = -1e300;
-    for (const tuning::Curve& curve : chart.curves)
+    for (const signals::Curve& curve : chart.curves)
         for (const double value : curve.*values)
             if (std::isfinite(value)) low = std::min(low, value), high = std::max(high, value);
     if (low > high) return {0, 1};
@@ -52,7 +52,7 @@ CurveView::CurveView(QWidget* parent) : QWidget(parent) {
     connect(&kit::Theme::current(), &kit::Theme::changed, this, qOverload<>(&QWidget::update));
 }
 
-void CurveView::setChart(tuning::Chart chart) {
+void CurveView::setChart(signals::Chart chart) {
     m_chart = std::move(chart);
     setAccessibleName(text(m_chart.title));
     update();
@@ -61,8 +61,8 @@ void CurveView::setChart(tuning::Chart chart) {
 CurveView::Frame CurveView::frame() const {
     const QFontMetrics metrics(font());
     Frame out;
-    std::tie(out.xLow, out.xHigh) = rangeOf(m_chart, &tuning::Curve::x);
-    std::tie(out.yLow, out.yHigh) = rangeOf(m_chart, &tuning::Curve::y);
+    std::tie(out.xLow, out.xHigh) = rangeOf(m_chart, &signals::Curve::x);
+    std::tie(out.yLow, out.yHigh) = rangeOf(m_chart, &signals::Curve::y);
     const double margin = (out.yHigh - out.yLow) * 0.06;
     out.yLow -= margin;
     out.yHigh += margin;
@@ -83,20 +83,20 @@ void CurveView::paintAxes(QPainter& painter, const Frame& frame) const {
         painter.setPen(colors.plotGrid);
         painter.drawLine(from, to);
     };
-    std::vector<kit::PlotTick> across;
+    std::vector<plot::PlotTick> across;
     if (frame.isLogarithmic) {
         for (double at = std::pow(10, std::ceil(std::log10(frame.xLow))); at <= frame.xHigh; at *= 10)
-            across.push_back({at, kit::valueText(at, 3)});
+            across.push_back({at, plot::valueText(at, 3)});
     } else {
-        across = kit::numberTicks(frame.xLow, frame.xHigh, std::max(static_cast<int>(frame.area.width()) / 70, 2));
+        across = plot::numberTicks(frame.xLow, frame.xHigh, std::max(static_cast<int>(frame.area.width()) / 70, 2));
     }
-    for (const kit::PlotTick& tick : across) {
+    for (const plot::PlotTick& tick : across) {
         const double x = frame.x(tick.value);
         grid({x, frame.area.top()}, {x, frame.area.bottom()});
         label(x, frame.area.bottom() + 2 + 100, Qt::AlignHCenter | Qt::AlignTop, tick.label);
     }
-    for (const kit::PlotTick& tick :
-         kit::numberTicks(frame.yLow, frame.yHigh, std::max(static_cast<int>(frame.area.height()) / 32, 2))) {
+    for (const plot::PlotTick& tick :
+         plot::numberTicks(frame.yLow, frame.yHigh, std::max(static_cast<int>(frame.area.height()) / 32, 2))) {
         const double y = frame.y(tick.value);
         grid({frame.area.left(), y}, {frame.area.right(), y});
         label(frame.area.left() - 4 - 100, y, Qt::AlignRight | Qt::AlignVCenter, tick.label);
@@ -111,18 +111,18 @@ void CurveView::paintCurves(QPainter& painter, const Frame& frame) const {
     const kit::ThemeColors& colors = kit::Theme::current().colors();
     painter.setClipRect(frame.area);
     painter.setRenderHint(QPainter::Antialiasing);
-    for (const tuning::Curve& curve : m_chart.curves) {
+    for (const signals::Curve& curve : m_chart.curves) {
         const size_t count = std::min(curve.x.size(), curve.y.size());
         // no more points than the chart has columns for
         const size_t stride = std::max<size_t>(count / static_cast<size_t>(std::max(frame.area.width() * 2, 1.0)), 1);
         QPolygonF points;
         for (size_t i = 0; i < count; i += stride)
             if (std::isfinite(curve.y[i])) points << QPointF(frame.x(curve.x[i]), frame.y(curve.y[i]));
-        QPen pen(colors.curve(curve.colour), curve.style == tuning::CurveStyle::Dots ? 3 : 1.6);
-        if (curve.style == tuning::CurveStyle::Dashed) pen.setStyle(Qt::DashLine);
-        if (curve.style == tuning::CurveStyle::Dots) pen.setCapStyle(Qt::RoundCap);
+        QPen pen(colors.curve(curve.colour), curve.style == signals::CurveStyle::Dots ? 3 : 1.6);
+        if (curve.style == signals::CurveStyle::Dashed) pen.setStyle(Qt::DashLine);
+        if (curve.style == signals::CurveStyle::Dots) pen.setCapStyle(Qt::RoundCap);
         painter.setPen(pen);
-        if (curve.style == tuning::CurveStyle::Dots)
+        if (curve.style == signals::CurveStyle::Dots)
             painter.drawPoints(points);
         else
             painter.drawPolyline(points);
@@ -170,13 +170,14 @@ void CurveView::mouseMoveEvent(QMouseEvent* event) {
     const Frame shown = frame();
     if (m_chart.curves.empty() || !shown.area.contains(event->position())) return QToolTip::hideText();
     const double at = shown.valueAt(event->position().x());
-    QStringList lines{QString("%1: %2").arg(text(m_chart.xTitle), kit::valueText(at, 5))};
-    for (const tuning::Curve& curve : m_chart.curves) {
+    QStringList lines{QString("%1: %2").arg(text(m_chart.xTitle), plot::valueText(at, 5))};
+    for (const signals::Curve& curve : m_chart.curves) {
         if (curve.name.empty() || curve.x.empty()) continue;
         auto next = std::lower_bound(curve.x.begin(), curve.x.end(), at);
         if (next == curve.x.end()) --next;
         const auto index = static_cast<size_t>(next - curve.x.begin());
-        if (index < curve.y.size()) lines << QString("%1: %2").arg(text(curve.name), kit::valueText(curve.y[index], 5));
+        if (index < curve.y.size())
+            lines << QString("%1: %2").arg(text(curve.name), plot::valueText(curve.y[index], 5));
     }
     QToolTip::showText(event->globalPosition().toPoint(), lines.join('\n'), this);
 }

@@ -1,7 +1,7 @@
 // A chart of a few curves with axes, grid and legend, painted in the studio's colours; the values come as a
-// tuning::Chart. A value below the mouse is shown as its tip. GUI thread.
+// signals::Chart. A value below the mouse is shown as its tip. GUI thread.
 #pragma once
-#include "projects/tuning/chart.h"
+#include "projects/signals/chart.h"
 
 #include <QWidget>
 
@@ -11,8 +11,8 @@ class CurveView : public QWidget {
     Q_OBJECT
 public:
     explicit CurveView(QWidget* parent = nullptr);
-    void setChart(tuning::Chart chart);
-    [[nodiscard]] const tuning::Chart& chart() const { return m_chart; }
+    void setChart(signals::Chart chart);
+    [[nodiscard]] const signals::Chart& chart() const { return m_chart; }
     [[nodiscard]] QSize sizeHint() const override { return {320, 220}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {180, 120}; }
 
@@ -27,7 +27,7 @@ private:
     void paintCurves(QPainter& painter, const Frame& frame) const;
     void paintLegend(QPainter& painter, const Frame& frame) const;
 
-    tuning::Chart m_chart;
+    signals::Chart m_chart;
 };
 
 } // namespace plc::editor
