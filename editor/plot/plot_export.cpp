@@ -17,11 +17,18 @@
 
 namespace plc::plot {
 
-namespace {
-
 Error cannotWrite(const QString& path, const QString& why) {
     return {errors::NotWritten(why.toStdString()), path.toStdString()};
 }
+
+QByteArray csvQuoted(QString text) {
+    if (!text.contains(QLatin1Char(',')) && !text.contains(QLatin1Char('"')) && !text.contains(QLatin1Char('\n')))
+        return text.toUtf8();
+    text.replace(QLatin1Char('"'), QStringLiteral("\"\""));
+    return '"' + text.toUtf8() + '"';
+}
+
+namespace {
 
 /// Nanoseconds as seconds, exact, without trailing zeros.
 QByteArray secondsText(int64_t time) {
@@ -36,20 +43,13 @@ QByteArray secondsText(int64_t time) {
     return negative ? '-' + text : text;
 }
 
-QByteArray quoted(QString text) {
-    if (!text.contains(QLatin1Char(',')) && !text.contains(QLatin1Char('"')) && !text.contains(QLatin1Char('\n')))
-        return text.toUtf8();
-    text.replace(QLatin1Char('"'), QStringLiteral("\"\""));
-    return '"' + text.toUtf8() + '"';
-}
-
 QByteArray csvValue(const PlotCurve& curve, int64_t time, double raw) {
     if (std::isnan(raw)) return {};
     if (const auto decimals = curve.decimals(); decimals && curve.valueNames.empty())
         if (const auto integer = curve.source->integerAt(time))
             return QByteArray::fromStdString(exactText(*integer, *decimals));
     if (const auto name = curve.valueNames.find(static_cast<int64_t>(raw)); name != curve.valueNames.end())
-        return quoted(name->second);
+        return csvQuoted(name->second);
     const PlotValueKind kind = curve.source->valueKind();
     if (curve.scale == 1 && curve.offset == 0) return QByteArray::fromStdString(exactText(raw, kind));
     return QByteArray::fromStdString(exactText(curve.shown(raw), PlotValueKind::Double));
@@ -57,51 +57,67 @@ QByteArray csvValue(const PlotCurve& curve, int64_t time, double raw) {
 
 } // namespace
 
-QImage plotPicture(const PlotModel& model, const PictureOptions& options) {
+QImage paintedImage(const PictureOptions& options, const Painting& paint) {
     QImage image(options.size * options.scale, QImage::Format_ARGB32_Premultiplied);
     image.setDevicePixelRatio(options.scale);
     image.fill(kit::colors().plotGround);
     QPainter painter(&image);
-    PlotRenderer renderer;
-    renderer.setFont(QApplication::font());
-    renderer.setPixelRatio(options.scale);
-    renderer.setFineSamples(100'000);
-    renderer.paint(painter, model, QRectF(QPointF(), QSizeF(options.size)));
+    paint(painter, QRectF(QPointF(), QSizeF(options.size)));
     return image;
 }
 
-Result<void> exportPicture(const PlotModel& model, const QString& path, const PictureOptions& options) {
+Result<void> exportPainted(const QString& title, const QString& path, const PictureOptions& options,
+                           const Painting& paint) {
     const QString suffix = QFileInfo(path).suffix().toLower();
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly)) return cannotWrite(path, file.errorString());
     const QRectF rect(QPointF(), QSizeF(options.size));
     if (suffix == QLatin1String("png")) {
-        if (!plotPicture(model, options).save(&file, "PNG")) return cannotWrite(path, file.errorString());
+        if (!paintedImage(options, paint).save(&file, "PNG")) return cannotWrite(path, file.errorString());
     } else if (suffix == QLatin1String("svg")) {
         QSvgGenerator generator;
         generator.setOutputDevice(&file);
         generator.setSize(options.size);
         generator.setViewBox(rect);
         generator.setResolution(96);
-        generator.setTitle(model.title);
+        generator.setTitle(title);
         QPainter painter(&generator);
-        PlotRenderer renderer;
-        renderer.setFont(QApplication::font());
-        renderer.paint(painter, model, rect);
+        paint(painter, rect);
     } else if (suffix == QLatin1String("pdf")) {
         QPdfWriter writer(&file);
         writer.setResolution(96);
         writer.setPageSize(
             QPageSize(QSizeF(options.size) * 72.0 / 96.0, QPageSize::Point, QString(), QPageSize::ExactMatch));
         writer.setPageMargins(QMarginsF());
-        writer.setTitle(model.title);
+        writer.setTitle(title);
         QPainter painter(&writer);
-        printPlot(model, painter, rect);
+        paint(painter, rect);
     } else {
         return Error{errors::PictureEnding({{".png", ".svg", ".pdf"}}), path.toStdString()};
     }
     if (!file.commit()) return cannotWrite(path, file.errorString());
     return {};
+}
+
+QImage plotPicture(const PlotModel& model, const PictureOptions& options) {
+    return paintedImage(options, [&](QPainter& painter, const QRectF& rect) {
+        PlotRenderer renderer;
+        renderer.setFont(QApplication::font());
+        renderer.setPixelRatio(options.scale);
+        renderer.setFineSamples(100'000);
+        renderer.paint(painter, model, rect);
+    });
+}
+
+Result<void> exportPicture(const PlotModel& model, const QString& path, const PictureOptions& options) {
+    const bool isImage = path.endsWith(QLatin1String(".png"), Qt::CaseInsensitive);
+    return exportPainted(model.title, path, options, [&](QPainter& painter, const QRectF& rect) {
+        PlotRenderer renderer;
+        renderer.setFont(QApplication::font());
+        if (isImage) renderer.setPixelRatio(options.scale);
+        if (isImage) renderer.setFineSamples(100'000);
+        renderer.paint(painter, model, rect);
+    });
 }
 
 void copyPicture(const PlotModel& model, const PictureOptions& options) {
@@ -120,7 +136,7 @@ bool writeCsv(const PlotModel& model, int64_t from, int64_t to, QIODevice& out, 
     for (const PlotCurve& curve : model.curves) {
         if (!curve.isVisible || !curve.source) continue;
         curves.push_back(&curve);
-        line += ',' + quoted(kit::withUnit(curve.name, curve.unit));
+        line += ',' + csvQuoted(kit::withUnit(curve.name, curve.unit));
     }
     out.write(line + '\n');
     if (curves.empty() || to < from) return true;

@@ -20,6 +20,16 @@ struct PictureOptions {
     double scale = 1;      // PNG: pixels per unit
 };
 
+/// What draws onto the rectangle of a picture.
+using Painting = std::function<void(QPainter& painter, const QRectF& rect)>;
+[[nodiscard]] QImage paintedImage(const PictureOptions& options, const Painting& paint);
+/// The suffix decides: .png, .svg or .pdf.
+Result<void> exportPainted(const QString& title, const QString& path, const PictureOptions& options,
+                           const Painting& paint);
+[[nodiscard]] Error cannotWrite(const QString& path, const QString& why);
+/// A cell of a CSV file.
+[[nodiscard]] QByteArray csvQuoted(QString text);
+
 [[nodiscard]] QImage plotPicture(const PlotModel& model, const PictureOptions& options = {});
 /// The suffix decides: .png, .svg or .pdf.
 Result<void> exportPicture(const PlotModel& model, const QString& path, const PictureOptions& options = {});

@@ -83,11 +83,28 @@ struct PlotMarker {
     QString text;
 };
 
+/// A remark of the user's at a time, and at a value where one was clicked.
+struct PlotNote {
+    int64_t time = 0;
+    std::optional<double> value; // on the chart's first axis
+    int chart = 0;
+    QString text;
+};
+
+/// From one point of a chart to another: the distance in time and value is written beside it.
+struct PlotRuler {
+    int chart = 0, axis = 0;
+    int64_t fromTime = 0, toTime = 0;
+    double fromValue = 0, toValue = 0; // as the axis shows them
+};
+
 struct PlotModel {
     QString title;
     std::vector<PlotChart> charts = {PlotChart{}};
     std::vector<PlotCurve> curves;
     std::vector<PlotMarker> markers;
+    std::vector<PlotNote> notes;
+    std::optional<PlotRuler> ruler;
     int64_t from = 0, to = 1'000'000'000; // in view
     int64_t origin = 0;                   // the axis reads 0 here
     std::optional<int64_t> trigger;
@@ -108,5 +125,7 @@ struct PlotModel {
 /// The same of the value in force at `time`: integers with all their digits, however large; a dash where there is none.
 [[nodiscard]] QString curveTextAt(const PlotCurve& curve, int64_t time, int digits = 6, bool withUnit = true);
 [[nodiscard]] QColor markerColor(MarkerKind kind);
+/// "Δt 12.5 ms   Δy 3.5   280 /s   80 Hz".
+[[nodiscard]] QString rulerText(const PlotRuler& ruler);
 
 } // namespace plc::plot

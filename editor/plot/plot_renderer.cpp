@@ -318,7 +318,9 @@ void PlotRenderer::paintBase(QPainter& painter, const PlotModel& model, const QR
 void PlotRenderer::paintOverlay(QPainter& painter, const PlotModel& model) {
     painter.save();
     paintMarkers(painter, model);
+    paintNotes(painter, model);
     paintCursors(painter, model);
+    paintRuler(painter, model);
     if (!m_tableRect.isNull()) paintMeasureTable(painter, m_tableRect, model, m_font);
     painter.restore();
 }

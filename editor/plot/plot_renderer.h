@@ -59,6 +59,9 @@ public:
     /// The axis of `chart` that `point` lies on, left or right of a pane.
     [[nodiscard]] std::optional<std::pair<int, int>> axisAt(const QPointF& point) const;
     [[nodiscard]] std::optional<int> markerAt(const PlotModel& model, const QPointF& point) const;
+    /// The sample of a curve in that pane that is nearest on the paper, within `reach`; else the place itself.
+    [[nodiscard]] PlotRuler rulerAt(const PlotModel& model, const QPointF& point, double reach) const;
+    [[nodiscard]] std::optional<int> noteAt(const QPointF& point) const;
     [[nodiscard]] QRectF plotArea() const; // from the first pane's top to the last one's bottom
 
 private:
@@ -79,6 +82,8 @@ private:
     void paintMarkers(QPainter& painter, const PlotModel& model);
     void paintCursors(QPainter& painter, const PlotModel& model);
     void paintCursorLine(QPainter& painter, const PlotModel& model, int64_t time, Qt::PenStyle style);
+    void paintNotes(QPainter& painter, const PlotModel& model);
+    void paintRuler(QPainter& painter, const PlotModel& model);
     void paintVertical(QPainter& painter, double x, const QPen& pen);
 
     QFont m_font;
@@ -94,6 +99,7 @@ private:
     std::vector<LegendEntry> m_legend;
     std::vector<EndLabel> m_endLabels;
     std::vector<std::pair<int, QRectF>> m_chartTitles;
+    std::vector<std::pair<int, QRectF>> m_noteRects; // index into the model's notes
 };
 
 /// The paper's own ratio, or that of fine print for SVG and PDF.

@@ -22,6 +22,7 @@ namespace {
 
 constexpr int64_t LeastSpan = 20, GreatestSpan = int64_t(20) * 365 * 86'400 * 1'000'000'000;
 constexpr double CursorReach = 5, BoxReach = 6;
+constexpr double RulerReach = 14; // pixels within which a sample is taken
 
 } // namespace
 
@@ -348,8 +349,19 @@ void PlotView::mousePressEvent(QMouseEvent* event) {
         m_drag = *cursor;
         m_activeCursor = *cursor == Drag::CursorA ? 0 : 1;
     } else {
-        m_drag = m_tool == PlotTool::Pan ? Drag::Pan : Drag::Box;
+        m_drag = m_tool == PlotTool::Pan ? Drag::Pan : m_tool == PlotTool::Ruler ? Drag::Ruler : Drag::Box;
+        if (m_drag == Drag::Ruler && m_renderer.paneAt(m_dragFrom)->isLanes) m_drag = Drag::Box;
+        if (m_drag == Drag::Ruler) m_model.ruler = m_renderer.rulerAt(m_model, m_dragFrom, RulerReach);
     }
+}
+
+void PlotView::dragRuler() {
+    const PlotPane* pane = m_renderer.paneAt(m_dragAt);
+    if (!m_model.ruler || !pane || pane->isLanes || pane->chart != m_model.ruler->chart) return;
+    const PlotRuler at = m_renderer.rulerAt(m_model, m_dragAt, RulerReach);
+    m_model.ruler->toTime = at.toTime;
+    m_model.ruler->toValue = at.toValue;
+    update();
 }
 
 QRectF PlotView::boxNow() const {
@@ -403,6 +415,9 @@ void PlotView::mouseMoveEvent(QMouseEvent* event) {
     }
     case Drag::Box:
         update();
+        return;
+    case Drag::Ruler:
+        dragRuler();
         return;
     case Drag::CursorA:
     case Drag::CursorB:
@@ -466,6 +481,9 @@ void PlotView::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_Backspace:
         zoomBack();
         return;
+    case Qt::Key_M:
+        setTool(m_tool == PlotTool::Ruler ? PlotTool::ZoomBox : PlotTool::Ruler);
+        return;
     case Qt::Key_C:
         if (control)
             copyPicture(m_model, {size(), 2});
@@ -484,7 +502,10 @@ void PlotView::keyPressEvent(QKeyEvent* event) {
             update();
             return;
         }
-        break;
+        if (!m_model.ruler) break;
+        m_model.ruler.reset();
+        update();
+        return;
     default:
         break;
     }

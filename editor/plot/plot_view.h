@@ -12,7 +12,7 @@
 
 namespace plc::plot {
 
-enum class PlotTool : uint8_t { ZoomBox, Pan };
+enum class PlotTool : uint8_t { ZoomBox, Pan, Ruler };
 
 class PlotView : public QWidget {
     Q_OBJECT
@@ -78,7 +78,7 @@ protected:
     QSize sizeHint() const override { return {720, 420}; }
 
 private:
-    enum class Drag : uint8_t { None, Box, Pan, CursorA, CursorB };
+    enum class Drag : uint8_t { None, Box, Pan, CursorA, CursorB, Ruler };
     struct Past {
         int64_t from, to;
         std::vector<std::vector<std::optional<PlotRange>>> zooms;
@@ -89,6 +89,7 @@ private:
     void takeRange(int64_t from, int64_t to);
     void markDirty();
     void applyBox(const QRectF& box);
+    void dragRuler();
     QRectF boxNow() const;
     std::optional<Drag> cursorNear(const QPointF& point) const;
     int chartAt(const QPointF& point) const;

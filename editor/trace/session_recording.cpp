@@ -1,6 +1,7 @@
 #include "editor/trace/session_recording.h"
 #include "runtime/base/messages.h"
 
+#include "editor/trace/table_recording.h"
 #include "projects/session/versions.h"
 
 namespace plc::trace {
@@ -37,6 +38,7 @@ std::optional<Position> SessionRecording::findChange(const std::string& text, Po
 }
 
 Result<std::shared_ptr<FileRecording>> FileRecording::open(const std::string& path, Progress* progress) {
+    if (isTableFile(path)) return openTable(path, progress);
     std::shared_ptr<FileRecording> recording(new FileRecording);
     Message failure;
     auto history = history::History::load(
@@ -54,6 +56,17 @@ Result<std::shared_ptr<FileRecording>> FileRecording::open(const std::string& pa
     if (!history && isCancelled(progress)) return history.error();
     if (!history) return failure.isEmpty() ? history.error() : Error{errors::RecordingNotOpened(failure), path};
     recording->m_history = std::move(*history);
+    return recording;
+}
+
+Result<std::shared_ptr<FileRecording>> FileRecording::openTable(const std::string& path, Progress* progress) {
+    const auto table = waveform::readTable(path);
+    if (!table) return table.error();
+    auto recorded = recordTable(*table, progress);
+    if (!recorded) return Error{recorded.error().message, path};
+    std::shared_ptr<FileRecording> recording(new FileRecording);
+    recording->m_versions.push_back({recorded->built.program, recorded->built.checked});
+    recording->m_history = std::move(recorded->history);
     return recording;
 }
 

@@ -38,7 +38,8 @@ private:
     const session::Session& m_session;
 };
 
-/// A recording that `stepwise run --record` or the studio saved; its program is built again from the sources in it.
+/// A recording that `stepwise run --record` or the studio saved; its program is built again from the sources in it. Or
+/// a table of measured values (.csv, .tsv, .txt), for whose columns a program is written.
 class FileRecording final : public Recording {
 public:
     [[nodiscard]] static Result<std::shared_ptr<FileRecording>> open(const std::string& path,
@@ -73,6 +74,7 @@ private:
         driver::Checked checked;
     };
     FileRecording() = default;
+    [[nodiscard]] static Result<std::shared_ptr<FileRecording>> openTable(const std::string& path, Progress* progress);
     Result<expression::Expression> compile(const std::string& text) const;
     history::Recompile recompile(const std::string& text) const;
 

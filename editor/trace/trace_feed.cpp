@@ -1,6 +1,7 @@
 #include "editor/trace/trace_feed.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace plc::trace {
 
@@ -104,7 +105,9 @@ std::vector<plot::PlotGap> ColumnSource::gaps(int64_t from, int64_t to) const {
 
 struct TraceFeed::Channel {
     std::string expression;
-    bool isTrigger = false; // every scan
+    waveform::Derivation derivation;          // what of it a scan gives, and what is computed from that
+    std::optional<waveform::Deriver> deriver; // none: the plain value
+    bool isTrigger = false;                   // every scan
     ChannelType type;
     Message problem;
     std::shared_ptr<ColumnSource> source; // null while there is a problem
@@ -114,6 +117,17 @@ struct TraceFeed::Channel {
     std::optional<ColumnGap::Reason> open; // since openFrom there has been no value, for this reason
     int64_t openFrom = 0;
 };
+
+Result<ChannelType> channelTypeOf(const Recording& recording, const std::string& text,
+                                  waveform::Derivation* derivation) {
+    auto parsed = waveform::parseDerivation(text);
+    if (!parsed) return parsed.error();
+    if (derivation) *derivation = *parsed;
+    // what is no number gives none of its derivatives either: the expression's own problem says so
+    auto type = recording.typeOf(parsed->expression);
+    if (!type || parsed->isPlain()) return type;
+    return ChannelType{.kind = history::ColumnKind::Double, .name = "LREAL"};
+}
 
 TraceFeed::TraceFeed(const Recording& recording, std::shared_ptr<history::ColumnStore> store)
     : m_recording(recording), m_store(std::move(store)) {}
@@ -126,6 +140,7 @@ TraceFeed::~TraceFeed() {
 void TraceFeed::restart(Channel& channel) {
     channel.hasStarted = false;
     channel.open.reset();
+    if (channel.deriver) channel.deriver->restart();
     if (!channel.source) return;
     channel.source->column().clear();
     channel.source->changed();
@@ -165,10 +180,12 @@ void TraceFeed::setExpressions(const std::vector<std::string>& expressions, cons
 void TraceFeed::retryProblems() {
     for (auto& channel : m_channels) {
         if (channel->source) continue;
-        const auto type = m_recording.typeOf(channel->expression);
+        const auto type = channelTypeOf(m_recording, channel->expression, &channel->derivation);
         channel->problem = type ? Message() : type.error().message;
         if (!type) continue;
         channel->type = *type;
+        channel->deriver.reset();
+        if (!channel->derivation.isPlain()) channel->deriver.emplace(channel->derivation);
         const auto kind = type->isBool      ? plot::PlotValueKind::Bool
                           : type->isInteger ? plot::PlotValueKind::Integer
                           : type->isSingle  ? plot::PlotValueKind::Single
@@ -222,7 +239,7 @@ void TraceFeed::refreshChain() {
             return std::nullopt;
         }();
         const auto stamp = kept ? m_recording.stamp(*kept) : std::nullopt;
-        if (!stamp) {
+        if (!stamp || channel->deriver) { // what is computed from samples before needs them again
             restart(*channel);
             continue;
         }
@@ -248,6 +265,9 @@ void TraceFeed::append(Channel& channel, const std::vector<history::Sample>& sam
                                condition[c].hasValue && condition[c].value != 0;
             if (!holds) missing = ColumnGap::Reason::NotRecorded;
         }
+        const double value = channel.deriver ? channel.deriver->next(static_cast<double>(time) * 1e-9,
+                                                                     sample.hasValue ? sample.value : std::nan(""))
+                                             : sample.value;
         const bool skipped = !channel.isTrigger && m_settings.every > 1 && sample.at.scan % m_settings.every != 0;
         if (missing) {
             if (!channel.open || *channel.open != *missing) {
@@ -265,7 +285,7 @@ void TraceFeed::append(Channel& channel, const std::vector<history::Sample>& sam
             }
             const bool isWide =
                 column.kind() == history::ColumnKind::Int64 || column.kind() == history::ColumnKind::Uint64;
-            isWide ? column.appendInteger(time, sample.integer) : column.append(time, sample.value);
+            isWide ? column.appendInteger(time, sample.integer) : column.append(time, value);
         }
         channel.last = sample.at.position;
         channel.lastTime = time;
@@ -301,7 +321,7 @@ bool TraceFeed::readSlice(Channel& channel) {
                                     [&](const PositionRange& r) { return *from >= r.begin && *from < r.end; });
     if (range == m_chain.end()) return true;
     const Position to = std::min(range->end, *from + Slice);
-    const auto samples = m_recording.samples(channel.expression, *from, to);
+    const auto samples = m_recording.samples(channel.derivation.expression, *from, to);
     const auto condition = m_settings.condition.empty() ? std::vector<history::Sample>()
                                                         : m_recording.samples(m_settings.condition, *from, to);
     if (evicted && !samples.empty()) {

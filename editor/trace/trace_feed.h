@@ -5,6 +5,7 @@
 
 #include "editor/plot/plot_sample.h"
 #include "editor/trace/recording.h"
+#include "projects/waveform/derivation.h"
 
 #include <chrono>
 
@@ -46,6 +47,10 @@ private:
     plot::PlotValueKind m_kind;
     uint64_t m_revision = 0;
 };
+
+/// Of a channel's text: an expression, or DERIVATIVE, INTEGRAL, FILTER around one.
+[[nodiscard]] Result<ChannelType> channelTypeOf(const Recording& recording, const std::string& text,
+                                                waveform::Derivation* derivation = nullptr);
 
 class TraceFeed {
 public:

@@ -2,13 +2,18 @@
 
 #include "editor/kit/theme.h"
 #include "editor/plot/plot_export.h"
+#include "editor/plot/plot_renderer.h"
 #include "editor/plot/plot_scale.h"
 #include "editor/plot/plot_table.h"
 #include "editor/trace/program_variables.h"
+#include "editor/trace/trace_figure.h"
 #include "editor/trace/trace_plot.h"
 #include "editor/trace/trigger.h"
 
-#include <QCoreApplication>
+#include <QApplication>
+#include <QPainter>
+
+#include <cmath>
 
 namespace plc::trace {
 
@@ -50,6 +55,22 @@ std::string tableText(const plot::MeasureTable& table) {
     return out.toStdString();
 }
 
+/// The charts over time with the figure below them; or the figure alone.
+Result<void> exportBoth(const plot::PlotModel& model, const plot::Figure& figure, const TraceOutput& output) {
+    const plot::PictureOptions options{output.size, output.scale};
+    if (output.onlyFigure) return plot::exportFigure(figure, output.picture, options);
+    return plot::exportPainted(model.title, output.picture, options, [&](QPainter& painter, const QRectF& rect) {
+        QRectF above = rect, below = rect;
+        above.setBottom(std::round(rect.center().y()));
+        below.setTop(above.bottom());
+        plot::PlotRenderer renderer;
+        renderer.setFont(QApplication::font());
+        renderer.setPixelRatio(output.scale);
+        renderer.paint(painter, model, above);
+        plot::paintFigure(painter, figure, below, QApplication::font());
+    });
+}
+
 } // namespace
 
 Result<std::string> renderTrace(const Recording& recording, const TraceOutput& output) {
@@ -70,12 +91,23 @@ Result<std::string> renderTrace(const Recording& recording, const TraceOutput& o
         if (const auto type = recording.typeOf(setup.condition); !type)
             return Error{type.error().message, setup.condition};
     feed.pumpAll();
+    OtherRecordings others(std::make_shared<history::ColumnStore>(size_t(2) << 30));
+    if (output.openOther) others.follow(setup, output.openOther);
+    for (const ChannelSetup& channel : setup.channels) {
+        if (channel.recording.empty()) continue;
+        if (const Message problem = others.problemOf(channel.recording); !problem.isEmpty())
+            return Error{problem, channel.recording};
+        const TraceFeed* other = others.feedOf(channel.recording);
+        if (const Message problem = other ? other->problem(channel.expression) : Message(); !problem.isEmpty())
+            return Error{problem, channel.expression};
+    }
+    others.pumpAll();
 
     kit::Theme& theme = kit::Theme::current();
     const kit::ThemeChoice before = theme.choice();
     theme.setChoice(output.isDark ? kit::ThemeChoice::Dark : kit::ThemeChoice::Light);
     plot::PlotModel model;
-    applySetup(model, setup, &feed);
+    applySetup(model, setup, &feed, &others);
     applyMarks(model, recording, feed.chain());
     std::unique_ptr<TraceFeed> older;
     if (output.beneath) {
@@ -114,9 +146,16 @@ Result<std::string> renderTrace(const Recording& recording, const TraceOutput& o
         measured.cursorB = plot::snappedTime(model, model.cursorB.value_or(model.to));
         text += tableText(plot::measureTable(measured));
     }
+    const FigureAnswer answer = figureOf(figureJob(setup, model, &feed));
+    if (!answer.text.isEmpty()) text += answer.text.toStdString() + "\n";
     Result<void> done;
-    if (!output.picture.isEmpty()) done = plot::exportPicture(model, output.picture, {output.size, output.scale});
-    if (done && !output.csv.isEmpty()) done = plot::exportCsv(model, model.from, model.to, output.csv);
+    const bool hasFigure = setup.figure.kind != FigureKind::None;
+    if (!output.picture.isEmpty())
+        done = hasFigure ? exportBoth(model, answer.figure, output)
+                         : plot::exportPicture(model, output.picture, {output.size, output.scale});
+    if (done && !output.csv.isEmpty())
+        done = output.onlyFigure ? plot::exportFigureCsv(answer.figure, output.csv)
+                                 : plot::exportCsv(model, model.from, model.to, output.csv);
     theme.setChoice(before);
     if (!done) return done.error();
     return text;

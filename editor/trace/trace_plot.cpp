@@ -4,6 +4,7 @@
 #include "editor/kit/message_text.h"
 #include "editor/kit/theme.h"
 #include "editor/plot/plot_scale.h"
+#include "editor/trace/other_recordings.h"
 #include "runtime/controller/controller.h"
 
 #include <QCoreApplication>
@@ -147,13 +148,15 @@ plot::CurveStyle styleOf(const ChannelSetup& channel, const ChannelType* type) {
     return plot::CurveStyle::Hold;
 }
 
-std::vector<std::string> expressionsOf(const TraceSetup& setup) {
+std::vector<std::string> expressionsOf(const TraceSetup& setup, const std::string& recording) {
     std::vector<std::string> out;
-    for (const ChannelSetup& channel : setup.channels) out.push_back(channel.expression);
+    for (const ChannelSetup& channel : setup.channels)
+        if (channel.recording == recording) out.push_back(channel.expression);
     return out;
 }
 
-void applySetup(plot::PlotModel& model, const TraceSetup& setup, const TraceFeed* feed) {
+void applySetup(plot::PlotModel& model, const TraceSetup& setup, const TraceFeed* shown,
+                const OtherRecordings* others) {
     model.title = QString::fromStdString(setup.title);
     std::vector<plot::PlotChart> before = std::move(model.charts);
     model.charts.clear();
@@ -178,6 +181,8 @@ void applySetup(plot::PlotModel& model, const TraceSetup& setup, const TraceFeed
     model.curves.clear();
     for (size_t i = 0; i < setup.channels.size(); ++i) {
         const ChannelSetup& channel = setup.channels[i];
+        const bool isOther = !channel.recording.empty();
+        const TraceFeed* feed = !isOther ? shown : others ? others->feedOf(channel.recording) : nullptr;
         const ChannelType* type = feed ? feed->type(channel.expression) : nullptr;
         plot::PlotCurve curve;
         curve.id = QString::number(i);
@@ -193,6 +198,7 @@ void applySetup(plot::PlotModel& model, const TraceSetup& setup, const TraceFeed
         curve.isVisible = channel.isVisible;
         if (feed) curve.source = feed->source(channel.expression);
         if (feed) curve.problem = kit::messageText(feed->problem(channel.expression));
+        if (isOther && others && !feed) curve.problem = kit::messageText(others->problemOf(channel.recording));
         if (type) {
             for (const auto& [value, name] : type->valueNames)
                 curve.valueNames.emplace(value, QString::fromStdString(name));
@@ -207,6 +213,9 @@ void applySetup(plot::PlotModel& model, const TraceSetup& setup, const TraceFeed
         }
         model.curves.push_back(std::move(curve));
     }
+    model.notes.clear();
+    for (const NoteSetup& note : setup.notes)
+        model.notes.push_back({note.time, note.value, note.chart, QString::fromStdString(note.text)});
 }
 
 void applyMarks(plot::PlotModel& model, const Recording& recording, const std::vector<PositionRange>& chain) {
@@ -229,7 +238,8 @@ void applyBeneath(plot::PlotModel& model, const TraceSetup& setup, const TraceFe
     for (size_t i = 0; i < model.curves.size() && i < setup.channels.size(); ++i) {
         const auto source = older.source(setup.channels[i].expression);
         model.curves[i].beneath.clear();
-        if (source) model.curves[i].beneath.push_back({source, setup.compareShift});
+        if (source && setup.channels[i].recording.empty())
+            model.curves[i].beneath.push_back({source, setup.compareShift});
     }
     const QString name = QFileInfo(QString::fromStdString(setup.compareWith)).completeBaseName();
     const QString shift = plot::durationText(std::abs(setup.compareShift));

@@ -9,6 +9,7 @@
 #include "editor/plot/plot_export.h"
 #include "editor/plot/plot_table.h"
 #include "editor/trace/channel_panel.h"
+#include "editor/trace/figure_pane.h"
 #include "editor/trace/session_recording.h"
 
 #include <QAction>
@@ -32,10 +33,12 @@ constexpr auto Frame = std::chrono::milliseconds(33);
 constexpr auto ReadBudget = std::chrono::milliseconds(8);
 } // namespace
 
-TraceView::TraceView(QWidget* parent) : QWidget(parent), m_store(std::make_shared<history::ColumnStore>()) {
+TraceView::TraceView(QWidget* parent)
+    : QWidget(parent), m_store(std::make_shared<history::ColumnStore>()), m_others(m_store) {
     setAccessibleName(tr("Trace"));
     m_plot = new plot::PlotView(this);
     m_channels = new ChannelPanel(this);
+    m_figure = new FigurePane(this);
     m_table = new QTableWidget(this);
     m_table->setAccessibleName(tr("Measurements"));
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -50,9 +53,11 @@ TraceView::TraceView(QWidget* parent) : QWidget(parent), m_store(std::make_share
 
     auto* right = new QSplitter(Qt::Vertical, this);
     right->addWidget(m_plot);
+    right->addWidget(m_figure);
     right->addWidget(m_table);
     right->setStretchFactor(0, 4);
-    right->setStretchFactor(1, 1);
+    right->setStretchFactor(1, 4);
+    right->setStretchFactor(2, 1);
     auto* splitter = new QSplitter(Qt::Horizontal, this);
     splitter->addWidget(m_channels);
     splitter->addWidget(right);
@@ -76,12 +81,15 @@ TraceView::TraceView(QWidget* parent) : QWidget(parent), m_store(std::make_share
         [this](const QString& text, int cursor) { return m_variables.complete(text, cursor); });
     m_channels->setCheck([this](const QString& text) {
         if (!m_recording) return QString();
-        const auto type = m_recording->typeOf(text.trimmed().toStdString());
+        const auto type = channelTypeOf(*m_recording, text.trimmed().toStdString());
         return type ? QString() : kit::messageText(type.error().message);
     });
     m_channels->setPicker([this](const QString& current) { return kit::pickVariable(m_variables, current, this); });
     connect(m_channels, &ChannelPanel::changeRequested, this,
             [this](const QString& text, const std::function<void(TraceSetup&)>& f) { change(text, f); });
+    connect(m_figure, &FigurePane::changeRequested, this,
+            [this](const QString& text, const std::function<void(TraceSetup&)>& f) { change(text, f); });
+    connect(m_figure, &FigurePane::failed, this, &TraceView::failed);
     connect(m_channels, &ChannelPanel::channelWanted, this, &TraceView::addChannel);
     connect(m_channels, &ChannelPanel::channelSelected, this, [this](int channel) {
         m_plot->edit([channel](plot::PlotModel& model) {
@@ -101,7 +109,7 @@ TraceView::TraceView(QWidget* parent) : QWidget(parent), m_store(std::make_share
     });
     connect(m_plot, &plot::PlotView::followingChanged, m_follow, &QAction::setChecked);
     connect(m_plot, &plot::PlotView::toolChanged, this,
-            [this](plot::PlotTool tool) { (tool == plot::PlotTool::Pan ? m_panTool : m_zoomTool)->setChecked(true); });
+            [this](plot::PlotTool tool) { toolAction(tool)->setChecked(true); });
     connect(m_plot, &plot::PlotView::cursorsChanged, this, [this] {
         m_cursors->setChecked(m_plot->hasCursors());
         showTable();
@@ -153,8 +161,10 @@ void TraceView::makeActions(QToolBar* bar) {
                             [this] { m_plot->setTool(plot::PlotTool::ZoomBox); }));
     m_panTool = toggle(add(kit::Icon::Pan, tr("Pan"), tr("Drag to pan (middle button always does)"),
                            [this] { m_plot->setTool(plot::PlotTool::Pan); }));
-    tools->addAction(m_zoomTool);
-    tools->addAction(m_panTool);
+    m_rulerTool = toggle(add(kit::Icon::Variable, tr("Measure between points"),
+                             tr("Drag from one point to another: time, value, slope and frequency between them (M)"),
+                             [this] { m_plot->setTool(plot::PlotTool::Ruler); }));
+    for (QAction* tool : {m_zoomTool, m_panTool, m_rulerTool}) tools->addAction(tool);
     m_zoomTool->setChecked(true);
     m_cursors = toggle(add(kit::Icon::Cursor, tr("Cursors"), tr("Two cursors (Ctrl+click sets A, Shift+click sets B)"),
                            [this] { m_plot->setCursorsShown(m_cursors->isChecked()); }));
@@ -179,8 +189,9 @@ void TraceView::makeActions(QToolBar* bar) {
             report(compareWith({}));
             return;
         }
-        const QString path = QFileDialog::getOpenFileName(this, tr("Recording to draw beneath"), inProject({}),
-                                                          tr("Recordings (*.rec);;All files (*)"));
+        const QString path =
+            QFileDialog::getOpenFileName(this, tr("Recording to draw beneath"), inProject({}),
+                                         tr("Recordings and tables (*.rec *.csv *.tsv *.txt);;All files (*)"));
         if (!path.isEmpty()) report(compareWith(path));
     });
 
@@ -198,6 +209,11 @@ void TraceView::makeActions(QToolBar* bar) {
         bar->addWidget(button);
         return menu;
     };
+    QMenu* figures = menuButton(kit::Icon::Trace, tr("XY plot, spectrum, frequency response, runs"));
+    connect(figures, &QMenu::aboutToShow, this, [this, figures] {
+        figures->clear();
+        addFigureActions(*figures);
+    });
     QMenu* files = menuButton(kit::Icon::Save, tr("Trace configuration"));
     files->addAction(kit::icon(kit::Icon::Open), tr("Open configuration…"), this, [this] {
         const QString path = QFileDialog::getOpenFileName(this, tr("Open trace configuration"), m_folder,
@@ -217,10 +233,12 @@ void TraceView::makeActions(QToolBar* bar) {
     files->addAction(tr("Save configuration as…"), this, saveAs);
     files->addSeparator();
     files->addAction(tr("Open recording…"), this, [this] {
-        const QString path = QFileDialog::getOpenFileName(this, tr("Open recording"), inProject({}),
-                                                          tr("Recordings (*.rec);;All files (*)"));
+        const QString path =
+            QFileDialog::getOpenFileName(this, tr("Open recording"), inProject({}),
+                                         tr("Recordings and tables (*.rec *.csv *.tsv *.txt);;All files (*)"));
         if (!path.isEmpty()) report(openRecording(path));
     });
+    files->addAction(tr("Add channel of another file…"), this, &TraceView::askChannelsFrom);
     QAction* close = files->addAction(tr("Back to the running PLC"), this, &TraceView::closeRecording);
     QAction* save = files->addAction(tr("Save recording…"), this, [this] {
         QString path =
@@ -256,6 +274,18 @@ void TraceView::makeActions(QToolBar* bar) {
     addAction(kit::makeRedoAction(m_undo, this));
     for (QAction* action : actions()) action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
     new kit::OwnKeys(this);
+}
+
+QAction* TraceView::toolAction(plot::PlotTool tool) const {
+    switch (tool) {
+    case plot::PlotTool::ZoomBox:
+        return m_zoomTool;
+    case plot::PlotTool::Pan:
+        return m_panTool;
+    case plot::PlotTool::Ruler:
+        return m_rulerTool;
+    }
+    return m_zoomTool;
 }
 
 void TraceView::report(const Result<void>& result) {
@@ -357,8 +387,15 @@ void TraceView::addChannel(const QString& expression, int chart) {
     });
 }
 
+void TraceView::followOthers() {
+    m_others.follow(m_setup,
+                    [this](const std::string& file) { return readFile(inProject(QString::fromStdString(file))); });
+    m_others.pump(ReadBudget);
+}
+
 void TraceView::setupTaken() {
     followCompareWith();
+    followOthers();
     if (m_feed) {
         m_feed->setSettings({m_setup.every, m_setup.condition});
         m_feed->setExpressions(expressionsOf(m_setup), m_setup.trigger.expression);
@@ -380,11 +417,12 @@ void TraceView::setupTaken() {
 
 void TraceView::rebuildModel() {
     m_plot->edit([this](plot::PlotModel& model) {
-        applySetup(model, m_setup, m_feed.get());
+        applySetup(model, m_setup, m_feed.get(), &m_others);
         model.beneathName.clear();
         if (m_olderFeed) applyBeneath(model, m_setup, *m_olderFeed);
     });
     m_channels->showSetup(m_setup, m_plot->model());
+    drawFigure();
     showTable();
     showStatus();
 }
@@ -393,6 +431,7 @@ void TraceView::tick() {
     if (!m_recording) return;
     m_feed->pump(ReadBudget);
     if (m_olderFeed) m_olderFeed->pump(ReadBudget);
+    if (!m_others.isEmpty()) m_others.pump(ReadBudget);
     if (const size_t marks = m_recording->marks().size(); marks != m_marks) {
         m_marks = marks;
         m_plot->edit([this](plot::PlotModel& model) { applyMarks(model, *m_recording, m_feed->chain()); });
@@ -401,6 +440,7 @@ void TraceView::tick() {
     m_plot->refresh();
     if (++m_ticks % 4 != 0) return; // figures are read by people
     m_channels->showValues(m_plot->model());
+    followFigure();
     showStatus();
 }
 
@@ -593,6 +633,8 @@ void TraceView::plotMenu(const QPoint& global, int chart, const QString& curve) 
     menu.addAction(kit::icon(kit::Icon::Fit), tr("Fit"), m_plot, &plot::PlotView::fit);
     menu.addAction(kit::icon(kit::Icon::Cursor), tr("Cursors"), this,
                    [this] { m_plot->setCursorsShown(!m_plot->hasCursors()); });
+    addNoteActions(menu, global);
+    addFigureActions(*menu.addMenu(kit::icon(kit::Icon::Trace), tr("Show Beside")));
     menu.addAction(kit::icon(kit::Icon::Copy), tr("Copy as picture"), this, [this] {
         plot::copyPicture(m_plot->model(), {m_plot->size(), 2});
     });

@@ -3,8 +3,8 @@
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
 #include "editor/kit/post.h"
+#include "editor/plot/figure_view.h"
 #include "editor/plot/plot_scale.h"
-#include "editor/tuning/curve_view.h"
 
 #include <QComboBox>
 #include <QCoreApplication>
@@ -42,8 +42,8 @@ QString seconds(double value) {
     return value > 0 ? QString("%1 s").arg(plot::valueText(value, 4)) : QStringLiteral("–");
 }
 
-signals::Curve curveOf(const tuning::Trajectory& trajectory, const QString& name, int colour) {
-    signals::Curve out{name.toStdString(), {}, trajectory.output, colour, signals::CurveStyle::Line};
+waveform::Curve curveOf(const tuning::Trajectory& trajectory, const QString& name, int colour) {
+    waveform::Curve out{name.toStdString(), {}, trajectory.output, colour, waveform::CurveStyle::Line};
     for (size_t i = 0; i < out.y.size(); ++i) out.x.push_back(static_cast<double>(i) * trajectory.cycle);
     return out;
 }
@@ -179,10 +179,10 @@ QWidget* TuningView::makeCharts() {
     auto* page = new QWidget;
     auto* grid = new QGridLayout(page);
     grid->setContentsMargins(0, 0, 0, 0);
-    m_data = new CurveView;
-    m_setPoint = new CurveView;
-    m_load = new CurveView;
-    m_trial = new CurveView;
+    m_data = new plot::FigureView;
+    m_setPoint = new plot::FigureView;
+    m_load = new plot::FigureView;
+    m_trial = new plot::FigureView;
     m_data->setObjectName("tuningData");
     m_trial->setObjectName("tuningTrial");
     m_setPoint->setObjectName("tuningSetPoint");
@@ -393,17 +393,17 @@ void TuningView::showTable() {
 void TuningView::showCharts() {
     const tuning::Study& study = m_finding->study;
     const auto index = std::min(static_cast<size_t>(std::max(m_model->currentIndex(), 0)), study.models.size() - 1);
-    signals::Chart data{tr("Recorded and modelled").toStdString(), tr("time [s]").toStdString(), {}, {}, false};
+    waveform::Chart data{tr("Recorded and modelled").toStdString(), tr("time [s]").toStdString(), {}, {}, false};
     for (size_t i = 0; i < study.used.size(); ++i) {
         const auto times = timesOf(m_finding->series, study.steps[study.used[i]], study.excerpts[i]);
         const auto name = [&](const QString& what) { return i == 0 ? what.toStdString() : std::string(); };
-        data.curves.push_back({name(tr("recorded")), times, study.excerpts[i].output, 2, signals::CurveStyle::Dots});
+        data.curves.push_back({name(tr("recorded")), times, study.excerpts[i].output, 2, waveform::CurveStyle::Dots});
         data.curves.push_back(
-            {name(tr("model")), times, study.models[index].simulated[i], 0, signals::CurveStyle::Line});
+            {name(tr("model")), times, study.models[index].simulated[i], 0, waveform::CurveStyle::Line});
     }
     m_data->setChart(std::move(data));
     const auto response = [&](const QString& title, tuning::Trajectory tuning::Assessment::*which) {
-        signals::Chart chart{title.toStdString(), tr("time [s]").toStdString(), {}, {}, false};
+        waveform::Chart chart{title.toStdString(), tr("time [s]").toStdString(), {}, {}, false};
         if (m_now && m_now->figures.isStable) chart.curves.push_back(curveOf((*m_now).*which, tr("now"), 3));
         if (m_proposal && m_proposal->figures.isStable)
             chart.curves.push_back(curveOf((*m_proposal).*which, tr("proposed"), 0));
@@ -421,7 +421,7 @@ std::vector<loops::ParameterWrite> TuningView::writes() const {
 /// The block itself, over the last step that was used.
 void TuningView::tryOut() {
     if (!m_finding) return;
-    signals::Chart chart{
+    waveform::Chart chart{
         tr("The last step with these settings").toStdString(), tr("time [s]").toStdString(), {}, {}, false};
     const session::Session* session = m_control.session();
     if (session && session->program() == m_finding->program && m_proposal) {
@@ -431,9 +431,9 @@ void TuningView::tryOut() {
             plan ? loops::tryOut(session->history(), *plan, model()) : Result<loops::TrialRun>(plan.error());
         if (run) {
             chart.curves.push_back(
-                {tr("recorded").toStdString(), run->before.time, run->before.output, 2, signals::CurveStyle::Line});
+                {tr("recorded").toStdString(), run->before.time, run->before.output, 2, waveform::CurveStyle::Line});
             chart.curves.push_back(
-                {tr("proposed").toStdString(), run->series.time, run->series.output, 0, signals::CurveStyle::Line});
+                {tr("proposed").toStdString(), run->series.time, run->series.output, 0, waveform::CurveStyle::Line});
         } else {
             chart.title = kit::messageText(run.error()).toStdString();
         }

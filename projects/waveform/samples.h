@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace plc::signals {
+namespace plc::waveform {
 
 /// A value holds until the next one; what is not a number is a gap.
 struct Samples {
@@ -17,4 +17,4 @@ struct Samples {
 /// The value in force at each of `count` instants from `from` on; before the first sample the first.
 [[nodiscard]] std::vector<double> heldAt(const Samples& samples, double from, double interval, size_t count);
 
-} // namespace plc::signals
+} // namespace plc::waveform

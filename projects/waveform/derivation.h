@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace plc::signals {
+namespace plc::waveform {
 
 enum class OperationKind : uint8_t { Derivative, Integral, Filter };
 
@@ -43,4 +43,4 @@ private:
     std::vector<Stage> m_stages;
 };
 
-} // namespace plc::signals
+} // namespace plc::waveform

@@ -1,12 +1,19 @@
-#include "projects/signals/chart.h"
+#include "projects/waveform/chart.h"
 
 #include "projects/tuning/process_model.h"
 #include "runtime/base/xml_text.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
-namespace plc::signals {
+namespace plc::waveform {
+
+std::string numberText(double value, int digits) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.*g", digits, value == 0 ? 0.0 : value);
+    return text;
+}
 
 namespace {
 
@@ -153,4 +160,4 @@ std::string svgOf(const ChartPage& page) {
     return out + "</svg>\n";
 }
 
-} // namespace plc::signals
+} // namespace plc::waveform

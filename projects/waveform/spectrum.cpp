@@ -1,6 +1,6 @@
-#include "projects/signals/spectrum.h"
+#include "projects/waveform/spectrum.h"
 
-#include "projects/signals/errors.h"
+#include "projects/waveform/errors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <numbers>
 #include <unsupported/Eigen/FFT>
 
-namespace plc::signals {
+namespace plc::waveform {
 
 namespace {
 
@@ -171,9 +171,10 @@ Result<std::vector<ResponsePoint>> frequencyResponse(const Samples& input, const
     for (size_t i = 0; i < uu.size(); ++i) {
         if (uu[i] < most * 1e-8) continue; // less than rounding of single precision leaves
         const double coherence = yy[i] > 0 ? std::norm(uy[i]) / (uu[i] * yy[i]) : 0;
-        out.push_back({static_cast<double>(i + 1) / (static_cast<double>(length) * interval), uy[i] / uu[i], coherence});
+        out.push_back(
+            {static_cast<double>(i + 1) / (static_cast<double>(length) * interval), uy[i] / uu[i], coherence});
     }
     return out;
 }
 
-} // namespace plc::signals
+} // namespace plc::waveform

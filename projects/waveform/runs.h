@@ -1,8 +1,8 @@
 // Many runs of the same thing laid over each other: each begins where a trigger fired. Functions, any thread.
 #pragma once
-#include "projects/signals/samples.h"
+#include "projects/waveform/samples.h"
 
-namespace plc::signals {
+namespace plc::waveform {
 
 struct Run {
     double start = 0; // when its trigger fired [s]
@@ -21,4 +21,4 @@ struct RunBand {
 };
 [[nodiscard]] RunBand bandOf(const std::vector<Run>& runs, size_t points);
 
-} // namespace plc::signals
+} // namespace plc::waveform

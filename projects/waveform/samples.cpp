@@ -1,9 +1,9 @@
-#include "projects/signals/samples.h"
+#include "projects/waveform/samples.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace plc::signals {
+namespace plc::waveform {
 
 double usualInterval(const std::vector<double>& time) {
     if (time.size() < 2) return 0;
@@ -34,4 +34,4 @@ std::vector<double> heldAt(const Samples& samples, double from, double interval,
     return out;
 }
 
-} // namespace plc::signals
+} // namespace plc::waveform

@@ -1,6 +1,6 @@
-#include "projects/signals/table.h"
+#include "projects/waveform/table.h"
 
-#include "projects/signals/errors.h"
+#include "projects/waveform/errors.h"
 #include "runtime/base/text.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 #include <optional>
 #include <sstream>
 
-namespace plc::signals {
+namespace plc::waveform {
 
 namespace {
 
@@ -99,10 +99,13 @@ std::string nameOf(const std::string& cell, std::string& unit) {
 /// The unit that a column of times is in [s]; none: not a column of times.
 std::optional<double> unitOfTime(const std::string& name) {
     static const std::map<std::string, double> kKnown = {
-        {"times", 1},         {"time", 1},    {"t", 1},       {"ts", 1},       {"seconds", 1}, {"timestamp", 1},
-        {"timems", 1e-3},     {"tms", 1e-3},  {"cycle", 1e-3}, {"timestamps", 1}, {"timestampms", 1e-3},
-        {"milliseconds", 1e-3}, {"timeus", 1e-6}, {"tus", 1e-6}, {"timestampus", 1e-6}, {"timens", 1e-9},
-        {"tns", 1e-9},        {"timestampns", 1e-9}, {"date", 1}, {"datetime", 1}};
+        {"times", 1},      {"time", 1},           {"t", 1},
+        {"ts", 1},         {"seconds", 1},        {"timestamp", 1},
+        {"timems", 1e-3},  {"tms", 1e-3},         {"cycle", 1e-3},
+        {"timestamps", 1}, {"timestampms", 1e-3}, {"milliseconds", 1e-3},
+        {"timeus", 1e-6},  {"tus", 1e-6},         {"timestampus", 1e-6},
+        {"timens", 1e-9},  {"tns", 1e-9},         {"timestampns", 1e-9},
+        {"date", 1},       {"datetime", 1}};
     std::string word = lower(name);
     std::erase_if(word, [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); });
     // "0.Timestamp": the time of the first channel
@@ -278,4 +281,4 @@ Result<size_t> columnOf(const Table& table, const std::string& name) {
     return Error{errors::CsvNoColumn(name, others), ""};
 }
 
-} // namespace plc::signals
+} // namespace plc::waveform

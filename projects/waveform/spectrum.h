@@ -1,12 +1,12 @@
 // What frequencies a signal is made of, and how a process answers to them, from recordings. Averages over overlapping
 // windows, so that an hour of scans is worked on in pieces. Functions, any thread.
 #pragma once
-#include "projects/signals/samples.h"
+#include "projects/waveform/samples.h"
 #include "runtime/base/result.h"
 
 #include <complex>
 
-namespace plc::signals {
+namespace plc::waveform {
 
 enum class Window : uint8_t { Hann, FlatTop, Rectangular };
 
@@ -40,4 +40,4 @@ struct ResponsePoint {
 /// Rising frequencies, only those that the input moved at.
 [[nodiscard]] Result<std::vector<ResponsePoint>> frequencyResponse(const Samples& input, const Samples& output);
 
-} // namespace plc::signals
+} // namespace plc::waveform

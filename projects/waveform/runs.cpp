@@ -1,9 +1,9 @@
-#include "projects/signals/runs.h"
+#include "projects/waveform/runs.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace plc::signals {
+namespace plc::waveform {
 
 std::vector<Run> alignedRuns(const Samples& samples, const std::vector<double>& starts, double before, double after) {
     std::vector<Run> out;
@@ -52,4 +52,4 @@ RunBand bandOf(const std::vector<Run>& runs, size_t points) {
     return out;
 }
 
-} // namespace plc::signals
+} // namespace plc::waveform

@@ -1,13 +1,13 @@
-#include "projects/signals/derivation.h"
+#include "projects/waveform/derivation.h"
 
-#include "projects/signals/errors.h"
+#include "projects/waveform/errors.h"
 #include "runtime/base/text.h"
 
 #include <cmath>
 #include <cstdlib>
 #include <optional>
 
-namespace plc::signals {
+namespace plc::waveform {
 
 namespace {
 
@@ -86,16 +86,18 @@ Result<Derivation> parseDerivation(const std::string& text) {
         std::vector<size_t> commas;
         const size_t close = closingOf(out.expression, open, commas);
         if (close == std::string::npos || close + 1 != out.expression.size())
-            return Error{errors::OperationNeedsParenthesis(call->first), text};
+            return Error{errors::OperationNeedsParenthesis(Verbatim(call->first)), text};
         Operation operation{call->second, 0};
         const size_t end = operation.kind == OperationKind::Filter && !commas.empty() ? commas.back() : close;
         if (operation.kind == OperationKind::Filter) {
             const auto time =
                 commas.empty() ? std::nullopt : secondsOf(trimmed(out.expression.substr(end + 1, close - end - 1)));
-            if (!time) return Error{errors::OperationNeedsTime(call->first, "FILTER(Main.Level, T#1s)"), text};
+            if (!time)
+                return Error{errors::OperationNeedsTime(Verbatim(call->first), Verbatim("FILTER(Main.Level, T#1s)")),
+                             text};
             operation.time = *time;
         } else if (!commas.empty()) {
-            return Error{errors::OperationTakesOne(call->first), text};
+            return Error{errors::OperationTakesOne(Verbatim(call->first)), text};
         }
         out.operations.insert(out.operations.begin(), operation);
         out.expression = trimmed(out.expression.substr(open + 1, end - open - 1));
@@ -140,4 +142,4 @@ double Deriver::next(double time, double value) {
     return value;
 }
 
-} // namespace plc::signals
+} // namespace plc::waveform

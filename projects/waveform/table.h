@@ -1,13 +1,13 @@
-// A table of measured values, as spreadsheets, plotters and other PLC tools export them: a head line with names, a column
-// of times, columns of numbers. Values and functions, any thread.
+// A table of measured values, as spreadsheets, plotters and other PLC tools export them: a head line with names, a
+// column of times, columns of numbers. Values and functions, any thread.
 #pragma once
-#include "projects/signals/samples.h"
+#include "projects/waveform/samples.h"
 #include "runtime/base/result.h"
 
 #include <string>
 #include <vector>
 
-namespace plc::signals {
+namespace plc::waveform {
 
 struct Column {
     std::string name, unit;    // "Level [m]" is Level in m
@@ -21,9 +21,9 @@ struct Table {
 };
 
 /// A column of times (time_s as `run --csv` writes it, or one named time, t, timestamp…, in s, ms, us or ns as its name
-/// says; dates with times of day), or one of them before each column of values, as TwinCAT Scope exports. Lines above the
-/// head are skipped. Comma, semicolon, tab or blanks; where a comma does not separate it may be the decimal point. An
-/// empty cell is unchanged.
+/// says; dates with times of day), or one of them before each column of values, as TwinCAT Scope exports. Lines above
+/// the head are skipped. Comma, semicolon, tab or blanks; where a comma does not separate it may be the decimal point.
+/// An empty cell is unchanged.
 [[nodiscard]] Result<Table> parseTable(const std::string& text);
 [[nodiscard]] Result<Table> readTable(const std::string& path);
 /// The names of the columns, the time's left out.
@@ -31,4 +31,4 @@ struct Table {
 /// By name, without case; the error names what there is.
 [[nodiscard]] Result<size_t> columnOf(const Table& table, const std::string& name);
 
-} // namespace plc::signals
+} // namespace plc::waveform
