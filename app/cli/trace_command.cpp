@@ -47,11 +47,75 @@ std::vector<std::string> splitExpressions(const std::string& list) {
     return out;
 }
 
+constexpr std::pair<const char*, trace::FigureKind> kFigures[] = {{"--xy", trace::FigureKind::Xy},
+                                                                  {"--spectrum", trace::FigureKind::Spectrum},
+                                                                  {"--response", trace::FigureKind::Response},
+                                                                  {"--runs", trace::FigureKind::Runs}};
+
+/// The figure that was asked for, and the expressions it is of.
+Result<std::vector<std::string>> figureOf(const Arguments& arguments, trace::FigureSetup& figure) {
+    std::vector<std::string> expressions;
+    for (const auto& [option, kind] : kFigures) {
+        if (!arguments.has(option) && !arguments.value(option)) continue;
+        if (figure.kind != trace::FigureKind::None) return Error{errors::OneFigure(), option};
+        figure.kind = kind;
+        for (const std::string& list : arguments.values(option))
+            for (std::string& text : splitExpressions(list)) expressions.push_back(std::move(text));
+        const bool needsTwo = kind == trace::FigureKind::Xy || kind == trace::FigureKind::Response;
+        if (needsTwo && expressions.size() < 2) return Error{errors::FigureNeedsTwo(Verbatim(option)), ""};
+        if (needsTwo) figure.x = expressions.front();
+    }
+    if (const auto window = arguments.value("--window")) {
+        if (*window == "hann")
+            figure.window = trace::FigureWindow::Hann;
+        else if (*window == "flat-top")
+            figure.window = trace::FigureWindow::FlatTop;
+        else if (*window == "none")
+            figure.window = trace::FigureWindow::Rectangular;
+        else
+            return Error{errors::WindowIs(*window), ""};
+    }
+    if (arguments.has("--linear")) figure.isLogarithmic = false;
+    return expressions;
+}
+
+/// "TIME=text".
+Result<trace::NoteSetup> noteOf(const std::string& text) {
+    const size_t equals = text.find('=');
+    if (equals == std::string::npos || equals + 1 == text.size()) return Error{errors::NoteNeedsText(), text};
+    const auto time = parseDuration(text.substr(0, equals));
+    if (!time) return time.error();
+    trace::NoteSetup note;
+    note.time = time->count();
+    note.text = text.substr(equals + 1);
+    return note;
+}
+
+/// "FILE=EXPR,…": channels of another recording or table.
+Result<void> addMeasured(const std::string& text, trace::TraceSetup& setup) {
+    const size_t equals = text.find('=');
+    const auto expressions = splitExpressions(equals == std::string::npos ? "" : text.substr(equals + 1));
+    if (expressions.empty()) return Error{errors::MeasuredNeedsChannels(), text};
+    for (const std::string& expression : expressions) {
+        trace::ChannelSetup channel;
+        channel.expression = expression;
+        channel.recording = text.substr(0, equals);
+        channel.label = expression + " (" + std::filesystem::path(channel.recording).stem().string() + ")";
+        setup.channels.push_back(std::move(channel));
+    }
+    return {};
+}
+
 Result<trace::TraceSetup> setupOf(const Arguments& arguments, const projects::Project* project) {
     trace::TraceSetup setup;
     std::vector<std::string> expressions;
     for (const std::string& list : arguments.values("--channels"))
         for (std::string& text : splitExpressions(list)) expressions.push_back(std::move(text));
+    trace::FigureSetup figure;
+    const auto ofFigure = figureOf(arguments, figure);
+    if (!ofFigure) return ofFigure.error();
+    for (const std::string& text : *ofFigure)
+        if (std::find(expressions.begin(), expressions.end(), text) == expressions.end()) expressions.push_back(text);
     std::optional<std::string> name = arguments.value("--setup");
     if (!name && expressions.empty() && project && project->traces.size() == 1) name = project->traces[0];
     if (name) {
@@ -66,7 +130,7 @@ Result<trace::TraceSetup> setupOf(const Arguments& arguments, const projects::Pr
         if (!loaded) return loaded;
         setup = std::move(*loaded);
     }
-    if (setup.channels.empty() && expressions.empty()) {
+    if (setup.channels.empty() && expressions.empty() && arguments.values("--measured").empty()) {
         std::vector<std::string> known;
         if (project)
             for (const std::string& trace : project->traces)
@@ -76,6 +140,17 @@ Result<trace::TraceSetup> setupOf(const Arguments& arguments, const projects::Pr
     }
     for (trace::ChannelSetup& channel : trace::setupOf(expressions).channels)
         setup.channels.push_back(std::move(channel));
+    for (const std::string& text : arguments.values("--measured"))
+        if (auto added = addMeasured(text, setup); !added) return added.error();
+    if (figure.kind != trace::FigureKind::None) {
+        figure.origin = setup.figure.origin;
+        setup.figure = figure;
+    }
+    for (const std::string& text : arguments.values("--note")) {
+        auto note = noteOf(text);
+        if (!note) return note.error();
+        setup.notes.push_back(std::move(*note));
+    }
     if (const auto trigger = arguments.value("--trigger")) {
         setup.trigger.expression = *trigger;
         if (setup.trigger.mode == trace::TriggerMode::Off) setup.trigger.mode = trace::TriggerMode::Single;
@@ -106,6 +181,8 @@ Result<trace::TraceOutput> outputOf(const Arguments& arguments, trace::TraceSetu
     out.csv = QString::fromStdString(arguments.value("--csv").value_or(""));
     out.isDark = arguments.has("--dark");
     out.wantsStatistics = arguments.has("--statistics");
+    out.onlyFigure = std::any_of(std::begin(kFigures), std::end(kFigures),
+                                 [&](const auto& figure) { return !arguments.values(figure.first).empty(); });
     for (const auto& [option, target] : {std::pair{"--from", &out.from}, std::pair{"--to", &out.to}})
         if (const auto text = arguments.value(option)) {
             const auto time = parseDuration(*text);
@@ -124,7 +201,8 @@ Result<trace::TraceOutput> outputOf(const Arguments& arguments, trace::TraceSetu
         out.scale = std::atof(text->c_str());
         if (!(out.scale >= 0.5 && out.scale <= 8)) return Error{errors::TraceScaleRange(), *text};
     }
-    if (out.picture.isEmpty() && out.csv.isEmpty() && !out.wantsStatistics) out.wantsStatistics = true;
+    const bool hasFigure = out.setup.figure.kind != trace::FigureKind::None; // which has figures of its own
+    if (out.picture.isEmpty() && out.csv.isEmpty() && !out.wantsStatistics && !hasFigure) out.wantsStatistics = true;
     return out;
 }
 
@@ -135,11 +213,20 @@ int finish(const trace::Recording& recording, const trace::TraceOutput& output) 
     return kGood;
 }
 
+/// Files that channels name: as given, else in the project.
+trace::OtherRecordings::Open openIn(const std::string& folder) {
+    return [folder](const std::string& file) {
+        namespace fs = std::filesystem;
+        return trace::RunRecording::open(fs::exists(file) ? file : (fs::path(folder) / file).string());
+    };
+}
+
 int traceRecording(const Arguments& arguments, const std::string& file) {
     const auto setup = setupOf(arguments, nullptr);
     if (!setup) return wrongUse(setup.error());
-    const auto output = outputOf(arguments, *setup);
+    auto output = outputOf(arguments, *setup);
     if (!output) return wrongUse(output.error());
+    output->openOther = openIn({});
     const auto recording = trace::RunRecording::open(file);
     if (!recording) return wrongUse(recording.error());
     needApplication();
@@ -182,6 +269,7 @@ int run(const Arguments& arguments) {
         beneath = *older;
         output->beneath = beneath.get();
     }
+    output->openOther = openIn(project->folder);
     const trace::RunRecording recording(session);
     const int done = finish(recording, *output);
     return faulted ? kProgramWrong : done;
@@ -194,13 +282,22 @@ Command traceCommand() {
         {"trace",
          "PATH… [OPTIONS]",
          "Runs a project and draws its charts: picture, CSV, statistics.",
-         {{"--channels", "EXPR,…", "variables or expressions to draw (repeatable)"},
+         {{"--channels", "EXPR,…",
+           "variables or expressions to draw; DERIVATIVE(…), INTEGRAL(…), FILTER(…, T#1s) around them (repeatable)"},
           {"--setup", "NAME", "the project's traces/NAME.trace.json, or a file (default: its only one)"},
           {"--for", "10s", "PLC time to run (default 10s)"},
           {"--set", "PATH=VALUE[@TIME]", "write before the first scan at or after TIME (repeatable)"},
           {"--force", "PATH=VALUE[@TIME]", "force likewise (repeatable)"},
-          {"--recording", "FILE", "draw a recording made by run --record instead of running"},
-          {"--beneath", "FILE", "an older recording, drawn faintly beneath"},
+          {"--recording", "FILE", "draw a recording made by run --record, or a table (.csv), instead of running"},
+          {"--beneath", "FILE", "an older recording or a table, drawn faintly beneath"},
+          {"--measured", "FILE=EXPR,…", "channels of another recording or table beside the others (repeatable)"},
+          {"--xy", "X,Y…", "draw Y over X instead of over time"},
+          {"--spectrum", "EXPR,…", "draw the spectrum and print its peaks"},
+          {"--window", "hann|flat-top|none", "window of the spectrum (default hann)"},
+          {"--linear", "", "linear axes of the spectrum"},
+          {"--response", "INPUT,OUTPUT…", "draw the frequency response from one to the other (Bode plot, coherence)"},
+          {"--runs", "EXPR,…", "lay the stretches around each edge of --trigger over each other"},
+          {"--note", "TIME=TEXT", "a remark in the picture (repeatable)"},
           {"--picture", "FILE", "the charts as .png, .svg or .pdf"},
           {"--csv", "FILE", "every sample shown, a row per scan"},
           {"--statistics", "", "a table: values at the cursors (or ends), least, greatest, mean, RMS, step response"},

@@ -1,6 +1,6 @@
 #include "app/cli/tune_output.h"
 
-#include "projects/tuning/chart.h"
+#include "projects/waveform/chart.h"
 #include "runtime/base/xml_text.h"
 
 #include <algorithm>
@@ -236,7 +236,7 @@ std::string jsonOf(const TuneReport& report) {
 namespace {
 
 /// As many points as a picture can show.
-void thin(tuning::Curve& curve) {
+void thin(waveform::Curve& curve) {
     constexpr size_t kMost = 1500;
     const size_t stride = curve.x.size() / kMost + 1;
     if (stride == 1) return;
@@ -246,25 +246,25 @@ void thin(tuning::Curve& curve) {
     curve.y = std::move(y);
 }
 
-tuning::Chart dataChart(const TuneReport& report) {
-    tuning::Chart chart{"Recorded and modelled", "time [s]", report.channels.output, {}, false};
+waveform::Chart dataChart(const TuneReport& report) {
+    waveform::Chart chart{"Recorded and modelled", "time [s]", report.channels.output, {}, false};
     for (size_t i = 0; i < report.study.used.size(); ++i) {
         const tuning::Excerpt& excerpt = report.study.excerpts[i];
         const auto times = timesOf(report.series, report.study.steps[report.study.used[i]], excerpt);
-        chart.curves.push_back({i ? "" : "recorded", times, excerpt.output, 5, tuning::CurveStyle::Dots});
-        chart.curves.push_back({i ? "" : "model", times, report.best().simulated[i], 0, tuning::CurveStyle::Line});
+        chart.curves.push_back({i ? "" : "recorded", times, excerpt.output, 5, waveform::CurveStyle::Dots});
+        chart.curves.push_back({i ? "" : "model", times, report.best().simulated[i], 0, waveform::CurveStyle::Line});
     }
     return chart;
 }
 
-tuning::Curve trajectoryCurve(const tuning::Trajectory& trajectory, const std::string& name, int colour) {
-    tuning::Curve curve{name, {}, trajectory.output, colour, tuning::CurveStyle::Line};
+waveform::Curve trajectoryCurve(const tuning::Trajectory& trajectory, const std::string& name, int colour) {
+    waveform::Curve curve{name, {}, trajectory.output, colour, waveform::CurveStyle::Line};
     for (size_t i = 0; i < trajectory.output.size(); ++i) curve.x.push_back(static_cast<double>(i) * trajectory.cycle);
     thin(curve);
     return curve;
 }
 
-void addCurves(const TuneReport& report, tuning::Chart& chart, tuning::Trajectory tuning::Assessment::*which) {
+void addCurves(const TuneReport& report, waveform::Chart& chart, tuning::Trajectory tuning::Assessment::*which) {
     if (report.now && report.now->figures.isStable)
         chart.curves.push_back(trajectoryCurve((*report.now).*which, "now", 5));
     int colour = 0;
@@ -272,16 +272,16 @@ void addCurves(const TuneReport& report, tuning::Chart& chart, tuning::Trajector
         const int own = colour++;
         if (!answer.assessment.figures.isStable || answer.rule == tuning::Rule::ZieglerNichols) continue;
         chart.curves.push_back(trajectoryCurve(answer.assessment.*which, std::string(title(answer.rule)), own));
-        if (answer.rule != report.rule) chart.curves.back().style = tuning::CurveStyle::Dashed;
+        if (answer.rule != report.rule) chart.curves.back().style = waveform::CurveStyle::Dashed;
     }
 }
 
-tuning::Chart bodeChart(const TuneReport& report) {
-    tuning::Chart chart{"Bode plot", "frequency [rad/s]", "magnitude [dB]", {}, true};
+waveform::Chart bodeChart(const TuneReport& report) {
+    waveform::Chart chart{"Bode plot", "frequency [rad/s]", "magnitude [dB]", {}, true};
     const tuning::ProcessModel& process = report.best().model;
     auto [low, high] = frequencyRange(process);
     const auto add = [&](const char* name, int colour, const tuning::Response& response) {
-        tuning::Curve curve{name, {}, {}, colour, tuning::CurveStyle::Line};
+        waveform::Curve curve{name, {}, {}, colour, waveform::CurveStyle::Line};
         for (const tuning::BodePoint& point : tuning::bode(response, low * 10, high / 10, 300)) {
             curve.x.push_back(point.omega);
             curve.y.push_back(std::max(point.decibels, -80.0));
@@ -300,7 +300,7 @@ tuning::Chart bodeChart(const TuneReport& report) {
 } // namespace
 
 std::string pictureOf(const TuneReport& report, bool isDark) {
-    tuning::ChartPage page;
+    waveform::ChartPage page;
     page.isDark = isDark;
     page.title = report.name;
     page.lines.push_back(formula(report.best().model) + "   explains " + numberText(report.best().fit, 4) + " %");
@@ -328,10 +328,10 @@ std::vector<std::pair<std::string, std::string>> healthRows(const tuning::Health
 }
 
 std::string recordedChart(const TuneReport& report) {
-    tuning::ChartPage page;
-    const auto add = [&](tuning::Chart& chart, const char* name, int colour, const std::vector<double>& values) {
+    waveform::ChartPage page;
+    const auto add = [&](waveform::Chart& chart, const char* name, int colour, const std::vector<double>& values) {
         if (values.empty()) return;
-        chart.curves.push_back({name, report.series.time, values, colour, tuning::CurveStyle::Line});
+        chart.curves.push_back({name, report.series.time, values, colour, waveform::CurveStyle::Line});
         thin(chart.curves.back());
     };
     page.title = "Recorded";

@@ -2,9 +2,9 @@
 
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
-#include "editor/kit/plot_scale.h"
 #include "editor/kit/post.h"
 #include "editor/kit/theme.h"
+#include "editor/plot/plot_scale.h"
 #include "editor/trace/trace_plot.h"
 
 #include <QAction>
@@ -502,7 +502,7 @@ void EventLog::refresh() {
         if (event.kind == EventKind::Breakpoint && !place.isEmpty() && !m_control.hasBreakpoint(place))
             shown = tr("Step: %1").arg(kit::messageText(event.text)); // nothing but a step can have ended there
         if (!place.isEmpty()) shown = tr("%1 at %2", "event at file:line").arg(shown, place);
-        add({QTime::currentTime().toString("HH:mm:ss"), kit::momentText(event.time.count()),
+        add({QTime::currentTime().toString("HH:mm:ss"), plot::momentText(event.time.count()),
              QString::number(event.scan), shown},
             static_cast<int>(icon), event.kind == EventKind::Fault || event.kind == EventKind::SkippedScans);
         m_tree->topLevelItem(m_tree->topLevelItemCount() - 1)->setData(3, Qt::UserRole, place);

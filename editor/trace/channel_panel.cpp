@@ -160,7 +160,7 @@ void ChannelPanel::selectChannel(int channel) {
                 m_list->setCurrentItem(m_list->topLevelItem(i)->child(j));
 }
 
-void ChannelPanel::showSetup(const TraceSetup& setup, const kit::PlotModel& model) {
+void ChannelPanel::showSetup(const TraceSetup& setup, const plot::PlotModel& model) {
     m_setup = setup;
     if (m_isTicked)
         kit::post(this, [this] { rebuild(); });
@@ -200,18 +200,18 @@ void ChannelPanel::rebuild() {
     showProperties();
 }
 
-void ChannelPanel::showValues(const kit::PlotModel& model) {
+void ChannelPanel::showValues(const plot::PlotModel& model) {
     m_filling = true;
     for (int i = 0; i < m_list->topLevelItemCount(); ++i)
         for (int j = 0; j < m_list->topLevelItem(i)->childCount(); ++j) {
             QTreeWidgetItem* item = m_list->topLevelItem(i)->child(j);
             const auto index = static_cast<size_t>(item->data(0, ChannelRole).toInt());
             if (index >= model.curves.size()) continue;
-            const kit::PlotCurve& curve = model.curves[index];
+            const plot::PlotCurve& curve = model.curves[index];
             QString text;
             if (curve.source) {
                 const int64_t at = model.cursorA ? *model.cursorA : model.present.value_or(INT64_MAX);
-                if (curve.source->inForceAt(at)) text = kit::curveTextAt(curve, at);
+                if (curve.source->inForceAt(at)) text = plot::curveTextAt(curve, at);
             }
             const QString shown = curve.problem.isEmpty() ? text : tr("error");
             if (item->text(1) == shown) continue;

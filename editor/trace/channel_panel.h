@@ -21,9 +21,9 @@ class ChannelPanel : public QWidget {
 public:
     explicit ChannelPanel(QWidget* parent = nullptr);
 
-    void showSetup(const TraceSetup& setup, const kit::PlotModel& model);
+    void showSetup(const TraceSetup& setup, const plot::PlotModel& model);
     /// Values beside the names: at cursor A when there is one, else the newest.
-    void showValues(const kit::PlotModel& model);
+    void showValues(const plot::PlotModel& model);
     void setCompletionSource(kit::CompletionSource source);
     void setCheck(kit::TextCheck check);
     void setPicker(std::function<std::optional<QString>(const QString&)> picker);

@@ -1,8 +1,24 @@
 #include "editor/trace/run_recording.h"
 
+#include "editor/trace/table_recording.h"
+
 namespace plc::trace {
 
+namespace {
+
+Result<std::shared_ptr<RunRecording>> openTable(const std::string& path, Progress* progress) {
+    const auto table = waveform::readTable(path);
+    if (!table) return table.error();
+    auto recorded = recordTable(*table, progress);
+    if (!recorded) return Error{recorded.error().message, path};
+    return std::make_shared<RunRecording>(
+        session::RecordedRun::of(std::move(recorded->built), std::move(recorded->history)));
+}
+
+} // namespace
+
 Result<std::shared_ptr<RunRecording>> RunRecording::open(const std::string& path, Progress* progress) {
+    if (isTableFile(path)) return openTable(path, progress);
     auto run = session::RecordedRun::open(path, progress);
     if (!run) return run.error();
     return std::make_shared<RunRecording>(std::move(*run));

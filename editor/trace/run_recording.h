@@ -11,7 +11,8 @@ public:
     /// The run must outlive it.
     explicit RunRecording(const session::Run& run) : m_run(run) {}
     explicit RunRecording(std::shared_ptr<const session::RecordedRun> run) : m_run(*run), m_owned(std::move(run)) {}
-    /// The program in the file is built again, which takes longest.
+    /// Of a recording the program is built again, which takes longest. A table of measured values (.csv, .tsv, .txt)
+    /// opens as well: a program is written for its columns.
     [[nodiscard]] static Result<std::shared_ptr<RunRecording>> open(const std::string& path,
                                                                     Progress* progress = nullptr);
     /// From a file; null: of a run that goes on.

@@ -1,9 +1,9 @@
 #include "editor/trace/time_slider.h"
 
 #include "editor/kit/message_text.h"
-#include "editor/kit/plot_model.h"
-#include "editor/kit/plot_scale.h"
 #include "editor/kit/theme.h"
+#include "editor/plot/plot_model.h"
+#include "editor/plot/plot_scale.h"
 #include "editor/trace/trace_plot.h"
 
 #include <QHBoxLayout>
@@ -117,13 +117,13 @@ void TimeBar::mouseMoveEvent(QMouseEvent* event) {
 bool TimeBar::event(QEvent* event) {
     if (event->type() != QEvent::ToolTip) return QWidget::event(event);
     auto* help = static_cast<QHelpEvent*>(event);
-    QString text = m_to > 0 ? kit::momentText(timeAt(help->pos().x()) / 1'000'000 * 1'000'000) : QString();
+    QString text = m_to > 0 ? plot::momentText(timeAt(help->pos().x()) / 1'000'000 * 1'000'000) : QString();
     for (const Event& e : m_events)
         if (std::abs(xOf(e.time) - help->pos().x()) <= 4)
-            text = QStringLiteral("%1\n%2").arg(e.text, kit::momentText(e.time));
+            text = QStringLiteral("%1\n%2").arg(e.text, plot::momentText(e.time));
     for (int64_t branch : m_branches)
         if (std::abs(xOf(branch) - help->pos().x()) <= 6)
-            text = tr("Resumed from here\n%1").arg(kit::momentText(branch));
+            text = tr("Resumed from here\n%1").arg(plot::momentText(branch));
     QToolTip::showText(help->globalPos(), text, this);
     return true;
 }
@@ -249,7 +249,7 @@ QString TimeSlider::positionText() const {
     const Position position = m_position ? *m_position : m_recording->extent().second - 1;
     const auto stamp = m_recording->stamp(position);
     if (!stamp) return tr("no longer kept");
-    return tr("scan %1  %2").arg(stamp->scan).arg(kit::momentText(stamp->time.count()));
+    return tr("scan %1  %2").arg(stamp->scan).arg(plot::momentText(stamp->time.count()));
 }
 
 void TimeSlider::refresh() {
@@ -267,12 +267,12 @@ void TimeSlider::refresh() {
     m_bar->setRange(oldest ? oldest->time.count() : 0, newest ? newest->time.count() : 0);
     if (m_position && *m_position < first)
         setPosition(oldest ? std::optional(oldest->position) : std::nullopt); // evicted under our feet
-    kit::PlotModel marks;
+    plot::PlotModel marks;
     applyMarks(marks, *m_recording, path);
     std::vector<TimeBar::Event> events;
-    for (const kit::PlotMarker& marker : marks.markers)
-        if (marker.kind != kit::MarkerKind::Branch)
-            events.push_back({marker.time, kit::markerColor(marker.kind), marker.text});
+    for (const plot::PlotMarker& marker : marks.markers)
+        if (marker.kind != plot::MarkerKind::Branch)
+            events.push_back({marker.time, plot::markerColor(marker.kind), marker.text});
     m_bar->setEvents(std::move(events));
     std::vector<int64_t> branches;
     for (const history::Branch& branch : m_recording->branches())

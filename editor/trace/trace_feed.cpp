@@ -1,6 +1,7 @@
 #include "editor/trace/trace_feed.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace plc::trace {
 
@@ -16,8 +17,8 @@ std::optional<std::pair<int64_t, int64_t>> ColumnSource::timeRange() const {
     return std::pair(c.firstTime(), c.lastTime());
 }
 
-void ColumnSource::buckets(int64_t from, int64_t to, std::span<kit::PlotBucket> out) const {
-    static_assert(sizeof(kit::PlotBucket) == sizeof(history::ColumnBucket));
+void ColumnSource::buckets(int64_t from, int64_t to, std::span<plot::PlotBucket> out) const {
+    static_assert(sizeof(plot::PlotBucket) == sizeof(history::ColumnBucket));
     std::vector<history::ColumnBucket> buckets(out.size());
     column().buckets(from, to, buckets);
     for (size_t i = 0; i < out.size(); ++i)
@@ -27,7 +28,7 @@ void ColumnSource::buckets(int64_t from, int64_t to, std::span<kit::PlotBucket> 
 
 void ColumnSource::visit(int64_t from, int64_t to, const Visitor& visitor) const {
     const Column& c = column();
-    std::vector<kit::PlotSample> block;
+    std::vector<plot::PlotSample> block;
     c.visit(c.rowAtOrAfter(from), c.rowAtOrAfter(to), [&](std::span<const history::ColumnRow> rows) {
         block.clear();
         for (const history::ColumnRow& row : rows) block.push_back({row.time, row.value});
@@ -35,32 +36,32 @@ void ColumnSource::visit(int64_t from, int64_t to, const Visitor& visitor) const
     });
 }
 
-std::optional<kit::PlotSample> ColumnSource::inForceAt(int64_t time) const {
+std::optional<plot::PlotSample> ColumnSource::inForceAt(int64_t time) const {
     const auto row = column().rowInForceAt(time);
     if (!row) return std::nullopt;
     const history::ColumnRow r = column().row(*row);
-    return kit::PlotSample{r.time, r.value};
+    return plot::PlotSample{r.time, r.value};
 }
 
-std::optional<kit::PlotSample> ColumnSource::after(int64_t time) const {
+std::optional<plot::PlotSample> ColumnSource::after(int64_t time) const {
     const Column& c = column();
     if (time == std::numeric_limits<int64_t>::max()) return std::nullopt;
     const uint64_t row = c.rowAtOrAfter(time + 1);
     if (row == c.endRow()) return std::nullopt;
     const history::ColumnRow r = c.row(row);
-    return kit::PlotSample{r.time, r.value};
+    return plot::PlotSample{r.time, r.value};
 }
 
-std::optional<kit::WholeNumber> ColumnSource::integerAt(int64_t time) const {
+std::optional<plot::WholeNumber> ColumnSource::integerAt(int64_t time) const {
     const Column& c = column();
     if (c.kind() != history::ColumnKind::Int64 && c.kind() != history::ColumnKind::Uint64) return std::nullopt;
     const auto row = c.rowInForceAt(time);
     if (!row) return std::nullopt;
-    return kit::WholeNumber{static_cast<uint64_t>(c.integer(*row)), c.kind() == history::ColumnKind::Uint64};
+    return plot::WholeNumber{static_cast<uint64_t>(c.integer(*row)), c.kind() == history::ColumnKind::Uint64};
 }
 
-std::optional<std::pair<kit::WholeNumber, kit::WholeNumber>> ColumnSource::integerExtent(int64_t from,
-                                                                                         int64_t to) const {
+std::optional<std::pair<plot::WholeNumber, plot::WholeNumber>> ColumnSource::integerExtent(int64_t from,
+                                                                                           int64_t to) const {
     const Column& c = column();
     const bool isUnsigned = c.kind() == history::ColumnKind::Uint64;
     if ((c.kind() != history::ColumnKind::Int64 && !isUnsigned) || to < from) return std::nullopt;
@@ -75,24 +76,24 @@ std::optional<std::pair<kit::WholeNumber, kit::WholeNumber>> ColumnSource::integ
         if (less(value, low)) low = value;
         if (less(high, value)) high = value;
     }
-    return std::pair(kit::WholeNumber{static_cast<uint64_t>(low), isUnsigned},
-                     kit::WholeNumber{static_cast<uint64_t>(high), isUnsigned});
+    return std::pair(plot::WholeNumber{static_cast<uint64_t>(low), isUnsigned},
+                     plot::WholeNumber{static_cast<uint64_t>(high), isUnsigned});
 }
 
-std::vector<kit::PlotGap> ColumnSource::gaps(int64_t from, int64_t to) const {
-    std::vector<kit::PlotGap> result;
+std::vector<plot::PlotGap> ColumnSource::gaps(int64_t from, int64_t to) const {
+    std::vector<plot::PlotGap> result;
     for (const ColumnGap& gap : column().gaps()) {
         if (gap.from >= to || gap.to <= from) continue;
-        auto reason = kit::PlotGap::Reason::NotRecorded;
+        auto reason = plot::PlotGap::Reason::NotRecorded;
         switch (gap.reason) {
         case ColumnGap::Reason::Evicted:
-            reason = kit::PlotGap::Reason::Evicted;
+            reason = plot::PlotGap::Reason::Evicted;
             break;
         case ColumnGap::Reason::NoPath:
-            reason = kit::PlotGap::Reason::NoPath;
+            reason = plot::PlotGap::Reason::NoPath;
             break;
         case ColumnGap::Reason::SkippedScans:
-            reason = kit::PlotGap::Reason::SkippedScans;
+            reason = plot::PlotGap::Reason::SkippedScans;
             break;
         case ColumnGap::Reason::NotRecorded:
             break;
@@ -104,7 +105,9 @@ std::vector<kit::PlotGap> ColumnSource::gaps(int64_t from, int64_t to) const {
 
 struct TraceFeed::Channel {
     std::string expression;
-    bool isTrigger = false; // every scan
+    waveform::Derivation derivation;          // what of it a scan gives, and what is computed from that
+    std::optional<waveform::Deriver> deriver; // none: the plain value
+    bool isTrigger = false;                   // every scan
     ChannelType type;
     Message problem;
     std::shared_ptr<ColumnSource> source; // null while there is a problem
@@ -114,6 +117,17 @@ struct TraceFeed::Channel {
     std::optional<ColumnGap::Reason> open; // since openFrom there has been no value, for this reason
     int64_t openFrom = 0;
 };
+
+Result<ChannelType> channelTypeOf(const Recording& recording, const std::string& text,
+                                  waveform::Derivation* derivation) {
+    auto parsed = waveform::parseDerivation(text);
+    if (!parsed) return parsed.error();
+    if (derivation) *derivation = *parsed;
+    // what is no number gives none of its derivatives either: the expression's own problem says so
+    auto type = recording.typeOf(parsed->expression);
+    if (!type || parsed->isPlain()) return type;
+    return ChannelType{.kind = history::ColumnKind::Double, .name = "LREAL"};
+}
 
 TraceFeed::TraceFeed(const Recording& recording, std::shared_ptr<history::ColumnStore> store)
     : m_recording(recording), m_store(std::move(store)) {}
@@ -126,6 +140,7 @@ TraceFeed::~TraceFeed() {
 void TraceFeed::restart(Channel& channel) {
     channel.hasStarted = false;
     channel.open.reset();
+    if (channel.deriver) channel.deriver->restart();
     if (!channel.source) return;
     channel.source->column().clear();
     channel.source->changed();
@@ -165,14 +180,16 @@ void TraceFeed::setExpressions(const std::vector<std::string>& expressions, cons
 void TraceFeed::retryProblems() {
     for (auto& channel : m_channels) {
         if (channel->source) continue;
-        const auto type = m_recording.typeOf(channel->expression);
+        const auto type = channelTypeOf(m_recording, channel->expression, &channel->derivation);
         channel->problem = type ? Message() : type.error().message;
         if (!type) continue;
         channel->type = *type;
-        const auto kind = type->isBool      ? kit::PlotValueKind::Bool
-                          : type->isInteger ? kit::PlotValueKind::Integer
-                          : type->isSingle  ? kit::PlotValueKind::Single
-                                            : kit::PlotValueKind::Double;
+        channel->deriver.reset();
+        if (!channel->derivation.isPlain()) channel->deriver.emplace(channel->derivation);
+        const auto kind = type->isBool      ? plot::PlotValueKind::Bool
+                          : type->isInteger ? plot::PlotValueKind::Integer
+                          : type->isSingle  ? plot::PlotValueKind::Single
+                                            : plot::PlotValueKind::Double;
         channel->source = std::make_shared<ColumnSource>(m_store, m_store->add(type->kind), kind);
         restart(*channel);
     }
@@ -222,7 +239,7 @@ void TraceFeed::refreshChain() {
             return std::nullopt;
         }();
         const auto stamp = kept ? m_recording.stamp(*kept) : std::nullopt;
-        if (!stamp) {
+        if (!stamp || channel->deriver) { // what is computed from samples before needs them again
             restart(*channel);
             continue;
         }
@@ -248,6 +265,9 @@ void TraceFeed::append(Channel& channel, const std::vector<history::Sample>& sam
                                condition[c].hasValue && condition[c].value != 0;
             if (!holds) missing = ColumnGap::Reason::NotRecorded;
         }
+        const double value = channel.deriver ? channel.deriver->next(static_cast<double>(time) * 1e-9,
+                                                                     sample.hasValue ? sample.value : std::nan(""))
+                                             : sample.value;
         const bool skipped = !channel.isTrigger && m_settings.every > 1 && sample.at.scan % m_settings.every != 0;
         if (missing) {
             if (!channel.open || *channel.open != *missing) {
@@ -265,7 +285,7 @@ void TraceFeed::append(Channel& channel, const std::vector<history::Sample>& sam
             }
             const bool isWide =
                 column.kind() == history::ColumnKind::Int64 || column.kind() == history::ColumnKind::Uint64;
-            isWide ? column.appendInteger(time, sample.integer) : column.append(time, sample.value);
+            isWide ? column.appendInteger(time, sample.integer) : column.append(time, value);
         }
         channel.last = sample.at.position;
         channel.lastTime = time;
@@ -301,7 +321,7 @@ bool TraceFeed::readSlice(Channel& channel) {
                                     [&](const PositionRange& r) { return *from >= r.begin && *from < r.end; });
     if (range == m_chain.end()) return true;
     const Position to = std::min(range->end, *from + Slice);
-    const auto samples = m_recording.samples(channel.expression, *from, to);
+    const auto samples = m_recording.samples(channel.derivation.expression, *from, to);
     const auto condition = m_settings.condition.empty() ? std::vector<history::Sample>()
                                                         : m_recording.samples(m_settings.condition, *from, to);
     if (evicted && !samples.empty()) {

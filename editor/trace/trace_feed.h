@@ -3,8 +3,9 @@
 // view; its thread.
 #pragma once
 
-#include "editor/kit/plot_sample.h"
+#include "editor/plot/plot_sample.h"
 #include "editor/trace/recording.h"
+#include "projects/waveform/derivation.h"
 
 #include <chrono>
 
@@ -17,21 +18,22 @@ struct FeedSettings {
 };
 
 /// A column as a chart reads it.
-class ColumnSource final : public kit::SampleSource {
+class ColumnSource final : public plot::SampleSource {
 public:
-    ColumnSource(std::shared_ptr<history::ColumnStore> store, history::ColumnId id, kit::PlotValueKind kind)
+    ColumnSource(std::shared_ptr<history::ColumnStore> store, history::ColumnId id, plot::PlotValueKind kind)
         : m_store(std::move(store)), m_id(id), m_kind(kind) {}
 
-    kit::PlotValueKind valueKind() const override { return m_kind; }
+    plot::PlotValueKind valueKind() const override { return m_kind; }
     std::optional<std::pair<int64_t, int64_t>> timeRange() const override;
     uint64_t countIn(int64_t from, int64_t to) const override { return column().countIn(from, to); }
-    void buckets(int64_t from, int64_t to, std::span<kit::PlotBucket> out) const override;
+    void buckets(int64_t from, int64_t to, std::span<plot::PlotBucket> out) const override;
     void visit(int64_t from, int64_t to, const Visitor& visitor) const override;
-    std::optional<kit::PlotSample> inForceAt(int64_t time) const override;
-    std::optional<kit::PlotSample> after(int64_t time) const override;
-    std::optional<kit::WholeNumber> integerAt(int64_t time) const override;
-    std::optional<std::pair<kit::WholeNumber, kit::WholeNumber>> integerExtent(int64_t from, int64_t to) const override;
-    std::vector<kit::PlotGap> gaps(int64_t from, int64_t to) const override;
+    std::optional<plot::PlotSample> inForceAt(int64_t time) const override;
+    std::optional<plot::PlotSample> after(int64_t time) const override;
+    std::optional<plot::WholeNumber> integerAt(int64_t time) const override;
+    std::optional<std::pair<plot::WholeNumber, plot::WholeNumber>> integerExtent(int64_t from,
+                                                                                 int64_t to) const override;
+    std::vector<plot::PlotGap> gaps(int64_t from, int64_t to) const override;
     uint64_t revision() const override { return m_revision; }
     void changed() { ++m_revision; }
 
@@ -42,9 +44,13 @@ public:
 private:
     std::shared_ptr<history::ColumnStore> m_store;
     history::ColumnId m_id;
-    kit::PlotValueKind m_kind;
+    plot::PlotValueKind m_kind;
     uint64_t m_revision = 0;
 };
+
+/// Of a channel's text: an expression, or DERIVATIVE, INTEGRAL, FILTER around one.
+[[nodiscard]] Result<ChannelType> channelTypeOf(const Recording& recording, const std::string& text,
+                                                waveform::Derivation* derivation = nullptr);
 
 class TraceFeed {
 public:

@@ -1,14 +1,19 @@
 #include "editor/trace/trace_picture.h"
 
-#include "editor/kit/plot_export.h"
-#include "editor/kit/plot_scale.h"
-#include "editor/kit/plot_table.h"
 #include "editor/kit/theme.h"
+#include "editor/plot/plot_export.h"
+#include "editor/plot/plot_renderer.h"
+#include "editor/plot/plot_scale.h"
+#include "editor/plot/plot_table.h"
 #include "editor/trace/program_variables.h"
+#include "editor/trace/trace_figure.h"
 #include "editor/trace/trace_plot.h"
 #include "editor/trace/trigger.h"
 
-#include <QCoreApplication>
+#include <QApplication>
+#include <QPainter>
+
+#include <cmath>
 
 namespace plc::trace {
 
@@ -24,14 +29,14 @@ std::optional<int64_t> shotOf(const TraceSetup& setup, const TraceFeed& feed) {
     if (!source || setup.trigger.mode == TriggerMode::Off) return std::nullopt;
     TriggerMachine machine;
     machine.setSetup(setup.trigger);
-    source->visit(INT64_MIN, INT64_MAX, [&](std::span<const kit::PlotSample> block) {
-        for (const kit::PlotSample& s : block)
+    source->visit(INT64_MIN, INT64_MAX, [&](std::span<const plot::PlotSample> block) {
+        for (const plot::PlotSample& s : block)
             machine.feed(s.time, std::isnan(s.value) ? std::nullopt : std::optional(s.value != 0));
     });
     return machine.completeAt() ? machine.completeAt() : machine.firedAt();
 }
 
-std::string tableText(const kit::MeasureTable& table) {
+std::string tableText(const plot::MeasureTable& table) {
     std::vector<qsizetype> widths;
     for (qsizetype c = 0; c < table.headers.size(); ++c) {
         qsizetype wide = table.headers[c].size();
@@ -48,6 +53,22 @@ std::string tableText(const kit::MeasureTable& table) {
     line(table.headers);
     for (const auto& row : table.rows) line(row.cells);
     return out.toStdString();
+}
+
+/// The charts over time with the figure below them; or the figure alone.
+Result<void> exportBoth(const plot::PlotModel& model, const plot::Figure& figure, const TraceOutput& output) {
+    const plot::PictureOptions options{output.size, output.scale};
+    if (output.onlyFigure) return plot::exportFigure(figure, output.picture, options);
+    return plot::exportPainted(model.title, output.picture, options, [&](QPainter& painter, const QRectF& rect) {
+        QRectF above = rect, below = rect;
+        above.setBottom(std::round(rect.center().y()));
+        below.setTop(above.bottom());
+        plot::PlotRenderer renderer;
+        renderer.setFont(QApplication::font());
+        renderer.setPixelRatio(output.scale);
+        renderer.paint(painter, model, above);
+        plot::paintFigure(painter, figure, below, QApplication::font());
+    });
 }
 
 } // namespace
@@ -70,12 +91,23 @@ Result<std::string> renderTrace(const Recording& recording, const TraceOutput& o
         if (const auto type = recording.typeOf(setup.condition); !type)
             return Error{type.error().message, setup.condition};
     feed.pumpAll();
+    OtherRecordings others(std::make_shared<history::ColumnStore>(size_t(2) << 30));
+    if (output.openOther) others.follow(setup, output.openOther);
+    for (const ChannelSetup& channel : setup.channels) {
+        if (channel.recording.empty()) continue;
+        if (const Message problem = others.problemOf(channel.recording); !problem.isEmpty())
+            return Error{problem, channel.recording};
+        const TraceFeed* other = others.feedOf(channel.recording);
+        if (const Message problem = other ? other->problem(channel.expression) : Message(); !problem.isEmpty())
+            return Error{problem, channel.expression};
+    }
+    others.pumpAll();
 
     kit::Theme& theme = kit::Theme::current();
     const kit::ThemeChoice before = theme.choice();
     theme.setChoice(output.isDark ? kit::ThemeChoice::Dark : kit::ThemeChoice::Light);
-    kit::PlotModel model;
-    applySetup(model, setup, &feed);
+    plot::PlotModel model;
+    applySetup(model, setup, &feed, &others);
     applyMarks(model, recording, feed.chain());
     std::unique_ptr<TraceFeed> older;
     if (output.beneath) {
@@ -85,9 +117,9 @@ Result<std::string> renderTrace(const Recording& recording, const TraceOutput& o
         applyBeneath(model, setup, *older);
     }
     std::string text;
-    auto whole = kit::wholeRange(model);
+    auto whole = plot::wholeRange(model);
     if (whole) // the last scan's values hold for the length of a scan
-        for (const kit::PlotCurve& curve : model.curves)
+        for (const plot::PlotCurve& curve : model.curves)
             if (const auto last = curve.source ? curve.source->timeRange() : std::nullopt;
                 last && last->second == whole->second)
                 if (const auto before = curve.source->inForceAt(last->second - 1)) {
@@ -101,7 +133,7 @@ Result<std::string> renderTrace(const Recording& recording, const TraceOutput& o
         model.origin = *shot;
         if (!output.from) model.from = *shot - setup.trigger.before;
         if (!output.to) model.to = std::max(*shot + setup.trigger.after, model.from + 1);
-        text += TraceText::tr("Triggered at %1.").arg(kit::momentText(*shot)).toStdString() + "\n";
+        text += TraceText::tr("Triggered at %1.").arg(plot::momentText(*shot)).toStdString() + "\n";
     } else if (setup.trigger.mode != TriggerMode::Off && !setup.trigger.expression.empty()) {
         text += TraceText::tr("The trigger did not fire.").toStdString() + "\n";
     }
@@ -109,14 +141,21 @@ Result<std::string> renderTrace(const Recording& recording, const TraceOutput& o
     model.cursorB = setup.cursorB;
     model.hasTable = setup.hasTable;
     if (output.wantsStatistics) { // without cursors: over all that is shown
-        kit::PlotModel measured = model;
-        measured.cursorA = kit::snappedTime(model, model.cursorA.value_or(model.from));
-        measured.cursorB = kit::snappedTime(model, model.cursorB.value_or(model.to));
-        text += tableText(kit::measureTable(measured));
+        plot::PlotModel measured = model;
+        measured.cursorA = plot::snappedTime(model, model.cursorA.value_or(model.from));
+        measured.cursorB = plot::snappedTime(model, model.cursorB.value_or(model.to));
+        text += tableText(plot::measureTable(measured));
     }
+    const FigureAnswer answer = figureOf(figureJob(setup, model, &feed));
+    if (!answer.text.isEmpty()) text += answer.text.toStdString() + "\n";
     Result<void> done;
-    if (!output.picture.isEmpty()) done = kit::exportPicture(model, output.picture, {output.size, output.scale});
-    if (done && !output.csv.isEmpty()) done = kit::exportCsv(model, model.from, model.to, output.csv);
+    const bool hasFigure = setup.figure.kind != FigureKind::None;
+    if (!output.picture.isEmpty())
+        done = hasFigure ? exportBoth(model, answer.figure, output)
+                         : plot::exportPicture(model, output.picture, {output.size, output.scale});
+    if (done && !output.csv.isEmpty())
+        done = output.onlyFigure ? plot::exportFigureCsv(answer.figure, output.csv)
+                                 : plot::exportCsv(model, model.from, model.to, output.csv);
     theme.setChoice(before);
     if (!done) return done.error();
     return text;

@@ -2,6 +2,7 @@
 // does and what the pictures of the documentation are made with. Needs a QApplication (offscreen will do); its thread.
 #pragma once
 
+#include "editor/trace/other_recordings.h"
 #include "editor/trace/trace_feed.h"
 #include "editor/trace/trace_setup.h"
 
@@ -19,6 +20,8 @@ struct TraceOutput {
     bool wantsStatistics = false;
     std::optional<int64_t> from, to; // shown; absent: all, or around the trigger when it fired
     const Recording* beneath = nullptr;
+    bool onlyFigure = false;         // without the charts over time
+    OtherRecordings::Open openOther; // of the files that channels name
 };
 
 /// Writes the files; the text is the statistics table, or what the trigger did. An expression that can not be compiled

@@ -3,8 +3,9 @@
 #include "editor/kit/contrast.h"
 #include "editor/kit/curve_words.h"
 #include "editor/kit/message_text.h"
-#include "editor/kit/plot_scale.h"
 #include "editor/kit/theme.h"
+#include "editor/plot/plot_scale.h"
+#include "editor/trace/other_recordings.h"
 #include "runtime/controller/controller.h"
 
 #include <QCoreApplication>
@@ -40,47 +41,47 @@ QColor readable(const QColor& color) {
                                          static_cast<float>(ground < 0.5 ? ground + 0.45 : ground - 0.45)));
 }
 
-kit::AxisMode modeOf(ScaleMode mode) {
+plot::AxisMode modeOf(ScaleMode mode) {
     switch (mode) {
     case ScaleMode::Automatic:
-        return kit::AxisMode::Automatic;
+        return plot::AxisMode::Automatic;
     case ScaleMode::Fit:
-        return kit::AxisMode::Fit;
+        return plot::AxisMode::Fit;
     case ScaleMode::Fixed:
-        return kit::AxisMode::Fixed;
+        return plot::AxisMode::Fixed;
     }
-    return kit::AxisMode::Automatic;
+    return plot::AxisMode::Automatic;
 }
 
 /// What a mark of the history is on the chart; nothing for those that would only be in the way.
-std::optional<kit::MarkerKind> markerOf(int kind) {
+std::optional<plot::MarkerKind> markerOf(int kind) {
     using controller::EventKind;
     switch (static_cast<EventKind>(kind)) {
     case EventKind::Started:
     case EventKind::Stopped:
     case EventKind::Paused:
-        return kit::MarkerKind::Start;
+        return plot::MarkerKind::Start;
     case EventKind::Fault:
-        return kit::MarkerKind::Fault;
+        return plot::MarkerKind::Fault;
     case EventKind::Reset:
-        return kit::MarkerKind::Reset;
+        return plot::MarkerKind::Reset;
     case EventKind::Force:
     case EventKind::Release:
-        return kit::MarkerKind::Force;
+        return plot::MarkerKind::Force;
     case EventKind::OnlineChange:
-        return kit::MarkerKind::OnlineChange;
+        return plot::MarkerKind::OnlineChange;
     case EventKind::Breakpoint:
-        return kit::MarkerKind::Breakpoint;
+        return plot::MarkerKind::Breakpoint;
     case EventKind::SkippedScans:
-        return kit::MarkerKind::SkippedScans;
+        return plot::MarkerKind::SkippedScans;
     case EventKind::WentBack:
-        return kit::MarkerKind::Branch;
+        return plot::MarkerKind::Branch;
     case EventKind::Write:
     case EventKind::RetainSaved:
     case EventKind::RetainRestored:
         return std::nullopt;
     }
-    return kit::MarkerKind::Event;
+    return plot::MarkerKind::Event;
 }
 
 struct MarkText {
@@ -135,38 +136,40 @@ QColor channelColor(const TraceSetup& setup, size_t channel) {
     return kit::colors().curve(static_cast<int>(channel));
 }
 
-kit::CurveStyle styleOf(const ChannelSetup& channel, const ChannelType* type) {
+plot::CurveStyle styleOf(const ChannelSetup& channel, const ChannelType* type) {
     switch (channel.style) {
     case ChannelStyle::Line:
-        return kit::CurveStyle::Line;
+        return plot::CurveStyle::Line;
     case ChannelStyle::Hold:
-        return kit::CurveStyle::Hold;
+        return plot::CurveStyle::Hold;
     case ChannelStyle::Digital:
-        return kit::CurveStyle::Digital;
+        return plot::CurveStyle::Digital;
     case ChannelStyle::Automatic:
-        return type && (type->isBool || !type->valueNames.empty()) ? kit::CurveStyle::Digital : kit::CurveStyle::Hold;
+        return type && (type->isBool || !type->valueNames.empty()) ? plot::CurveStyle::Digital : plot::CurveStyle::Hold;
     }
-    return kit::CurveStyle::Hold;
+    return plot::CurveStyle::Hold;
 }
 
-std::vector<std::string> expressionsOf(const TraceSetup& setup) {
+std::vector<std::string> expressionsOf(const TraceSetup& setup, const std::string& recording) {
     std::vector<std::string> out;
-    for (const ChannelSetup& channel : setup.channels) out.push_back(channel.expression);
+    for (const ChannelSetup& channel : setup.channels)
+        if (channel.recording == recording) out.push_back(channel.expression);
     return out;
 }
 
-void applySetup(kit::PlotModel& model, const TraceSetup& setup, const TraceFeed* feed) {
+void applySetup(plot::PlotModel& model, const TraceSetup& setup, const TraceFeed* shown,
+                const OtherRecordings* others) {
     model.title = QString::fromStdString(setup.title);
-    std::vector<kit::PlotChart> before = std::move(model.charts);
+    std::vector<plot::PlotChart> before = std::move(model.charts);
     model.charts.clear();
     for (size_t c = 0; c < setup.charts.size(); ++c) {
-        kit::PlotChart chart;
+        plot::PlotChart chart;
         chart.title = QString::fromStdString(setup.charts[c].title);
         chart.weight = setup.charts[c].weight;
         chart.axes.clear();
         for (size_t a = 0; a < setup.charts[c].axes.size(); ++a) {
             const AxisSetup& axis = setup.charts[c].axes[a];
-            kit::PlotAxis shown;
+            plot::PlotAxis shown;
             shown.title = QString::fromStdString(axis.title);
             shown.unit = QString::fromStdString(axis.unit);
             shown.mode = modeOf(axis.mode);
@@ -180,8 +183,10 @@ void applySetup(kit::PlotModel& model, const TraceSetup& setup, const TraceFeed*
     model.curves.clear();
     for (size_t i = 0; i < setup.channels.size(); ++i) {
         const ChannelSetup& channel = setup.channels[i];
+        const bool isOther = !channel.recording.empty();
+        const TraceFeed* feed = !isOther ? shown : others ? others->feedOf(channel.recording) : nullptr;
         const ChannelType* type = feed ? feed->type(channel.expression) : nullptr;
-        kit::PlotCurve curve;
+        plot::PlotCurve curve;
         curve.id = QString::number(i);
         curve.name = QString::fromStdString(channel.label.empty() ? channel.expression : channel.label);
         curve.unit = QString::fromStdString(channel.unit);
@@ -195,6 +200,7 @@ void applySetup(kit::PlotModel& model, const TraceSetup& setup, const TraceFeed*
         curve.isVisible = channel.isVisible;
         if (feed) curve.source = feed->source(channel.expression);
         if (feed) curve.problem = kit::messageText(feed->problem(channel.expression));
+        if (isOther && others && !feed) curve.problem = kit::messageText(others->problemOf(channel.recording));
         if (type) {
             for (const auto& [value, name] : type->valueNames)
                 curve.valueNames.emplace(value, QString::fromStdString(name));
@@ -209,13 +215,16 @@ void applySetup(kit::PlotModel& model, const TraceSetup& setup, const TraceFeed*
         }
         model.curves.push_back(std::move(curve));
     }
+    model.notes.clear();
+    for (const NoteSetup& note : setup.notes)
+        model.notes.push_back({note.time, note.value, note.chart, QString::fromStdString(note.text)});
 }
 
-void applyMarks(kit::PlotModel& model, const Recording& recording, const std::vector<PositionRange>& chain) {
+void applyMarks(plot::PlotModel& model, const Recording& recording, const std::vector<PositionRange>& chain) {
     model.markers.clear();
     for (const history::Mark& mark : recording.marks()) {
         const auto kind = markerOf(mark.kind);
-        if (!kind || (*kind == kit::MarkerKind::Start && mark.time.count() == 0))
+        if (!kind || (*kind == plot::MarkerKind::Start && mark.time.count() == 0))
             continue; // that it began at 0 goes without saying
         const bool onChain = std::any_of(chain.begin(), chain.end(), [&](const PositionRange& r) {
             return mark.position >= r.begin && mark.position < r.end;
@@ -224,17 +233,18 @@ void applyMarks(kit::PlotModel& model, const Recording& recording, const std::ve
             model.markers.push_back({mark.time.count(), *kind, markText(mark.kind, mark.text)});
     }
     std::stable_sort(model.markers.begin(), model.markers.end(),
-                     [](const kit::PlotMarker& a, const kit::PlotMarker& b) { return a.time < b.time; });
+                     [](const plot::PlotMarker& a, const plot::PlotMarker& b) { return a.time < b.time; });
 }
 
-void applyBeneath(kit::PlotModel& model, const TraceSetup& setup, const TraceFeed& older) {
+void applyBeneath(plot::PlotModel& model, const TraceSetup& setup, const TraceFeed& older) {
     for (size_t i = 0; i < model.curves.size() && i < setup.channels.size(); ++i) {
         const auto source = older.source(setup.channels[i].expression);
         model.curves[i].beneath.clear();
-        if (source) model.curves[i].beneath.push_back({source, setup.compareShift});
+        if (source && setup.channels[i].recording.empty())
+            model.curves[i].beneath.push_back({source, setup.compareShift});
     }
     const QString name = QFileInfo(QString::fromStdString(setup.compareWith)).completeBaseName();
-    const QString shift = kit::durationText(std::abs(setup.compareShift));
+    const QString shift = plot::durationText(std::abs(setup.compareShift));
     if (setup.compareShift == 0)
         model.beneathName = name;
     else if (setup.compareShift > 0)

@@ -2,26 +2,30 @@
 // and by the command line alike. Functions; GUI thread.
 #pragma once
 
-#include "editor/kit/plot_model.h"
+#include "editor/plot/plot_model.h"
 #include "editor/trace/trace_feed.h"
 #include "editor/trace/trace_setup.h"
 
 namespace plc::trace {
 
+class OtherRecordings;
+
 /// Fills charts and curves of the model, without samples where there is no feed; the part in view, cursors and y zooms
 /// stay as they are.
-void applySetup(kit::PlotModel& model, const TraceSetup& setup, const TraceFeed* feed);
+void applySetup(plot::PlotModel& model, const TraceSetup& setup, const TraceFeed* feed,
+                const OtherRecordings* others = nullptr);
 /// What happened, in words: an event's kind and its text. Also the log says it so.
 [[nodiscard]] QString markText(int kind, const Message& text);
 /// Events of the recording that lie on the way to the newest scan.
-void applyMarks(kit::PlotModel& model, const Recording& recording, const std::vector<PositionRange>& chain);
+void applyMarks(plot::PlotModel& model, const Recording& recording, const std::vector<PositionRange>& chain);
 /// Draws another recording's channels beneath those of the same expression, both beginning at the same place on the
 /// axis.
-void applyBeneath(kit::PlotModel& model, const TraceSetup& setup, const TraceFeed& older);
+void applyBeneath(plot::PlotModel& model, const TraceSetup& setup, const TraceFeed& older);
 
 /// What feeds must read for a set-up: its channels, and its trigger.
-[[nodiscard]] std::vector<std::string> expressionsOf(const TraceSetup& setup);
+/// `recording`: of the channels that are read from that file, else of those without one.
+[[nodiscard]] std::vector<std::string> expressionsOf(const TraceSetup& setup, const std::string& recording = {});
 [[nodiscard]] QColor channelColor(const TraceSetup& setup, size_t channel);
-[[nodiscard]] kit::CurveStyle styleOf(const ChannelSetup& channel, const ChannelType* type);
+[[nodiscard]] plot::CurveStyle styleOf(const ChannelSetup& channel, const ChannelType* type);
 
 } // namespace plc::trace

@@ -31,6 +31,14 @@ constexpr Word<TriggerEdge> Edges[] = {{TriggerEdge::Rising, "rising"},
 constexpr Word<TriggerMode> TriggerModes[] = {
     {TriggerMode::Off, "off"}, {TriggerMode::Single, "single"}, {TriggerMode::Repeated, "repeated"}};
 
+constexpr Word<FigureKind> FigureKinds[] = {{FigureKind::None, "none"},
+                                            {FigureKind::Xy, "xy"},
+                                            {FigureKind::Spectrum, "spectrum"},
+                                            {FigureKind::Response, "response"},
+                                            {FigureKind::Runs, "runs"}};
+constexpr Word<FigureWindow> FigureWindows[] = {
+    {FigureWindow::Hann, "hann"}, {FigureWindow::FlatTop, "flat top"}, {FigureWindow::Rectangular, "rectangular"}};
+
 /// What is wrong with a field of the object at `where`; empty: the whole.
 Message in(const std::string& where, Message problem) {
     return where.empty() ? problem : errors::FieldOf(where, std::move(problem));
@@ -170,6 +178,7 @@ Json channelJson(const ChannelSetup& c) {
     w.put("scale", shortest(c.scale), 1);
     w.put("offset", shortest(c.offset), 0);
     w.put("unit", c.unit, standard.unit);
+    w.put("recording", c.recording, standard.recording);
     w.put("visible", c.isVisible, true);
     return w.finish();
 }
@@ -188,6 +197,7 @@ ChannelSetup channelOf(const Json& json, const std::string& where, Message& prob
     r.number("scale", c.scale);
     r.number("offset", c.offset);
     r.text("unit", c.unit);
+    r.text("recording", c.recording);
     r.flag("visible", c.isVisible);
     if (c.expression.empty() && problem.isEmpty()) problem = in(where, errors::FieldMissing(Verbatim("expression")));
     return c;
@@ -281,6 +291,53 @@ TriggerSetup triggerOf(const Json& json, const std::string& where, Message& prob
     return t;
 }
 
+Json figureJson(const FigureSetup& f) {
+    Writer w(f.origin);
+    w.put("kind", wordOf(f.kind, FigureKinds), "none");
+    w.put("x", f.x, "");
+    w.put("window", wordOf(f.window, FigureWindows), "hann");
+    w.put("logarithmic", f.isLogarithmic, true);
+    return w.finish();
+}
+
+FigureSetup figureOf(const Json& json, const std::string& where, Message& problem) {
+    FigureSetup f;
+    f.origin = json;
+    const Reader r(json, where, problem);
+    r.word("kind", f.kind, FigureKinds);
+    r.text("x", f.x);
+    r.word("window", f.window, FigureWindows);
+    r.flag("logarithmic", f.isLogarithmic);
+    return f;
+}
+
+Json noteJson(const NoteSetup& n) {
+    Writer w(n.origin);
+    w.put("time", seconds(n.time));
+    if (n.value)
+        w.put("value", shortest(*n.value));
+    else
+        w.skip("value");
+    w.put("chart", n.chart, 0);
+    w.put("text", n.text);
+    return w.finish();
+}
+
+NoteSetup noteOf(const Json& json, const std::string& where, Message& problem) {
+    NoteSetup n;
+    n.origin = json;
+    const Reader r(json, where, problem);
+    r.time("time", n.time, -9e9);
+    if (json.contains("value")) {
+        double value = 0;
+        r.number("value", value);
+        n.value = value;
+    }
+    r.whole("chart", n.chart, 0, 63);
+    r.text("text", n.text);
+    return n;
+}
+
 /// Channels must name charts and axes that exist.
 void mendReferences(TraceSetup& setup) {
     for (ChannelSetup& channel : setup.channels) {
@@ -326,6 +383,9 @@ Result<TraceSetup> readSetup(std::string_view text, const std::string& place) {
     setup.charts = listOf<ChartSetup>(json, "charts", "", problem, chartOf);
     if (setup.charts.empty()) setup.charts.push_back({});
     setup.channels = listOf<ChannelSetup>(json, "channels", "", problem, channelOf);
+    if (const auto it = json.find("figure"); it != json.end() && it->is_object())
+        setup.figure = figureOf(*it, "figure", problem);
+    setup.notes = listOf<NoteSetup>(json, "notes", "", problem, noteOf);
     if (!problem.isEmpty()) return Error{errors::TraceInvalid(problem), place};
     mendReferences(setup);
     return setup;
@@ -356,6 +416,10 @@ std::string writeSetup(const TraceSetup& setup) {
     for (const ChannelSetup& channel : setup.channels) channels.push_back(channelJson(channel));
     w.put("charts", std::move(charts), Json::array({Json::object()}));
     w.put("channels", std::move(channels));
+    w.put("figure", figureJson(setup.figure), Json::object());
+    Json notes = Json::array();
+    for (const NoteSetup& note : setup.notes) notes.push_back(noteJson(note));
+    w.put("notes", std::move(notes), Json::array());
     return w.finish().dump(2) + "\n";
 }
 

@@ -34,6 +34,7 @@ struct ChannelSetup {
     ChannelStyle style = ChannelStyle::Automatic;
     double scale = 1, offset = 0;
     std::string unit;
+    std::string recording; // file it is read from, relative to the project; empty: the one that is shown
     bool isVisible = true;
     Json origin; // as read
     bool operator==(const ChannelSetup&) const = default;
@@ -65,6 +66,29 @@ struct TriggerSetup {
     bool operator==(const TriggerSetup&) const = default;
 };
 
+/// What is drawn beside the charts over time.
+enum class FigureKind : uint8_t { None, Xy, Spectrum, Response, Runs };
+enum class FigureWindow : uint8_t { Hann, FlatTop, Rectangular };
+
+struct FigureSetup {
+    FigureKind kind = FigureKind::None;
+    std::string x; // expression: of an XY plot the horizontal value, of a response the input; empty: the first channel
+    FigureWindow window = FigureWindow::Hann; // of a spectrum
+    bool isLogarithmic = true;                // the amplitudes of a spectrum
+    Json origin;
+    bool operator==(const FigureSetup&) const = default;
+};
+
+/// A remark at a time of the recording, and at a value where one was clicked.
+struct NoteSetup {
+    int64_t time = 0;
+    std::optional<double> value;
+    int chart = 0;
+    std::string text;
+    Json origin;
+    bool operator==(const NoteSetup&) const = default;
+};
+
 struct TraceSetup {
     std::string title;
     int64_t span = 10'000'000'000; // width of the view
@@ -77,6 +101,8 @@ struct TraceSetup {
     TriggerSetup trigger;
     std::vector<ChartSetup> charts = {ChartSetup{}};
     std::vector<ChannelSetup> channels;
+    FigureSetup figure;
+    std::vector<NoteSetup> notes;
     Json origin;
     bool operator==(const TraceSetup&) const = default;
 };

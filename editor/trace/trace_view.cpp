@@ -5,10 +5,11 @@
 #include "editor/kit/long_task.h"
 #include "editor/kit/message_text.h"
 #include "editor/kit/own_keys.h"
-#include "editor/kit/plot_export.h"
-#include "editor/kit/plot_table.h"
 #include "editor/kit/theme.h"
+#include "editor/plot/plot_export.h"
+#include "editor/plot/plot_table.h"
 #include "editor/trace/channel_panel.h"
+#include "editor/trace/figure_pane.h"
 #include "editor/trace/run_recording.h"
 
 #include <QAction>
@@ -32,10 +33,12 @@ constexpr auto Frame = std::chrono::milliseconds(33);
 constexpr auto ReadBudget = std::chrono::milliseconds(8);
 } // namespace
 
-TraceView::TraceView(QWidget* parent) : QWidget(parent), m_store(std::make_shared<history::ColumnStore>()) {
+TraceView::TraceView(QWidget* parent)
+    : QWidget(parent), m_store(std::make_shared<history::ColumnStore>()), m_others(m_store) {
     setAccessibleName(tr("Trace"));
-    m_plot = new kit::PlotView(this);
+    m_plot = new plot::PlotView(this);
     m_channels = new ChannelPanel(this);
+    m_figure = new FigurePane(this);
     m_table = new QTableWidget(this);
     m_table->setAccessibleName(tr("Measurements"));
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -50,9 +53,11 @@ TraceView::TraceView(QWidget* parent) : QWidget(parent), m_store(std::make_share
 
     auto* right = new QSplitter(Qt::Vertical, this);
     right->addWidget(m_plot);
+    right->addWidget(m_figure);
     right->addWidget(m_table);
     right->setStretchFactor(0, 4);
-    right->setStretchFactor(1, 1);
+    right->setStretchFactor(1, 4);
+    right->setStretchFactor(2, 1);
     auto* splitter = new QSplitter(Qt::Horizontal, this);
     splitter->addWidget(m_channels);
     splitter->addWidget(right);
@@ -76,38 +81,42 @@ TraceView::TraceView(QWidget* parent) : QWidget(parent), m_store(std::make_share
         [this](const QString& text, int cursor) { return m_variables.complete(text, cursor); });
     m_channels->setCheck([this](const QString& text) {
         if (!m_recording) return QString();
-        const auto type = m_recording->typeOf(text.trimmed().toStdString());
+        const auto type = channelTypeOf(*m_recording, text.trimmed().toStdString());
         return type ? QString() : kit::messageText(type.error().message);
     });
     m_channels->setPicker([this](const QString& current) { return kit::pickVariable(m_variables, current, this); });
     connect(m_channels, &ChannelPanel::changeRequested, this,
             [this](const QString& text, const std::function<void(TraceSetup&)>& f) { change(text, f); });
+    connect(m_figure, &FigurePane::changeRequested, this,
+            [this](const QString& text, const std::function<void(TraceSetup&)>& f) { change(text, f); });
+    connect(m_figure, &FigurePane::failed, this, &TraceView::failed);
     connect(m_channels, &ChannelPanel::channelWanted, this, &TraceView::addChannel);
     connect(m_channels, &ChannelPanel::channelSelected, this, [this](int channel) {
-        m_plot->edit(
-            [channel](kit::PlotModel& model) { model.selected = channel >= 0 ? QString::number(channel) : QString(); });
+        m_plot->edit([channel](plot::PlotModel& model) {
+            model.selected = channel >= 0 ? QString::number(channel) : QString();
+        });
     });
-    connect(m_plot, &kit::PlotView::variablesDropped, this, [this](const QStringList& paths, int chart) {
+    connect(m_plot, &plot::PlotView::variablesDropped, this, [this](const QStringList& paths, int chart) {
         for (const QString& path : paths) addChannel(path, chart);
     });
-    connect(m_plot, &kit::PlotView::curveToggled, this, [this](const QString& id, bool visible) {
+    connect(m_plot, &plot::PlotView::curveToggled, this, [this](const QString& id, bool visible) {
         const int channel = id.toInt();
         change(visible ? tr("Show channel") : tr("Hide channel"),
                [channel, visible](TraceSetup& s) { s.channels[static_cast<size_t>(channel)].isVisible = visible; });
     });
-    connect(m_plot, &kit::PlotView::curveSelected, this, [this](const QString& id) {
+    connect(m_plot, &plot::PlotView::curveSelected, this, [this](const QString& id) {
         if (!id.isEmpty()) m_channels->selectChannel(id.toInt());
     });
-    connect(m_plot, &kit::PlotView::followingChanged, m_follow, &QAction::setChecked);
-    connect(m_plot, &kit::PlotView::toolChanged, this,
-            [this](kit::PlotTool tool) { (tool == kit::PlotTool::Pan ? m_panTool : m_zoomTool)->setChecked(true); });
-    connect(m_plot, &kit::PlotView::cursorsChanged, this, [this] {
+    connect(m_plot, &plot::PlotView::followingChanged, m_follow, &QAction::setChecked);
+    connect(m_plot, &plot::PlotView::toolChanged, this,
+            [this](plot::PlotTool tool) { toolAction(tool)->setChecked(true); });
+    connect(m_plot, &plot::PlotView::cursorsChanged, this, [this] {
         m_cursors->setChecked(m_plot->hasCursors());
         showTable();
         m_channels->showValues(m_plot->model());
     });
-    connect(m_plot, &kit::PlotView::menuRequested, this, &TraceView::plotMenu);
-    connect(m_plot, &kit::PlotView::timeActivated, this, [this](qint64 time) {
+    connect(m_plot, &plot::PlotView::menuRequested, this, &TraceView::plotMenu);
+    connect(m_plot, &plot::PlotView::timeActivated, this, [this](qint64 time) {
         if (!m_recording) return;
         if (const auto position = m_recording->positionAt(time)) emit positionActivated(*position);
     });
@@ -115,7 +124,7 @@ TraceView::TraceView(QWidget* parent) : QWidget(parent), m_store(std::make_share
     connect(&kit::Theme::current(), &kit::Theme::changed, this, &TraceView::rebuildModel);
     m_timer.setInterval(Frame);
     connect(&m_timer, &QTimer::timeout, this, &TraceView::tick);
-    m_plot->edit([](kit::PlotModel& model) { model.to = 10'000'000'000; });
+    m_plot->edit([](plot::PlotModel& model) { model.to = 10'000'000'000; });
     m_plot->setFollowing(true);
     m_follow->setChecked(true);
     setupTaken();
@@ -149,11 +158,13 @@ void TraceView::makeActions(QToolBar* bar) {
     bar->addSeparator();
     auto* tools = new QActionGroup(this);
     m_zoomTool = toggle(add(kit::Icon::ZoomBox, tr("Zoom"), tr("Drag a box to zoom: flat for time, upright for values"),
-                            [this] { m_plot->setTool(kit::PlotTool::ZoomBox); }));
+                            [this] { m_plot->setTool(plot::PlotTool::ZoomBox); }));
     m_panTool = toggle(add(kit::Icon::Pan, tr("Pan"), tr("Drag to pan (middle button always does)"),
-                           [this] { m_plot->setTool(kit::PlotTool::Pan); }));
-    tools->addAction(m_zoomTool);
-    tools->addAction(m_panTool);
+                           [this] { m_plot->setTool(plot::PlotTool::Pan); }));
+    m_rulerTool = toggle(add(kit::Icon::Variable, tr("Measure between points"),
+                             tr("Drag from one point to another: time, value, slope and frequency between them (M)"),
+                             [this] { m_plot->setTool(plot::PlotTool::Ruler); }));
+    for (QAction* tool : {m_zoomTool, m_panTool, m_rulerTool}) tools->addAction(tool);
     m_zoomTool->setChecked(true);
     m_cursors = toggle(add(kit::Icon::Cursor, tr("Cursors"), tr("Two cursors (Ctrl+click sets A, Shift+click sets B)"),
                            [this] { m_plot->setCursorsShown(m_cursors->isChecked()); }));
@@ -178,8 +189,9 @@ void TraceView::makeActions(QToolBar* bar) {
             report(compareWith({}));
             return;
         }
-        const QString path = QFileDialog::getOpenFileName(this, tr("Recording to draw beneath"), inProject({}),
-                                                          tr("Recordings (*.rec);;All files (*)"));
+        const QString path =
+            QFileDialog::getOpenFileName(this, tr("Recording to draw beneath"), inProject({}),
+                                         tr("Recordings and tables (*.rec *.csv *.tsv *.txt);;All files (*)"));
         if (!path.isEmpty()) report(compareWith(path));
     });
 
@@ -197,6 +209,11 @@ void TraceView::makeActions(QToolBar* bar) {
         bar->addWidget(button);
         return menu;
     };
+    QMenu* figures = menuButton(kit::Icon::Trace, tr("XY plot, spectrum, frequency response, runs"));
+    connect(figures, &QMenu::aboutToShow, this, [this, figures] {
+        figures->clear();
+        addFigureActions(*figures);
+    });
     QMenu* files = menuButton(kit::Icon::Save, tr("Trace configuration"));
     files->addAction(kit::icon(kit::Icon::Open), tr("Open configuration…"), this, [this] {
         const QString path = QFileDialog::getOpenFileName(this, tr("Open trace configuration"), m_folder,
@@ -216,10 +233,12 @@ void TraceView::makeActions(QToolBar* bar) {
     files->addAction(tr("Save configuration as…"), this, saveAs);
     files->addSeparator();
     files->addAction(tr("Open recording…"), this, [this] {
-        const QString path = QFileDialog::getOpenFileName(this, tr("Open recording"), inProject({}),
-                                                          tr("Recordings (*.rec);;All files (*)"));
+        const QString path =
+            QFileDialog::getOpenFileName(this, tr("Open recording"), inProject({}),
+                                         tr("Recordings and tables (*.rec *.csv *.tsv *.txt);;All files (*)"));
         if (!path.isEmpty()) report(openRecording(path));
     });
+    files->addAction(tr("Add channel of another file…"), this, &TraceView::askChannelsFrom);
     QAction* close = files->addAction(tr("Back to the running PLC"), this, &TraceView::closeRecording);
     QAction* save = files->addAction(tr("Save recording…"), this, [this] {
         QString path =
@@ -234,7 +253,7 @@ void TraceView::makeActions(QToolBar* bar) {
     });
     QMenu* exports = menuButton(kit::Icon::Export, tr("Export"));
     exports->addAction(kit::icon(kit::Icon::Copy), tr("Copy as picture"), this, [this] {
-        kit::copyPicture(m_plot->model(), {m_plot->size(), 2});
+        plot::copyPicture(m_plot->model(), {m_plot->size(), 2});
     });
     for (const char* suffix : {"png", "svg", "pdf", "csv"})
         exports->addAction(suffix == QLatin1String("csv")
@@ -249,12 +268,24 @@ void TraceView::makeActions(QToolBar* bar) {
         QPainter painter(&printer);
         const double scale = printer.resolution() / 96.0; // laid out in screen units, printed finer
         painter.scale(scale, scale);
-        kit::printPlot(m_plot->model(), painter, QRectF(QPointF(), printer.pageLayout().paintRectPixels(96).size()));
+        plot::printPlot(m_plot->model(), painter, QRectF(QPointF(), printer.pageLayout().paintRectPixels(96).size()));
     });
     addAction(kit::makeUndoAction(m_undo, this));
     addAction(kit::makeRedoAction(m_undo, this));
     for (QAction* action : actions()) action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
     new kit::OwnKeys(this);
+}
+
+QAction* TraceView::toolAction(plot::PlotTool tool) const {
+    switch (tool) {
+    case plot::PlotTool::ZoomBox:
+        return m_zoomTool;
+    case plot::PlotTool::Pan:
+        return m_panTool;
+    case plot::PlotTool::Ruler:
+        return m_rulerTool;
+    }
+    return m_zoomTool;
 }
 
 void TraceView::report(const Result<void>& result) {
@@ -269,13 +300,13 @@ void TraceView::exportTo(const QString& suffix) {
     if (suffix == QLatin1String("csv"))
         exportSamples(path);
     else
-        report(kit::exportPicture(m_plot->model(), path, {m_plot->size(), 2}));
+        report(plot::exportPicture(m_plot->model(), path, {m_plot->size(), 2}));
 }
 
 void TraceView::exportSamples(const QString& path) {
-    const kit::PlotModel model = m_plot->model(); // its own: the view goes on meanwhile
+    const plot::PlotModel model = m_plot->model(); // its own: the view goes on meanwhile
     kit::LongTask task(tr("Saving the samples…"), this);
-    report(kit::exportCsv(model, model.from, model.to, path, [&](double share) { return task.reached(share); }));
+    report(plot::exportCsv(model, model.from, model.to, path, [&](double share) { return task.reached(share); }));
 }
 
 /// In a narrow window the plot keeps the larger part.
@@ -290,7 +321,7 @@ void TraceView::resizeEvent(QResizeEvent* event) {
 void TraceView::setFolder(const QString& folder) {
     if (folder == m_folder) return;
     m_folder = folder;
-    m_plot->edit([](kit::PlotModel& model) { // another project begins at its own time
+    m_plot->edit([](plot::PlotModel& model) { // another project begins at its own time
         model.to -= model.from;
         model.from = 0;
     });
@@ -300,12 +331,12 @@ void TraceView::setFolder(const QString& folder) {
 void TraceView::setSetup(TraceSetup setup) {
     m_setup = std::move(setup);
     m_undo.clear();
-    m_plot->edit([this](kit::PlotModel& model) {
+    m_plot->edit([this](plot::PlotModel& model) {
         model.to = model.from + std::max<int64_t>(m_setup.span, 1000);
         model.cursorA = m_setup.cursorA;
         model.cursorB = m_setup.cursorB;
-        for (kit::PlotChart& chart : model.charts)
-            for (kit::PlotAxis& axis : chart.axes) axis.zoom.reset();
+        for (plot::PlotChart& chart : model.charts)
+            for (plot::PlotAxis& axis : chart.axes) axis.zoom.reset();
     });
     m_cursors->setChecked(m_plot->hasCursors());
     setupTaken();
@@ -356,8 +387,15 @@ void TraceView::addChannel(const QString& expression, int chart) {
     });
 }
 
+void TraceView::followOthers() {
+    m_others.follow(m_setup,
+                    [this](const std::string& file) { return readFile(inProject(QString::fromStdString(file))); });
+    m_others.pump(ReadBudget);
+}
+
 void TraceView::setupTaken() {
     followCompareWith();
+    followOthers();
     if (m_feed) {
         m_feed->setSettings({m_setup.every, m_setup.condition});
         m_feed->setExpressions(expressionsOf(m_setup), m_setup.trigger.expression);
@@ -378,12 +416,13 @@ void TraceView::setupTaken() {
 }
 
 void TraceView::rebuildModel() {
-    m_plot->edit([this](kit::PlotModel& model) {
-        applySetup(model, m_setup, m_feed.get());
+    m_plot->edit([this](plot::PlotModel& model) {
+        applySetup(model, m_setup, m_feed.get(), &m_others);
         model.beneathName.clear();
         if (m_olderFeed) applyBeneath(model, m_setup, *m_olderFeed);
     });
     m_channels->showSetup(m_setup, m_plot->model());
+    drawFigure();
     showTable();
     showStatus();
 }
@@ -392,14 +431,16 @@ void TraceView::tick() {
     if (!m_recording) return;
     m_feed->pump(ReadBudget);
     if (m_olderFeed) m_olderFeed->pump(ReadBudget);
+    if (!m_others.isEmpty()) m_others.pump(ReadBudget);
     if (const size_t marks = m_recording->marks().size(); marks != m_marks) {
         m_marks = marks;
-        m_plot->edit([this](kit::PlotModel& model) { applyMarks(model, *m_recording, m_feed->chain()); });
+        m_plot->edit([this](plot::PlotModel& model) { applyMarks(model, *m_recording, m_feed->chain()); });
     }
     runTrigger();
     m_plot->refresh();
     if (++m_ticks % 4 != 0) return; // figures are read by people
     m_channels->showValues(m_plot->model());
+    followFigure();
     showStatus();
 }
 
@@ -411,8 +452,8 @@ void TraceView::runTrigger() {
     if (!range) return;
     if (range->second < m_triggerRead) m_triggerRead = range->second; // went back
     source->visit(m_triggerRead == INT64_MIN ? INT64_MIN : m_triggerRead + 1, INT64_MAX,
-                  [&](std::span<const kit::PlotSample> block) {
-                      for (const kit::PlotSample& s : block)
+                  [&](std::span<const plot::PlotSample> block) {
+                      for (const plot::PlotSample& s : block)
                           m_trigger.feed(s.time, std::isnan(s.value) ? std::nullopt : std::optional(s.value != 0));
                   });
     m_triggerRead = range->second;
@@ -423,7 +464,7 @@ void TraceView::runTrigger() {
 
 void TraceView::showShot(int64_t time) {
     m_plot->setFollowing(false);
-    m_plot->edit([time](kit::PlotModel& model) {
+    m_plot->edit([time](plot::PlotModel& model) {
         model.trigger = time;
         model.origin = time;
     });
@@ -445,7 +486,7 @@ void TraceView::armTrigger() {
         m_channels->list()->setCurrentItem(nullptr); // the trace's own properties hold the trigger
         emit failed(tr("The trigger has no expression yet: enter one in the properties of the trace."));
     }
-    m_plot->edit([](kit::PlotModel& model) {
+    m_plot->edit([](plot::PlotModel& model) {
         model.trigger.reset();
         model.origin = 0;
     });
@@ -456,7 +497,7 @@ void TraceView::armTrigger() {
 bool TraceView::findTrigger(history::History::Direction direction) {
     const TriggerSetup& t = m_setup.trigger;
     if (!m_recording || t.expression.empty()) return false;
-    const kit::PlotModel& model = m_plot->model();
+    const plot::PlotModel& model = m_plot->model();
     const auto from = m_recording->positionAt(model.trigger.value_or(model.from + (model.to - model.from) / 2));
     if (!from) return false;
     std::optional<Position> found;
@@ -476,7 +517,7 @@ bool TraceView::findTrigger(history::History::Direction direction) {
 void TraceView::showPosition(std::optional<Position> position) {
     const auto stamp = position && m_recording ? m_recording->stamp(*position) : std::nullopt;
     const bool comesBack = !position && m_plot->model().present && !m_opened;
-    m_plot->edit([&](kit::PlotModel& model) {
+    m_plot->edit([&](plot::PlotModel& model) {
         model.present.reset();
         if (stamp) model.present = stamp->time.count();
     });
@@ -486,7 +527,7 @@ void TraceView::showPosition(std::optional<Position> position) {
 }
 
 void TraceView::showTime(int64_t time) {
-    const kit::PlotModel& model = m_plot->model();
+    const plot::PlotModel& model = m_plot->model();
     if (time >= model.from && time <= model.to) return;
     const int64_t span = model.to - model.from;
     m_plot->setFollowing(false);
@@ -502,13 +543,13 @@ void TraceView::showTable() {
     const bool shown = m_setup.hasTable && m_plot->hasCursors();
     m_table->setVisible(shown);
     if (!shown) return;
-    const kit::MeasureTable table = kit::measureTable(m_plot->model(), true);
+    const plot::MeasureTable table = plot::measureTable(m_plot->model(), true);
     m_table->setColumnCount(static_cast<int>(table.headers.size()));
     m_table->setHorizontalHeaderLabels(table.headers);
     m_table->setRowCount(static_cast<int>(table.rows.size()));
     for (int r = 0; r < m_table->rowCount(); ++r)
         for (int c = 0; c < m_table->columnCount(); ++c) {
-            const kit::MeasureTable::Row& row = table.rows[static_cast<size_t>(r)];
+            const plot::MeasureTable::Row& row = table.rows[static_cast<size_t>(r)];
             auto* item = new QTableWidgetItem(row.cells[c]);
             if (c == 0)
                 item->setForeground(row.color);
@@ -543,8 +584,8 @@ QString TraceView::statusText() const {
     }
     if (m_shots > 0 && m_setup.trigger.mode == TriggerMode::Repeated)
         trigger += QLatin1Char(' ') + tr("(%n shot(s))", nullptr, static_cast<int>(m_shots));
-    if (const kit::PlotModel& model = m_plot->model(); model.cursorA && model.cursorB) {
-        const QString cursors = kit::measureTable(model).headline;
+    if (const plot::PlotModel& model = m_plot->model(); model.cursorA && model.cursorB) {
+        const QString cursors = plot::measureTable(model).headline;
         return trigger.isEmpty() ? cursors : trigger + QStringLiteral("     ") + cursors;
     }
     return trigger;
@@ -589,11 +630,13 @@ void TraceView::plotMenu(const QPoint& global, int chart, const QString& curve) 
     menu.addAction(kit::icon(kit::Icon::Add), tr("Add channel…"), this, [this, chart] {
         if (const auto path = kit::pickVariable(m_variables, {}, this)) addChannel(*path, chart);
     });
-    menu.addAction(kit::icon(kit::Icon::Fit), tr("Fit"), m_plot, &kit::PlotView::fit);
+    menu.addAction(kit::icon(kit::Icon::Fit), tr("Fit"), m_plot, &plot::PlotView::fit);
     menu.addAction(kit::icon(kit::Icon::Cursor), tr("Cursors"), this,
                    [this] { m_plot->setCursorsShown(!m_plot->hasCursors()); });
+    addNoteActions(menu, global);
+    addFigureActions(*menu.addMenu(kit::icon(kit::Icon::Trace), tr("Show Beside")));
     menu.addAction(kit::icon(kit::Icon::Copy), tr("Copy as picture"), this, [this] {
-        kit::copyPicture(m_plot->model(), {m_plot->size(), 2});
+        plot::copyPicture(m_plot->model(), {m_plot->size(), 2});
     });
     menu.exec(global);
 }

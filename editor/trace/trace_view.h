@@ -3,7 +3,8 @@
 #pragma once
 
 #include "editor/kit/ask_why.h"
-#include "editor/kit/plot_view.h"
+#include "editor/plot/plot_view.h"
+#include "editor/trace/other_recordings.h"
 #include "editor/trace/program_variables.h"
 #include "editor/trace/trace_plot.h"
 #include "editor/trace/trigger.h"
@@ -12,6 +13,7 @@
 #include <QUndoStack>
 
 class QLabel;
+class QMenu;
 class QSplitter;
 class QTableWidget;
 class QToolBar;
@@ -19,6 +21,7 @@ class QToolBar;
 namespace plc::trace {
 
 class ChannelPanel;
+class FigurePane;
 class RunRecording;
 
 class TraceView : public QWidget {
@@ -56,6 +59,13 @@ public:
     QUndoStack* undoStack() { return &m_undo; }
 
     void addChannel(const QString& expression, int chart = 0);
+    /// A channel of another recording or table, drawn beside those of the one that is shown.
+    void addChannelOf(const QString& file, const QString& expression);
+    /// What is drawn beside the charts: an XY plot, a spectrum…
+    void showFigure(FigureKind kind);
+    FigurePane* figurePane() const { return m_figure; }
+    void addNote(int64_t time, std::optional<double> value, int chart, const QString& text);
+    void removeNote(size_t note);
     void askWhy(kit::AskWhy question, int channel);
     /// The scan that the other windows show; nothing: the newest.
     void showPosition(std::optional<Position> position);
@@ -66,7 +76,7 @@ public:
     /// Memory for the columns of open traces.
     void setColumnBudget(size_t bytes);
 
-    kit::PlotView* plot() const { return m_plot; }
+    plot::PlotView* plot() const { return m_plot; }
     ChannelPanel* channels() const { return m_channels; }
     TriggerState triggerState() const { return m_trigger.state(); }
     void armTrigger();
@@ -106,6 +116,7 @@ protected:
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
 
 private:
     void makeActions(QToolBar* bar);
@@ -119,6 +130,17 @@ private:
     void showStatus();
     void plotMenu(const QPoint& global, int chart, const QString& curve);
     void exportTo(const QString& suffix);
+    void addFigureActions(QMenu& menu);
+    void drawFigure();
+    void followFigure();
+    [[nodiscard]] std::vector<uint64_t> figureStamp() const;
+    void addNoteActions(QMenu& menu, const QPoint& global);
+    void askNote(const QPoint& global);
+    void editNote(size_t note);
+    void askChannelsFrom();
+    Result<void> addChannelsFrom(const QString& path);
+    void followOthers();
+    [[nodiscard]] QAction* toolAction(plot::PlotTool tool) const;
     void report(const Result<void>& result);
     void showRecording(const Recording* recording);
     void followCompareWith();
@@ -132,6 +154,8 @@ private:
     std::shared_ptr<const Recording> m_beneath;
     std::shared_ptr<history::ColumnStore> m_store;
     std::unique_ptr<TraceFeed> m_feed, m_olderFeed;
+    OtherRecordings m_others;
+    std::vector<uint64_t> m_figureShown;
     ProgramVariables m_variables;
     TraceSetup m_setup;
     QString m_path, m_folder;
@@ -145,8 +169,9 @@ private:
     QTimer m_timer;
     int m_ticks = 0;
 
-    kit::PlotView* m_plot;
+    plot::PlotView* m_plot;
     ChannelPanel* m_channels;
+    FigurePane* m_figure;
     QTableWidget* m_table;
     QLabel* m_state;
     QLabel* m_memory;
@@ -155,6 +180,7 @@ private:
     QAction* m_tableShown = nullptr;
     QAction* m_zoomTool = nullptr;
     QAction* m_panTool = nullptr;
+    QAction* m_rulerTool = nullptr;
     QAction* m_arm = nullptr;
 };
 

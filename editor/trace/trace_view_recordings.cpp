@@ -55,7 +55,7 @@ Result<void> TraceView::openRecording(const QString& path) {
 }
 
 TraceView::Kept TraceView::kept() const {
-    const kit::PlotModel& model = m_plot->model();
+    const plot::PlotModel& model = m_plot->model();
     Kept kept{m_setup,    m_path,   m_openedName, isModified(), m_plot->isFollowing(),
               model.from, model.to, m_opened,     m_beneath,    m_compared};
     kept.setup.span = model.to - model.from;
@@ -80,7 +80,7 @@ void TraceView::restore(Kept kept) {
         emit recordingShown();
     }
     m_plot->setFollowing(kept.isFollowing);
-    m_plot->edit([&](kit::PlotModel& model) {
+    m_plot->edit([&](plot::PlotModel& model) {
         model.from = kept.from;
         model.to = kept.to;
     });
@@ -139,7 +139,7 @@ void TraceView::followCompareWith() {
 }
 
 void TraceView::showRecording(const Recording* recording) {
-    m_plot->edit([](kit::PlotModel& model) {
+    m_plot->edit([](plot::PlotModel& model) {
         model.curves.clear();
         model.markers.clear();
         model.trigger.reset();
@@ -162,8 +162,8 @@ void TraceView::programChanged() {
 }
 
 void TraceView::setBeneath(std::shared_ptr<const Recording> recording) {
-    m_plot->edit([](kit::PlotModel& model) {
-        for (kit::PlotCurve& curve : model.curves) curve.beneath.clear();
+    m_plot->edit([](plot::PlotModel& model) {
+        for (plot::PlotCurve& curve : model.curves) curve.beneath.clear();
     });
     m_olderFeed.reset();
     m_beneath = std::move(recording);

@@ -2,9 +2,9 @@
 
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
-#include "editor/kit/plot_scale.h"
 #include "editor/kit/post.h"
-#include "editor/tuning/curve_view.h"
+#include "editor/plot/figure_view.h"
+#include "editor/plot/plot_scale.h"
 
 #include <QComboBox>
 #include <QCoreApplication>
@@ -39,11 +39,11 @@ QTreeWidget* makeTree(const QStringList& headers, const QString& name) {
 }
 
 QString seconds(double value) {
-    return value > 0 ? QString("%1 s").arg(kit::valueText(value, 4)) : QStringLiteral("–");
+    return value > 0 ? QString("%1 s").arg(plot::valueText(value, 4)) : QStringLiteral("–");
 }
 
-tuning::Curve curveOf(const tuning::Trajectory& trajectory, const QString& name, int colour) {
-    tuning::Curve out{name.toStdString(), {}, trajectory.output, colour, tuning::CurveStyle::Line};
+waveform::Curve curveOf(const tuning::Trajectory& trajectory, const QString& name, int colour) {
+    waveform::Curve out{name.toStdString(), {}, trajectory.output, colour, waveform::CurveStyle::Line};
     for (size_t i = 0; i < out.y.size(); ++i) out.x.push_back(static_cast<double>(i) * trajectory.cycle);
     return out;
 }
@@ -179,10 +179,10 @@ QWidget* TuningView::makeCharts() {
     auto* page = new QWidget;
     auto* grid = new QGridLayout(page);
     grid->setContentsMargins(0, 0, 0, 0);
-    m_data = new CurveView;
-    m_setPoint = new CurveView;
-    m_load = new CurveView;
-    m_trial = new CurveView;
+    m_data = new plot::FigureView;
+    m_setPoint = new plot::FigureView;
+    m_load = new plot::FigureView;
+    m_trial = new plot::FigureView;
     m_data->setObjectName("tuningData");
     m_trial->setObjectName("tuningTrial");
     m_setPoint->setObjectName("tuningSetPoint");
@@ -273,7 +273,7 @@ void TuningView::show(std::shared_ptr<Finding> finding) {
     for (size_t i = 0; i < std::min<size_t>(study.models.size(), 6); ++i)
         m_model->addItem(
             tr("%1, explains %2 %")
-                .arg(translated(title(study.models[i].structure)), kit::valueText(study.models[i].fit, 4)));
+                .arg(translated(title(study.models[i].structure)), plot::valueText(study.models[i].fit, 4)));
     m_kind->clear();
     const char* const names[] = {"P", "PI", "PID"};
     for (const tuning::ControllerKind kind : m_finding->loop.form->kinds())
@@ -290,10 +290,10 @@ void TuningView::showSteps() {
         const tuning::FoundStep& step = study.steps[i];
         const bool isUsed = std::find(study.used.begin(), study.used.end(), i) != study.used.end();
         auto* item = new QTreeWidgetItem(m_steps);
-        item->setText(1, kit::momentText(std::llround(m_finding->series.time[step.step] * 1e9)));
+        item->setText(1, plot::momentText(std::llround(m_finding->series.time[step.step] * 1e9)));
         item->setText(2, step.moved == tuning::Moved::SetPoint ? tr("set point") : tr("output"));
-        item->setText(3, kit::valueText(step.from, 5));
-        item->setText(4, kit::valueText(step.to, 5));
+        item->setText(3, plot::valueText(step.from, 5));
+        item->setText(4, plot::valueText(step.to, 5));
         item->setText(5, kit::messageText(step.reason));
         item->setToolTip(5, item->text(5));
         item->setCheckState(0, isUsed ? Qt::Checked : Qt::Unchecked);
@@ -362,7 +362,7 @@ void TuningView::showTable() {
                             {what, m_now ? value(*m_now) : QString(), m_proposal ? value(*m_proposal) : QString()});
     };
     using tuning::Assessment;
-    const auto number = [](double value) { return std::isfinite(value) ? kit::valueText(value, 4) : tr("any"); };
+    const auto number = [](double value) { return std::isfinite(value) ? plot::valueText(value, 4) : tr("any"); };
     row(tr("Gain"), [&](const Assessment& a) { return number(a.gains.gain); });
     row(tr("Integral time"), [&](const Assessment& a) { return seconds(a.gains.integralTime); });
     row(tr("Derivative time"), [&](const Assessment& a) { return seconds(a.gains.derivativeTime); });
@@ -384,7 +384,7 @@ void TuningView::showTable() {
     row(tr("Noise in the output"), [&](const Assessment& a) { return number(a.noise); });
     for (size_t i = 0; i < m_parameters.size(); ++i) {
         const QString before =
-            i < m_finding->settings.values.size() ? kit::valueText(m_finding->settings.values[i], 6) : QString();
+            i < m_finding->settings.values.size() ? plot::valueText(m_finding->settings.values[i], 6) : QString();
         new QTreeWidgetItem(m_figures, {text(m_parameters[i].member), before, text(m_parameters[i].text)});
     }
     m_figures->resizeColumnToContents(0);
@@ -393,17 +393,17 @@ void TuningView::showTable() {
 void TuningView::showCharts() {
     const tuning::Study& study = m_finding->study;
     const auto index = std::min(static_cast<size_t>(std::max(m_model->currentIndex(), 0)), study.models.size() - 1);
-    tuning::Chart data{tr("Recorded and modelled").toStdString(), tr("time [s]").toStdString(), {}, {}, false};
+    waveform::Chart data{tr("Recorded and modelled").toStdString(), tr("time [s]").toStdString(), {}, {}, false};
     for (size_t i = 0; i < study.used.size(); ++i) {
         const auto times = timesOf(m_finding->series, study.steps[study.used[i]], study.excerpts[i]);
         const auto name = [&](const QString& what) { return i == 0 ? what.toStdString() : std::string(); };
-        data.curves.push_back({name(tr("recorded")), times, study.excerpts[i].output, 2, tuning::CurveStyle::Dots});
+        data.curves.push_back({name(tr("recorded")), times, study.excerpts[i].output, 2, waveform::CurveStyle::Dots});
         data.curves.push_back(
-            {name(tr("model")), times, study.models[index].simulated[i], 0, tuning::CurveStyle::Line});
+            {name(tr("model")), times, study.models[index].simulated[i], 0, waveform::CurveStyle::Line});
     }
     m_data->setChart(std::move(data));
     const auto response = [&](const QString& title, tuning::Trajectory tuning::Assessment::*which) {
-        tuning::Chart chart{title.toStdString(), tr("time [s]").toStdString(), {}, {}, false};
+        waveform::Chart chart{title.toStdString(), tr("time [s]").toStdString(), {}, {}, false};
         if (m_now && m_now->figures.isStable) chart.curves.push_back(curveOf((*m_now).*which, tr("now"), 3));
         if (m_proposal && m_proposal->figures.isStable)
             chart.curves.push_back(curveOf((*m_proposal).*which, tr("proposed"), 0));
@@ -421,7 +421,7 @@ std::vector<loops::ParameterWrite> TuningView::writes() const {
 /// The block itself, over the last step that was used.
 void TuningView::tryOut() {
     if (!m_finding) return;
-    tuning::Chart chart{
+    waveform::Chart chart{
         tr("The last step with these settings").toStdString(), tr("time [s]").toStdString(), {}, {}, false};
     const session::Session* session = m_control.session();
     if (session && session->program() == m_finding->program && m_proposal) {
@@ -431,9 +431,9 @@ void TuningView::tryOut() {
             plan ? loops::tryOut(session->history(), *plan, model()) : Result<loops::TrialRun>(plan.error());
         if (run) {
             chart.curves.push_back(
-                {tr("recorded").toStdString(), run->before.time, run->before.output, 2, tuning::CurveStyle::Line});
+                {tr("recorded").toStdString(), run->before.time, run->before.output, 2, waveform::CurveStyle::Line});
             chart.curves.push_back(
-                {tr("proposed").toStdString(), run->series.time, run->series.output, 0, tuning::CurveStyle::Line});
+                {tr("proposed").toStdString(), run->series.time, run->series.output, 0, waveform::CurveStyle::Line});
         } else {
             chart.title = kit::messageText(run.error()).toStdString();
         }
@@ -455,7 +455,7 @@ namespace {
 QString described(const std::vector<loops::ParameterWrite>& writes) {
     QStringList out;
     for (const loops::ParameterWrite& write : writes)
-        out << QString("%1 := %2").arg(text(write.path), kit::valueText(write.value, 6));
+        out << QString("%1 := %2").arg(text(write.path), plot::valueText(write.value, 6));
     return out.join(QStringLiteral(", "));
 }
 } // namespace

@@ -18,9 +18,11 @@ class QPushButton;
 class QSlider;
 class QTreeWidget;
 
-namespace plc::editor {
+namespace plc::plot {
+class FigureView;
+}
 
-class CurveView;
+namespace plc::editor {
 
 class TuningView : public QWidget {
     Q_OBJECT
@@ -68,7 +70,7 @@ private:
     QSlider *m_brisk, *m_tracking;
     QTreeWidget *m_steps, *m_figures;
     QLabel *m_state, *m_formula, *m_words;
-    CurveView *m_data, *m_setPoint, *m_load, *m_trial;
+    plot::FigureView *m_data, *m_setPoint, *m_load, *m_trial;
     std::shared_ptr<Finding> m_finding;
     std::optional<tuning::Assessment> m_now, m_proposal;
     std::vector<tuning::ParameterValue> m_parameters;

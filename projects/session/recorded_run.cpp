@@ -27,6 +27,14 @@ Result<std::shared_ptr<RecordedRun>> RecordedRun::open(const std::string& path, 
     return run;
 }
 
+std::shared_ptr<RecordedRun> RecordedRun::of(driver::Built built, std::unique_ptr<history::History> history) {
+    std::shared_ptr<RecordedRun> run(new RecordedRun);
+    run->m_program = built.program;
+    run->m_history = std::move(history);
+    run->versions()->add(std::make_shared<const driver::Built>(std::move(built)));
+    return run;
+}
+
 Status RecordedRun::status() const {
     const history::Statistics all = m_history->statistics();
     Status status;

@@ -2,6 +2,7 @@
 // sources in the file. Nothing in it changes once it is open; any thread.
 #pragma once
 #include "projects/session/run.h"
+#include "runtime/compiler/driver/driver.h"
 
 namespace plc::session {
 
@@ -9,6 +10,9 @@ class RecordedRun final : public Run {
 public:
     [[nodiscard]] static Result<std::shared_ptr<RecordedRun>> open(const std::string& path,
                                                                    Progress* progress = nullptr);
+    /// Of a history that was made elsewhere: measured values, another tool's trace.
+    [[nodiscard]] static std::shared_ptr<RecordedRun> of(driver::Built built,
+                                                         std::unique_ptr<history::History> history);
 
     [[nodiscard]] const history::History& history() const override { return *m_history; }
     [[nodiscard]] std::shared_ptr<const image::CompiledProgram> program() const override { return m_program; }

@@ -32,12 +32,6 @@ double ProcessModel::timeScale() const {
     return scale > 0 ? scale : 1;
 }
 
-std::string numberText(double value, int digits) {
-    char text[40];
-    std::snprintf(text, sizeof text, "%.*g", digits, value == 0 ? 0.0 : value);
-    return text;
-}
-
 std::string formula(const ProcessModel& model) {
     std::string out = numberText(model.gain);
     if (model.zero != 0)

@@ -1,6 +1,8 @@
 // A linear model of a process, as control engineers write it: gain, lags, oscillation, zero, dead time; its frequency
 // response and its exact response to an input that is held between samples. Values and functions, any thread.
 #pragma once
+#include "projects/waveform/chart.h"
+
 #include <complex>
 #include <optional>
 #include <string>
@@ -34,8 +36,7 @@ struct ProcessModel {
 
 /// "2 e^(-0.5 s) / (3 s + 1)".
 [[nodiscard]] std::string formula(const ProcessModel& model);
-/// Shortest text with so many significant digits.
-[[nodiscard]] std::string numberText(double value, int digits = 4);
+using waveform::numberText;
 
 /// The process between two sampling instants, exact for an input that is held; the dead time may be any.
 class SampledProcess {

@@ -21,8 +21,7 @@ struct CsvColumns {
     std::string input, output, setPoint; // names in the head line; the set point's may be empty
 };
 
-/// A table with a head line and a column of times (time_s as `run --csv` writes it, or one named time, t, timestamp…,
-/// in s, ms, us or ns as its name says). Comma, semicolon or tab; with semicolons a comma may be the decimal point.
+/// Columns of a table as projects/waveform/table.h reads it.
 [[nodiscard]] Result<LoopSeries> parseCsv(const std::string& text, const CsvColumns& columns);
 [[nodiscard]] Result<LoopSeries> readCsv(const std::string& path, const CsvColumns& columns);
 /// The names of the columns, the time's left out.

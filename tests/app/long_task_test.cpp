@@ -3,7 +3,7 @@
 #include "app/live_views.h"
 #include "app/search_view.h"
 #include "editor/kit/long_task.h"
-#include "editor/kit/plot_export.h"
+#include "editor/plot/plot_export.h"
 #include "tests/app/studio_fixture.h"
 
 #include <QLabel>
@@ -74,10 +74,10 @@ TEST_F(LongTaskTest, ACancelledReplaceChangesNothing) {
 }
 
 TEST_F(LongTaskTest, ACancelledExportLeavesTheFileAsItWas) {
-    kit::PlotModel model;
-    auto samples = std::make_shared<kit::SampleList>();
+    plot::PlotModel model;
+    auto samples = std::make_shared<plot::SampleList>();
     for (int i = 0; i < 100'000; ++i) samples->append(i * 1'000'000LL, i);
-    kit::PlotCurve curve;
+    plot::PlotCurve curve;
     curve.name = "a";
     curve.source = samples;
     model.curves = {curve};
@@ -86,7 +86,7 @@ TEST_F(LongTaskTest, ACancelledExportLeavesTheFileAsItWas) {
     const auto size = [&] { return QFileInfo(path).size(); };
     const auto save = [&] {
         kit::LongTask task("Saving", window.get());
-        return kit::exportCsv(model, 0, 100'000'000'000LL, path, [&](double share) { return task.reached(share); })
+        return plot::exportCsv(model, 0, 100'000'000'000LL, path, [&](double share) { return task.reached(share); })
             .
             operator bool();
     };

@@ -100,7 +100,7 @@ protected:
             {"problems", tree("problems")},
             {"search", [this] { return inDock("search", window->dock("search")->findChild<QLineEdit*>()); }},
             {"log", tree("log")},
-            {"trace", [this] { return inDock("trace", window->live().traceView().findChild<kit::PlotView*>()); }},
+            {"trace", [this] { return inDock("trace", window->live().traceView().findChild<plot::PlotView*>()); }},
             {"time", [this] { return static_cast<QWidget*>(&window->live().slider()); }},
         };
     }

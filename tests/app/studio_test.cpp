@@ -6,8 +6,8 @@
 #include "app/search_view.h"
 #include "editor/debug/debug_views.h"
 #include "editor/debug/watch_view.h"
-#include "editor/kit/plot_view.h"
 #include "editor/kit/variable_picker.h"
+#include "editor/plot/plot_view.h"
 
 #include <QAction>
 #include <QDialog>
@@ -238,7 +238,7 @@ TEST_F(StudioTest, VariablesAreDraggedFromTreeAndTextToTheTrace) {
     EXPECT_FALSE(words->hasFormat(kit::VariableMime));
 
     window->showDock("trace");
-    kit::PlotView& plot = *window->live().traceView().plot();
+    plot::PlotView& plot = *window->live().traceView().plot();
     for (const QMimeData* mime : {fromTree.get(), fromText.get()}) {
         QDragEnterEvent enter(plot.rect().center(), Qt::CopyAction, mime, Qt::LeftButton, Qt::NoModifier);
         QApplication::sendEvent(&plot, &enter);

@@ -1,6 +1,6 @@
 // The tuning dock as one works with it: find the steps, look at the model, move the sliders, write the parameters in
 // one scan, take them back.
-#include "editor/tuning/curve_view.h"
+#include "editor/plot/figure_view.h"
 #include "editor/tuning/tuning_view.h"
 #include "tests/app/studio_fixture.h"
 
@@ -95,10 +95,11 @@ TEST_F(TuningDock, FindsTheStepsAndModelsTheProcess) {
     EXPECT_FALSE(part<QPushButton>("tuningWrite")->isEnabled());
     findSteps();
     EXPECT_GE(part<QTreeWidget>("tuningSteps")->topLevelItemCount(), 5);
-    EXPECT_FALSE(part<editor::CurveView>("tuningData")->chart().curves.empty());
-    EXPECT_EQ(part<editor::CurveView>("tuningSetPoint")->chart().curves.size(), 2U); // now and proposed
-    EXPECT_TRUE(waitFor([&] { return part<editor::CurveView>("tuningTrial")->chart().curves.size() == 2; }))
-        << part<editor::CurveView>("tuningTrial")->chart().title;
+    EXPECT_FALSE(part<plot::FigureView>("tuningData")->figure().charts.front().curves.empty());
+    EXPECT_EQ(part<plot::FigureView>("tuningSetPoint")->figure().charts.front().curves.size(), 2U); // now and proposed
+    EXPECT_TRUE(waitFor([&] {
+        return part<plot::FigureView>("tuningTrial")->figure().charts.front().curves.size() == 2;
+    })) << part<plot::FigureView>("tuningTrial")->figure().charts.front().title;
     EXPECT_FALSE(part<QLabel>("tuningWords")->text().isEmpty());
 }
 

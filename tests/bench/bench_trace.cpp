@@ -1,7 +1,7 @@
 // Charts of 8 channels with 10 million samples each: memory, first picture, and a frame of pan and zoom at 1920 × 1080.
 // The figure to reach is 16 ms a frame. Runs without a display. STEPWISE_TRACE_SAMPLES changes the number of samples.
-#include "editor/kit/plot_renderer.h"
 #include "editor/kit/theme.h"
+#include "editor/plot/plot_renderer.h"
 #include "editor/trace/trace_feed.h"
 #include "editor/trace/trace_plot.h"
 #include "tests/bench/bench_table.h"
@@ -28,7 +28,7 @@ int64_t sampleCount() {
 
 struct Data {
     std::shared_ptr<history::ColumnStore> store = std::make_shared<history::ColumnStore>(size_t(4) << 30);
-    kit::PlotModel model;
+    plot::PlotModel model;
 
     Data() {
         const int64_t count = sampleCount();
@@ -44,13 +44,13 @@ struct Data {
                 column.append(i * Ms, isBool ? (i / 700) % 2
                                              : std::sin(t * (0.01 + 0.05 * c)) * 10 + std::sin(t * 40) + grain + c);
             }
-            kit::PlotCurve curve;
+            plot::PlotCurve curve;
             curve.id = curve.name = QStringLiteral("Main.channel%1").arg(c + 1);
             curve.color = kit::lightColors().curve(c);
-            curve.style = isBool ? kit::CurveStyle::Digital : c % 2 ? kit::CurveStyle::Hold : kit::CurveStyle::Line;
+            curve.style = isBool ? plot::CurveStyle::Digital : c % 2 ? plot::CurveStyle::Hold : plot::CurveStyle::Line;
             curve.chart = c < 4 ? 0 : 1;
             curve.source = std::make_shared<trace::ColumnSource>(
-                store, id, isBool ? kit::PlotValueKind::Bool : kit::PlotValueKind::Single);
+                store, id, isBool ? plot::PlotValueKind::Bool : plot::PlotValueKind::Single);
             model.curves.push_back(std::move(curve));
         }
         model.from = 0;
@@ -65,7 +65,7 @@ Data& data() {
 
 constexpr QSize Screen(1920, 1080);
 
-void frame(kit::PlotRenderer& renderer, QImage& image) {
+void frame(plot::PlotRenderer& renderer, QImage& image) {
     QPainter painter(&image);
     renderer.paint(painter, data().model, QRectF(QPointF(), QSizeF(Screen)));
 }
@@ -79,7 +79,7 @@ void firstPicture(benchmark::State& state) {
     data().model.from = 0;
     data().model.to = sampleCount() * Ms;
     for (auto _ : state) {
-        kit::PlotRenderer renderer;
+        plot::PlotRenderer renderer;
         renderer.setFont(QApplication::font());
         QImage image(Screen, QImage::Format_ARGB32_Premultiplied);
         frame(renderer, image);
@@ -89,7 +89,7 @@ void firstPicture(benchmark::State& state) {
 
 /// `part`: how much of the recording is in view, in millionths.
 void pan(benchmark::State& state, int64_t part) {
-    kit::PlotRenderer renderer;
+    plot::PlotRenderer renderer;
     renderer.setFont(QApplication::font());
     QImage image(Screen, QImage::Format_ARGB32_Premultiplied);
     const int64_t whole = sampleCount() * Ms, span = std::max<int64_t>(whole / 1'000'000 * part, 1000);
@@ -107,7 +107,7 @@ void pan(benchmark::State& state, int64_t part) {
 }
 
 void zoom(benchmark::State& state) {
-    kit::PlotRenderer renderer;
+    plot::PlotRenderer renderer;
     renderer.setFont(QApplication::font());
     QImage image(Screen, QImage::Format_ARGB32_Premultiplied);
     const int64_t whole = sampleCount() * Ms;
@@ -124,12 +124,12 @@ void zoom(benchmark::State& state) {
 
 /// What of a frame is reading the columns.
 void buckets(benchmark::State& state) {
-    std::vector<kit::PlotBucket> out(1800);
+    std::vector<plot::PlotBucket> out(1800);
     const int64_t whole = sampleCount() * Ms;
     int64_t at = 0;
     for (auto _ : state) {
         at = (at + whole / 1000) % (whole / 10);
-        for (const kit::PlotCurve& curve : data().model.curves) curve.source->buckets(at, at + whole * 9 / 10, out);
+        for (const plot::PlotCurve& curve : data().model.curves) curve.source->buckets(at, at + whole * 9 / 10, out);
         benchmark::DoNotOptimize(out.data());
     }
     setCounters(state);

@@ -10,8 +10,8 @@
 #include "editor/debug/debug_views.h"
 #include "editor/debug/watch_view.h"
 #include "editor/graph/chart_view.h"
-#include "editor/kit/plot_view.h"
 #include "editor/kit/theme.h"
+#include "editor/plot/plot_view.h"
 #include "runtime/compiler/jit/jit.h"
 #include "runtime/controller/controller.h"
 

@@ -1,6 +1,6 @@
 // The trace over real programs: every sample is the value at that scan's end, the window may be late, going back, an
 // online change and files keep the story straight; names complete from the compiled program.
-#include "editor/kit/plot_view.h"
+#include "editor/plot/plot_view.h"
 #include "editor/trace/program_variables.h"
 #include "editor/trace/run_recording.h"
 #include "editor/trace/trace_feed.h"
@@ -74,12 +74,12 @@ void runScans(session::Session& session, int count) {
     for (int i = 0; i < count; ++i) ASSERT_TRUE(controller.scan());
 }
 
-std::vector<kit::PlotSample> samplesOf(const TraceFeed& feed, const std::string& expression) {
-    std::vector<kit::PlotSample> out;
+std::vector<plot::PlotSample> samplesOf(const TraceFeed& feed, const std::string& expression) {
+    std::vector<plot::PlotSample> out;
     const auto source = feed.source(expression);
     EXPECT_TRUE(source) << expression << ": " << feed.problem(expression);
     if (source)
-        source->visit(INT64_MIN, INT64_MAX, [&](std::span<const kit::PlotSample> block) {
+        source->visit(INT64_MIN, INT64_MAX, [&](std::span<const plot::PlotSample> block) {
             out.insert(out.end(), block.begin(), block.end());
         });
     return out;
@@ -146,8 +146,8 @@ TEST(SessionTrace, ARunningPlcLosesNoScanWhileTheWindowIsBusy) {
     const auto source = view.plot()->model().curves[1].source;
     ASSERT_EQ(source->countIn(0, INT64_MAX), scans);
     double expected = 0;
-    source->visit(INT64_MIN, INT64_MAX, [&](std::span<const kit::PlotSample> block) {
-        for (const kit::PlotSample& s : block) ASSERT_EQ(s.value, expected++);
+    source->visit(INT64_MIN, INT64_MAX, [&](std::span<const plot::PlotSample> block) {
+        for (const plot::PlotSample& s : block) ASSERT_EQ(s.value, expected++);
     });
     view.setRecording(nullptr);
 }
@@ -205,8 +205,8 @@ TEST(SessionTrace, EveryExecutedScanOfOneMillisecondIsThereAndSkippedOnesAreCoun
     const auto source = view.plot()->model().curves[0].source;
     ASSERT_EQ(source->countIn(0, INT64_MAX), status.scans) << "every executed scan";
     double expected = 0;
-    source->visit(INT64_MIN, INT64_MAX, [&](std::span<const kit::PlotSample> block) {
-        for (const kit::PlotSample& s : block) ASSERT_EQ(s.value, expected++);
+    source->visit(INT64_MIN, INT64_MAX, [&](std::span<const plot::PlotSample> block) {
+        for (const plot::PlotSample& s : block) ASSERT_EQ(s.value, expected++);
     });
     // What was executed and what was skipped fill the time, none is lost from sight.
     ASSERT_GT(status.skippedScans, 10u);
@@ -217,8 +217,8 @@ TEST(SessionTrace, EveryExecutedScanOfOneMillisecondIsThereAndSkippedOnesAreCoun
             marked += std::stoull(mark.text.english());
     EXPECT_EQ(marked, status.skippedScans);
     bool shown = false;
-    for (const kit::PlotMarker& marker : view.plot()->model().markers)
-        shown = shown || (marker.kind == kit::MarkerKind::SkippedScans && marker.text.contains("skipped"));
+    for (const plot::PlotMarker& marker : view.plot()->model().markers)
+        shown = shown || (marker.kind == plot::MarkerKind::SkippedScans && marker.text.contains("skipped"));
     EXPECT_TRUE(shown);
     view.setRecording(nullptr);
 }
@@ -308,7 +308,7 @@ TEST(SessionTrace, AnOnlineChangeLeavesAGapWhereThePathDidNotExist) {
     EXPECT_GE(b.front().time, a[99].time);
     const auto gaps = feed.source("Main.b")->gaps(INT64_MIN, INT64_MAX);
     ASSERT_EQ(gaps.size(), 1u);
-    EXPECT_EQ(gaps[0].reason, kit::PlotGap::Reason::NoPath);
+    EXPECT_EQ(gaps[0].reason, plot::PlotGap::Reason::NoPath);
 }
 
 TEST(SessionTrace, ASavedRecordingDrawsTheSame) {

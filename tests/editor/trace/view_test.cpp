@@ -1,8 +1,8 @@
 // The trace view, the time slider and the picture maker under a user's hands, over a recording made of functions.
-#include "editor/kit/plot_view.h"
 #include "editor/kit/property_grid.h"
 #include "editor/kit/theme.h"
 #include "editor/kit/variable_picker.h"
+#include "editor/plot/plot_view.h"
 #include "editor/trace/channel_panel.h"
 #include "editor/trace/time_slider.h"
 #include "editor/trace/trace_picture.h"
@@ -79,10 +79,10 @@ TEST_F(TraceViewTest, TypedNamesBecomeChannelsWithTheirPast) {
     type("Main.sine");
     type("Main.run");
     ASSERT_EQ(view.setup().channels.size(), 2u);
-    const kit::PlotModel& model = view.plot()->model();
+    const plot::PlotModel& model = view.plot()->model();
     ASSERT_EQ(model.curves.size(), 2u);
-    EXPECT_EQ(model.curves[0].style, kit::CurveStyle::Hold) << "a jump is vertical";
-    EXPECT_EQ(model.curves[1].style, kit::CurveStyle::Digital);
+    EXPECT_EQ(model.curves[0].style, plot::CurveStyle::Hold) << "a jump is vertical";
+    EXPECT_EQ(model.curves[1].style, plot::CurveStyle::Digital);
     ASSERT_TRUE(model.curves[0].source);
     EXPECT_EQ(model.curves[0].source->countIn(0, INT64_MAX), 1000u);
     runFor(500);
@@ -170,7 +170,7 @@ TEST_F(TraceViewTest, TheTriggerStopsTheViewWithWhatCameBefore) {
     EXPECT_TRUE(view.statusText().contains("collecting"));
     runFor(300);
     EXPECT_EQ(view.triggerState(), TriggerState::Done);
-    const kit::PlotModel& model = view.plot()->model();
+    const plot::PlotModel& model = view.plot()->model();
     ASSERT_TRUE(model.trigger);
     EXPECT_EQ(*model.trigger, 2 * S);
     EXPECT_EQ(model.from, 1500 * Ms);
@@ -207,13 +207,13 @@ TEST_F(TraceViewTest, MarksOfTheRecordingAreShown) {
         {600, history::Nanoseconds(600 * Ms), static_cast<int>(EventKind::Write), says("button")});
     view.tick();
     ASSERT_EQ(view.plot()->model().markers.size(), 1u) << "writes would bury the rest";
-    EXPECT_EQ(view.plot()->model().markers[0].kind, kit::MarkerKind::Force);
+    EXPECT_EQ(view.plot()->model().markers[0].kind, plot::MarkerKind::Force);
     recording.goBackTo(300);
     recording.markList.push_back(
         {1000, history::Nanoseconds(301 * Ms), static_cast<int>(EventKind::WentBack), says("went back")});
     runFor(5);
     ASSERT_EQ(view.plot()->model().markers.size(), 1u) << "the abandoned future's marks have left";
-    EXPECT_EQ(view.plot()->model().markers[0].kind, kit::MarkerKind::Branch);
+    EXPECT_EQ(view.plot()->model().markers[0].kind, plot::MarkerKind::Branch);
 }
 
 TEST_F(TraceViewTest, MeasuresBetweenCursors) {
@@ -274,7 +274,7 @@ TEST_F(TraceViewTest, DoubleClickActivatesThatScan) {
     view.plot()->setRange(0, 1 * S);
     view.grab();
     QSignalSpy activated(&view, &TraceView::positionActivated);
-    const kit::PlotMapping map =
+    const plot::PlotMapping map =
         view.plot()->renderer().mapping(view.plot()->model(), view.plot()->renderer().panes()[0]);
     QTest::mouseDClick(view.plot(), Qt::LeftButton, {},
                        QPoint(static_cast<int>(map.xOf(400 * Ms)), static_cast<int>(map.area.center().y())));

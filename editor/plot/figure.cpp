@@ -1,0 +1,370 @@
+#include "editor/plot/figure.h"
+
+#include "editor/kit/theme.h"
+#include "editor/plot/plot_scale.h"
+#include "editor/plot/plot_text.h"
+
+#include <QApplication>
+#include <QPainter>
+#include <QPainterPath>
+#include <QSaveFile>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plc::plot {
+
+namespace {
+
+using waveform::Chart;
+using waveform::Curve;
+
+constexpr double kPad = 6;
+
+QString text(const std::string& s) { return QString::fromStdString(s); }
+
+QColor colourOf(const Curve& curve) {
+    const QColor own(text(curve.ownColour));
+    return own.isValid() ? own : kit::colors().curve(curve.colour);
+}
+
+double shareOf(double value, const PlotRange& range, bool isLogarithmic) {
+    if (isLogarithmic) return std::log(value / range.low) / std::log(range.high / range.low);
+    return (value - range.low) / (range.high - range.low);
+}
+
+double valueOf(double share, const PlotRange& range, bool isLogarithmic) {
+    if (isLogarithmic) return range.low * std::pow(range.high / range.low, share);
+    return range.low + share * (range.high - range.low);
+}
+
+/// Least and greatest of the curves, with room where there is none.
+PlotRange rangeOf(const Chart& chart, std::vector<double> Curve::*values, bool isLogarithmic) {
+    double low = 1e300, high = -1e300;
+    for (const Curve& curve : chart.curves)
+        for (const double value : curve.*values)
+            if (std::isfinite(value) && (!isLogarithmic || value > 0))
+                low = std::min(low, value), high = std::max(high, value);
+    if (low > high) return isLogarithmic ? PlotRange{0.1, 10} : PlotRange{0, 1};
+    if (isLogarithmic) return high > low * 1.0001 ? PlotRange{low, high} : PlotRange{low / 3, high * 3};
+    if (high - low < 1e-9 * std::max(1.0, std::abs(high))) return {low - 0.5, high + 0.5};
+    return {low, high};
+}
+
+PlotRange withMargin(PlotRange range, bool isLogarithmic, double share) {
+    if (isLogarithmic) {
+        const double factor = std::pow(range.high / range.low, share);
+        return {range.low / factor, range.high * factor};
+    }
+    const double margin = (range.high - range.low) * share;
+    return {range.low - margin, range.high + margin};
+}
+
+/// An amplitude that falls to nothing would flatten the rest.
+PlotRange valuesOf(const Chart& chart) {
+    PlotRange range = rangeOf(chart, &Curve::y, chart.isLogarithmicY);
+    constexpr double kMostDecades = 1e6;
+    if (chart.isLogarithmicY) range.low = std::max(range.low, range.high / kMostDecades);
+    return withMargin(range, chart.isLogarithmicY, 0.06);
+}
+
+std::vector<PlotTick> ticksOf(const PlotRange& range, bool isLogarithmic, int most) {
+    if (!isLogarithmic || range.high / range.low < 10) return numberTicks(range.low, range.high, most);
+    std::vector<PlotTick> out;
+    const int first = static_cast<int>(std::ceil(std::log10(range.low) - 1e-9));
+    const int last = static_cast<int>(std::floor(std::log10(range.high) + 1e-9));
+    const int step = std::max(1, (last - first + most) / std::max(most, 1));
+    for (int decade = first; decade <= last; decade += step)
+        out.push_back({std::pow(10.0, decade), valueText(std::pow(10.0, decade), 3)});
+    return out;
+}
+
+void drawText(QPainter& painter, const QPointF& at, int flags, const QString& what) {
+    // room on both sides of the point, so that every alignment has its place
+    constexpr double kRoom = 400;
+    double x = at.x() - kRoom, y = at.y() - kRoom;
+    if (flags & Qt::AlignLeft) x = at.x();
+    if (flags & Qt::AlignRight) x = at.x() - 2 * kRoom;
+    if (flags & Qt::AlignTop) y = at.y();
+    if (flags & Qt::AlignBottom) y = at.y() - 2 * kRoom;
+    painter.drawText(QRectF(x, y, 2 * kRoom, 2 * kRoom), flags, what);
+}
+
+void paintAxes(QPainter& painter, const Chart& chart, const FigureFrame& frame, const QFont& font) {
+    const kit::ThemeColors& colors = kit::colors();
+    const QFontMetricsF metrics(font);
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    for (const PlotTick& tick : ticksOf(frame.x, frame.isLogarithmicX, std::max(int(frame.area.width()) / 70, 2))) {
+        const double x = std::round(frame.xOf(tick.value)) + 0.5;
+        painter.setPen(colors.plotGrid);
+        painter.drawLine(QPointF(x, frame.area.top()), QPointF(x, frame.area.bottom()));
+        painter.setPen(colors.plotAxis);
+        drawText(painter, {x, frame.area.bottom() + 3}, Qt::AlignHCenter | Qt::AlignTop, tick.label);
+    }
+    for (const PlotTick& tick : ticksOf(frame.y, frame.isLogarithmicY, std::max(int(frame.area.height()) / 32, 2))) {
+        const double y = std::round(frame.yOf(tick.value)) + 0.5;
+        painter.setPen(colors.plotGrid);
+        painter.drawLine(QPointF(frame.area.left(), y), QPointF(frame.area.right(), y));
+        painter.setPen(colors.plotAxis);
+        drawText(painter, {frame.area.left() - 5, y}, Qt::AlignRight | Qt::AlignVCenter, tick.label);
+    }
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(colors.border);
+    painter.drawRect(frame.area);
+    painter.setPen(colors.muted);
+    drawText(painter, {frame.area.center().x(), frame.area.bottom() + metrics.height() + 3},
+             Qt::AlignHCenter | Qt::AlignTop, text(chart.xTitle));
+}
+
+/// Points that fall onto the pixel of the one before are left out; a gap parts the line.
+std::vector<QPolygonF> strokesOf(const Curve& curve, const FigureFrame& frame) {
+    std::vector<QPolygonF> out(1);
+    const QRectF reach = frame.area.adjusted(-4000, -4000, 4000, 4000);
+    const size_t count = std::min(curve.x.size(), curve.y.size());
+    for (size_t i = 0; i < count; ++i) {
+        const QPointF point(frame.xOf(curve.x[i]), frame.yOf(curve.y[i]));
+        if (!std::isfinite(point.x()) || !std::isfinite(point.y())) {
+            if (!out.back().isEmpty()) out.emplace_back();
+            continue;
+        }
+        const QPointF near(std::clamp(point.x(), reach.left(), reach.right()),
+                           std::clamp(point.y(), reach.top(), reach.bottom()));
+        if (!out.back().isEmpty()) {
+            const QPointF step = near - out.back().last();
+            if (std::abs(step.x()) < 0.5 && std::abs(step.y()) < 0.5) continue;
+        }
+        out.back() << near;
+    }
+    return out;
+}
+
+void paintCurves(QPainter& painter, const Chart& chart, const FigureFrame& frame) {
+    constexpr qsizetype kFine = 20'000; // more than that: without smoothing, which is many times slower
+    painter.save();
+    painter.setClipRect(frame.area);
+    for (const Curve& curve : chart.curves) {
+        const bool isDots = curve.style == waveform::CurveStyle::Dots;
+        const std::vector<QPolygonF> strokes = strokesOf(curve, frame);
+        qsizetype points = 0;
+        for (const QPolygonF& stroke : strokes) points += stroke.size();
+        painter.setRenderHint(QPainter::Antialiasing, points <= kFine);
+        QPen pen(colourOf(curve), isDots ? 3 : points <= kFine ? 1.6 : 1);
+        if (curve.style == waveform::CurveStyle::Dashed) pen.setStyle(Qt::DashLine);
+        pen.setCapStyle(isDots ? Qt::RoundCap : Qt::FlatCap);
+        painter.setPen(pen);
+        for (const QPolygonF& stroke : strokes)
+            isDots || stroke.size() == 1 ? painter.drawPoints(stroke) : painter.drawPolyline(stroke);
+    }
+    painter.restore();
+}
+
+void paintNotes(QPainter& painter, const Chart& chart, const FigureFrame& frame, const QFont& font) {
+    const kit::ThemeColors& colors = kit::colors();
+    const QFontMetricsF metrics(font);
+    painter.setRenderHint(QPainter::Antialiasing);
+    std::vector<QRectF> taken;
+    for (const waveform::ChartNote& note : chart.notes) {
+        const QPointF at(frame.xOf(note.x), frame.yOf(note.y));
+        if (!frame.area.contains(at)) continue;
+        painter.setPen(QPen(colors.plotGround, 1.5));
+        painter.setBrush(colors.plotTrigger);
+        painter.drawEllipse(at, 3.5, 3.5);
+        QRectF box(at.x() + 7, at.y() - metrics.height() - 1, metrics.horizontalAdvance(text(note.text)) + 6,
+                   metrics.height());
+        if (box.right() > frame.area.right()) box.moveRight(at.x() - 7);
+        if (box.top() < frame.area.top()) box.moveTop(frame.area.top() + 1);
+        if (std::any_of(taken.begin(), taken.end(), [&](const QRectF& other) { return other.intersects(box); }))
+            continue;
+        taken.push_back(box);
+        QColor ground = colors.plotGround;
+        ground.setAlphaF(0.85f);
+        painter.fillRect(box, ground);
+        painter.setPen(colors.text);
+        painter.drawText(box, Qt::AlignCenter, text(note.text));
+    }
+}
+
+void paintHead(QPainter& painter, const Chart& chart, const FigureFrame& frame, const QRectF& rect, const QFont& font) {
+    const kit::ThemeColors& colors = kit::colors();
+    const QFontMetricsF metrics(font);
+    const double base = frame.area.top() - 5 - metrics.descent();
+    constexpr size_t kMostNames = 12;
+    double right = frame.area.right();
+    size_t shown = 0;
+    for (auto curve = chart.curves.rbegin(); curve != chart.curves.rend(); ++curve) {
+        if (curve->name.empty()) continue;
+        const QString name = text(curve->name);
+        const double width = metrics.horizontalAdvance(name);
+        if (right - width - 30 < rect.left() + rect.width() * 0.35 || ++shown > kMostNames) break;
+        painter.setPen(colors.text);
+        painter.drawText(QPointF(right - width, base), name);
+        painter.setPen(QPen(colourOf(*curve), 2));
+        const double middle = base - metrics.ascent() / 2 + 1;
+        painter.drawLine(QPointF(right - width - 18, middle), QPointF(right - width - 5, middle));
+        right -= width + 30;
+    }
+    QFont bold = font;
+    bold.setBold(true);
+    painter.setFont(bold);
+    painter.setPen(colors.text);
+    QString title = text(chart.title);
+    if (!chart.yTitle.empty())
+        title += title.isEmpty() ? text(chart.yTitle) : QStringLiteral("  ·  ") + text(chart.yTitle);
+    const double room = std::max(right - rect.left() - kPad - 8, 40.0);
+    painter.drawText(QPointF(rect.left() + kPad, base), QFontMetricsF(bold).elidedText(title, Qt::ElideRight, room));
+    painter.setFont(font);
+}
+
+void paintRuler(QPainter& painter, const FigureRuler& ruler, const std::vector<FigureFrame>& frames,
+                const QFont& font) {
+    if (ruler.from.chart >= frames.size()) return;
+    const FigureFrame& frame = frames[ruler.from.chart];
+    const kit::ThemeColors& colors = kit::colors();
+    const QPointF from(frame.xOf(ruler.from.x), frame.yOf(ruler.from.y)),
+        to(frame.xOf(ruler.to.x), frame.yOf(ruler.to.y));
+    painter.save();
+    painter.setClipRect(frame.area);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(colors.plotCursor, 1, Qt::DotLine));
+    painter.drawPolyline(QPolygonF({from, QPointF(to.x(), from.y()), to}));
+    painter.setPen(QPen(colors.plotCursor, 1.6));
+    painter.drawLine(from, to);
+    painter.setBrush(colors.plotCursor);
+    painter.drawEllipse(from, 3, 3);
+    painter.drawEllipse(to, 3, 3);
+    const QFontMetricsF metrics(font);
+    const QString what = rulerText(ruler);
+    QRectF tag(to.x() + 8, to.y() - metrics.height() - 6, metrics.horizontalAdvance(what) + 14, metrics.height() + 4);
+    if (tag.right() > frame.area.right()) tag.moveRight(std::max(to.x() - 8, frame.area.left() + tag.width()));
+    if (tag.top() < frame.area.top()) tag.moveTop(to.y() + 8);
+    painter.setPen(Qt::NoPen);
+    painter.drawRoundedRect(tag, 3, 3);
+    painter.setPen(colors.plotGround);
+    painter.drawText(tag, Qt::AlignCenter, what);
+    painter.restore();
+}
+
+} // namespace
+
+bool Figure::isEmpty() const {
+    for (const Chart& chart : charts)
+        for (const Curve& curve : chart.curves)
+            if (!curve.x.empty()) return false;
+    return true;
+}
+
+double FigureFrame::xOf(double value) const { return area.left() + shareOf(value, x, isLogarithmicX) * area.width(); }
+double FigureFrame::yOf(double value) const {
+    return area.bottom() - shareOf(value, y, isLogarithmicY) * area.height();
+}
+double FigureFrame::xAt(double pixel) const { return valueOf((pixel - area.left()) / area.width(), x, isLogarithmicX); }
+double FigureFrame::yAt(double pixel) const {
+    return valueOf((area.bottom() - pixel) / area.height(), y, isLogarithmicY);
+}
+
+std::vector<FigureFrame> framesOf(const Figure& figure, const QRectF& rect, const QFont& font, const FigureZoom& zoom) {
+    std::vector<FigureFrame> out;
+    const QFontMetricsF metrics(font);
+    const double head = metrics.height() + 10, foot = 2 * metrics.height() + 8;
+    const double each = rect.height() / static_cast<double>(std::max<size_t>(figure.charts.size(), 1));
+    double widest = 0;
+    for (size_t i = 0; i < figure.charts.size(); ++i) {
+        const Chart& chart = figure.charts[i];
+        FigureFrame frame;
+        frame.x = rangeOf(chart, &Curve::x, chart.isLogarithmic);
+        frame.isLogarithmicX = chart.isLogarithmic && frame.x.low > 0;
+        frame.y = valuesOf(chart);
+        frame.isLogarithmicY = chart.isLogarithmicY && frame.y.low > 0;
+        if (zoom.x) frame.x = *zoom.x;
+        if (i < zoom.y.size() && zoom.y[i]) frame.y = *zoom.y[i];
+        frame.area = QRectF(rect.left(), rect.top() + each * static_cast<double>(i) + head, rect.width(),
+                            std::max(each - head - foot, 1.0));
+        for (const PlotTick& tick : ticksOf(frame.y, frame.isLogarithmicY, std::max(int(frame.area.height()) / 32, 2)))
+            widest = std::max(widest, metrics.horizontalAdvance(tick.label));
+        out.push_back(frame);
+    }
+    for (FigureFrame& frame : out) { // their left edges in line
+        frame.area.setLeft(std::round(rect.left() + widest + 2 * kPad));
+        frame.area.setRight(std::max(rect.right() - 2 * kPad, frame.area.left() + 1));
+    }
+    return out;
+}
+
+void paintFigure(QPainter& painter, const Figure& figure, const QRectF& rect, const QFont& font, const FigureZoom& zoom,
+                 const std::optional<FigureRuler>& ruler) {
+    painter.save();
+    painter.fillRect(rect, kit::colors().plotGround);
+    painter.setFont(font);
+    const std::vector<FigureFrame> frames = framesOf(figure, rect, font, zoom);
+    if (figure.isEmpty() && !figure.empty.isEmpty()) {
+        painter.setPen(kit::colors().muted);
+        painter.drawText(rect.adjusted(24, 8, -24, -8), Qt::AlignCenter | Qt::TextWordWrap, figure.empty);
+    } else {
+        for (size_t i = 0; i < frames.size(); ++i) {
+            if (frames[i].area.width() < 20 || frames[i].area.height() < 12) continue;
+            if (!figure.charts[i].curves.empty()) paintAxes(painter, figure.charts[i], frames[i], font);
+            paintCurves(painter, figure.charts[i], frames[i]);
+            paintNotes(painter, figure.charts[i], frames[i], font);
+            paintHead(painter, figure.charts[i], frames[i], rect, font);
+        }
+        if (ruler) paintRuler(painter, *ruler, frames, font);
+    }
+    painter.restore();
+}
+
+std::optional<FigurePoint> nearestPoint(const Figure& figure, const std::vector<FigureFrame>& frames,
+                                        const QPointF& place, double reach) {
+    std::optional<FigurePoint> out;
+    double nearest = reach * reach;
+    for (size_t c = 0; c < frames.size(); ++c) {
+        if (!frames[c].area.contains(place)) continue;
+        for (const Curve& curve : figure.charts[c].curves)
+            for (size_t i = 0; i < std::min(curve.x.size(), curve.y.size()); ++i) {
+                const QPointF away = QPointF(frames[c].xOf(curve.x[i]), frames[c].yOf(curve.y[i])) - place;
+                const double distance = QPointF::dotProduct(away, away);
+                if (!(distance < nearest)) continue;
+                nearest = distance;
+                out = FigurePoint{c, curve.x[i], curve.y[i]};
+            }
+    }
+    return out;
+}
+
+QString rulerText(const FigureRuler& ruler) {
+    const double across = ruler.to.x - ruler.from.x, up = ruler.to.y - ruler.from.y;
+    QString out = QStringLiteral("Δx %1   Δy %2").arg(valueText(across, 5), valueText(up, 5));
+    if (across != 0) out += QStringLiteral("   Δy/Δx %1").arg(valueText(up / across, 5));
+    return out;
+}
+
+QImage figurePicture(const Figure& figure, const PictureOptions& options, const FigureZoom& zoom) {
+    return paintedImage(options, [&](QPainter& painter, const QRectF& rect) {
+        paintFigure(painter, figure, rect, QApplication::font(), zoom);
+    });
+}
+
+Result<void> exportFigure(const Figure& figure, const QString& path, const PictureOptions& options,
+                          const FigureZoom& zoom) {
+    const QString title = figure.charts.empty() ? QString() : text(figure.charts.front().title);
+    return exportPainted(title, path, options, [&](QPainter& painter, const QRectF& rect) {
+        paintFigure(painter, figure, rect, QApplication::font(), zoom);
+    });
+}
+
+Result<void> exportFigureCsv(const Figure& figure, const QString& path) {
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly)) return cannotWrite(path, file.errorString());
+    file.write("chart,curve,x,y\n");
+    for (const Chart& chart : figure.charts)
+        for (const Curve& curve : chart.curves)
+            for (size_t i = 0; i < std::min(curve.x.size(), curve.y.size()); ++i) {
+                const QByteArray line = csvQuoted(text(chart.title)) + ',' + csvQuoted(text(curve.name)) + ',' +
+                                        QByteArray::fromStdString(exactText(curve.x[i], PlotValueKind::Double)) + ',' +
+                                        QByteArray::fromStdString(exactText(curve.y[i], PlotValueKind::Double)) + '\n';
+                file.write(line);
+            }
+    if (!file.commit()) return cannotWrite(path, file.errorString());
+    return {};
+}
+
+} // namespace plc::plot

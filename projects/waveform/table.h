@@ -1,0 +1,34 @@
+// A table of measured values, as spreadsheets, plotters and other PLC tools export them: a head line with names, a
+// column of times, columns of numbers. Values and functions, any thread.
+#pragma once
+#include "projects/waveform/samples.h"
+#include "runtime/base/result.h"
+
+#include <string>
+#include <vector>
+
+namespace plc::waveform {
+
+struct Column {
+    std::string name, unit;    // "Level [m]" is Level in m
+    std::vector<double> value; // one for each time; not a number: none yet
+    bool isBool = false;       // TRUE and FALSE only
+};
+
+struct Table {
+    std::vector<double> time; // [s], rising
+    std::vector<Column> columns;
+};
+
+/// A column of times (time_s as `run --csv` writes it, or one named time, t, timestamp…, in s, ms, us or ns as its name
+/// says; dates with times of day), or one of them before each column of values, as TwinCAT Scope exports. Lines above
+/// the head are skipped. Comma, semicolon, tab or blanks; where a comma does not separate it may be the decimal point.
+/// An empty cell is unchanged.
+[[nodiscard]] Result<Table> parseTable(const std::string& text);
+[[nodiscard]] Result<Table> readTable(const std::string& path);
+/// The names of the columns, the time's left out.
+[[nodiscard]] std::vector<std::string> columnNames(const Table& table);
+/// By name, without case; the error names what there is.
+[[nodiscard]] Result<size_t> columnOf(const Table& table, const std::string& name);
+
+} // namespace plc::waveform

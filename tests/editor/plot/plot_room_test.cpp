@@ -1,0 +1,128 @@
+// How a plot uses its room: one lane fills it, curves stay in their frame, names are beside the curves and have their
+// unit once, and what is drawn beneath says what it is.
+#include "editor/kit/curve_words.h"
+#include "editor/kit/theme.h"
+#include "editor/plot/plot_renderer.h"
+
+#include <gtest/gtest.h>
+
+namespace plc::kit {
+namespace {
+
+constexpr int64_t S = 1'000'000'000;
+
+PlotCurve curveOf(const QString& name, double from, double to, const QColor& color) {
+    auto list = std::make_shared<SampleList>(PlotValueKind::Double);
+    for (int i = 0; i <= 100; ++i) list->append(i * S / 10, from + (to - from) * i / 100);
+    PlotCurve curve;
+    curve.id = curve.name = name;
+    curve.color = color;
+    curve.width = 4;
+    curve.source = std::move(list);
+    return curve;
+}
+
+struct Drawn {
+    explicit Drawn(const PlotModel& model, QSize size = {900, 500}) : image(size, QImage::Format_ARGB32_Premultiplied) {
+        QPainter painter(&image);
+        renderer.setFont(QApplication::font());
+        renderer.paint(painter, model, QRectF(QPointF(), QSizeF(size)));
+    }
+    QImage image;
+    PlotRenderer renderer;
+};
+
+PlotModel modelOf(std::vector<PlotCurve> curves) {
+    PlotModel model;
+    model.to = 10 * S;
+    model.curves = std::move(curves);
+    return model;
+}
+
+TEST(PlotRoom, OneLaneFillsIt) {
+    PlotModel model = modelOf({curveOf("Main.run", 0, 1, Qt::red)});
+    model.curves[0].style = CurveStyle::Digital;
+    const Drawn drawn(model);
+    ASSERT_EQ(drawn.renderer.panes().size(), 1u);
+    EXPECT_GT(drawn.renderer.panes()[0].area.height(), 400);
+}
+
+TEST(PlotRoom, CurvesEndAtTheirFrame) {
+    PlotModel model = modelOf({curveOf("Main.level", -50, 150, QColor(255, 0, 255))});
+    model.charts[0].axes[0].mode = AxisMode::Fixed;
+    model.charts[0].axes[0].fixed = {0, 100};
+    model.hasLegend = false;
+    const Drawn drawn(model);
+    const QRect frame = drawn.renderer.panes()[0].area.toAlignedRect();
+    int inside = 0;
+    for (int y = 0; y < drawn.image.height(); ++y)
+        for (int x = 0; x < drawn.image.width(); ++x) {
+            const QColor pixel = drawn.image.pixelColor(x, y);
+            if (pixel.red() < 200 || pixel.green() > 80 || pixel.blue() < 200) continue;
+            EXPECT_TRUE(frame.contains(x, y)) << x << ", " << y;
+            ++inside;
+        }
+    EXPECT_GT(inside, 100);
+}
+
+TEST(PlotRoom, NamesAreBesideTheEndsOfTheirCurvesAndApart) {
+    const PlotModel model =
+        modelOf({curveOf("Main.tank.low", 0, 49, Qt::red), curveOf("Main.tank.high", 0, 50, Qt::blue),
+                 curveOf("Main.tank.far", 0, 5, Qt::green)});
+    const Drawn drawn(model);
+    const std::vector<EndLabel>& labels = drawn.renderer.endLabels();
+    ASSERT_EQ(labels.size(), 3u);
+    const QRectF area = drawn.renderer.panes()[0].area;
+    for (size_t i = 0; i < labels.size(); ++i) {
+        EXPECT_GE(labels[i].rect.left(), area.right());
+        EXPECT_LE(labels[i].rect.bottom(), area.bottom() + 0.5);
+        EXPECT_GE(labels[i].rect.top(), i == 0 ? 0 : labels[i - 1].rect.bottom() - 0.01);
+    }
+    EXPECT_EQ(model.curves[static_cast<size_t>(labels[0].curve)].name, "Main.tank.high");
+    EXPECT_EQ(model.curves[static_cast<size_t>(labels[2].curve)].name, "Main.tank.far");
+    EXPECT_TRUE(Drawn(model, {300, 200}).renderer.endLabels().empty()) << "a small picture is for the curves";
+}
+
+TEST(PlotRoom, TheLegendSaysWhatIsDrawnBeneath) {
+    PlotModel model = modelOf({curveOf("Main.level", 0, 50, Qt::red)});
+    const size_t before = Drawn(model).renderer.legend().size();
+    model.beneathName = "run 7, 2.5 s later";
+    const Drawn drawn(model);
+    ASSERT_EQ(drawn.renderer.legend().size(), before + 1);
+    EXPECT_EQ(drawn.renderer.legend().back().curve, -1);
+    EXPECT_FALSE(drawn.renderer.legendAt(drawn.renderer.legend().back().rect.center())) << "nothing to select there";
+}
+
+TEST(CurveWords, AUnitIsAddedOnlyWhereTheNameDoesNotEndWithIt) {
+    const struct {
+        const char *name, *unit, *shown;
+    } rows[] = {
+        {"Level", "%", "Level [%]"},
+        {"Level [%]", "%", "Level [%]"},
+        {"Level in %", "%", "Level in %"},
+        {"Speed (rpm)", "rpm", "Speed (rpm)"},
+        {"Spend", "d", "Spend [d]"},
+        {"Level", "", "Level"},
+        {"s", "s", "s [s]"},
+        {"Main.m", "m", "Main.m [m]"},
+        {"Temperature, °C", "°C", "Temperature, °C"},
+    };
+    for (const auto& row : rows)
+        EXPECT_EQ(withUnit(QString::fromUtf8(row.name), QString::fromUtf8(row.unit)).toStdString(), row.shown);
+}
+
+TEST(CurveWords, AColourIsFoundInNamesAsProgramsWriteThem) {
+    const struct {
+        const char *name, *color;
+    } rows[] = {
+        {"Main.LampRed", "red"},     {"bRed", "red"},        {"red_lamp", "red"},
+        {"Main.xGRUEN", "green"},    {"Rote Lampe", "red"},  {"Main.infrared", ""},
+        {"Main.Ordered", ""},        {"Main.RedYellow", ""}, {"Green.level", ""},
+        {"Main.qYellow1", "yellow"}, {"Main.credit", ""},
+    };
+    for (const auto& row : rows)
+        EXPECT_EQ(colorNamed(QString::fromUtf8(row.name)).toStdString(), row.color) << row.name;
+}
+
+} // namespace
+} // namespace plc::kit
