@@ -5,7 +5,6 @@
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
 #include "editor/plot/plot_scale.h"
-#include "editor/kit/plot_scale.h"
 #include "editor/kit/theme.h"
 #include "editor/kit/work_strip.h"
 

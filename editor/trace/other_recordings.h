@@ -2,7 +2,7 @@
 // ones. Opens what a set-up names and keeps why one could not be opened. Owned by the trace view; its thread.
 #pragma once
 
-#include "editor/trace/session_recording.h"
+#include "editor/trace/run_recording.h"
 #include "editor/trace/trace_feed.h"
 #include "editor/trace/trace_setup.h"
 
@@ -12,7 +12,7 @@ namespace plc::trace {
 
 class OtherRecordings {
 public:
-    using Open = std::function<Result<std::shared_ptr<FileRecording>>(const std::string& file)>;
+    using Open = std::function<Result<std::shared_ptr<RunRecording>>(const std::string& file)>;
     explicit OtherRecordings(std::shared_ptr<history::ColumnStore> store) : m_store(std::move(store)) {}
 
     /// Opens the files that channels name and lets go of the others.
@@ -26,7 +26,7 @@ public:
 
 private:
     struct File {
-        std::shared_ptr<FileRecording> recording;
+        std::shared_ptr<RunRecording> recording;
         std::unique_ptr<TraceFeed> feed; // reads the recording: gone before it
         Message problem;
     };

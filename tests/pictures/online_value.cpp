@@ -4,8 +4,7 @@
 
 namespace plc::pictures {
 
-editor::GraphValue onlineValue(const session::Session& session, const QString& expression,
-                               const std::string& instance) {
+editor::GraphValue onlineValue(session::Session& session, const QString& expression, const std::string& instance) {
     editor::GraphValue out;
     const auto compiled = session.expression(expression.toStdString(), instance);
     if (!compiled) return out;

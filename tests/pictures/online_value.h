@@ -11,7 +11,7 @@
 namespace plc::pictures {
 
 /// Empty when the expression has no value as seen from `instance`.
-[[nodiscard]] editor::GraphValue onlineValue(const session::Session& session, const QString& expression,
+[[nodiscard]] editor::GraphValue onlineValue(session::Session& session, const QString& expression,
                                              const std::string& instance);
 
 } // namespace plc::pictures

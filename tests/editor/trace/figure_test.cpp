@@ -1,7 +1,7 @@
 // What a trace shows besides curves over time: derived channels, XY plots, spectra, responses, runs, remarks, tables of
 // measured values beside live ones.
 #include "editor/trace/figure_pane.h"
-#include "editor/trace/session_recording.h"
+#include "editor/trace/run_recording.h"
 #include "editor/trace/table_recording.h"
 #include "editor/trace/trace_picture.h"
 #include "editor/trace/trace_view.h"
@@ -227,7 +227,7 @@ TEST(TableRecordingTest, ColumnsBecomeVariablesWithTheirPaths) {
     write(
         path,
         "time_s,Main.Level [m],Main.pid.out,Flow rate,VAR,On\n0,1,10,5,1,FALSE\n0.5,2,20,6,2,TRUE\n1,3,30,7,3,TRUE\n");
-    const auto opened = FileRecording::open(path.toStdString());
+    const auto opened = RunRecording::open(path.toStdString());
     ASSERT_TRUE(opened) << opened.error().english();
     const Recording& recording = **opened;
     EXPECT_EQ(recording.extent(), std::pair(Position(0), Position(3)));
@@ -242,7 +242,7 @@ TEST(TableRecordingTest, ColumnsBecomeVariablesWithTheirPaths) {
     EXPECT_TRUE(recording.typeOf("On")->isBool);
     EXPECT_TRUE(recording.find("On", 0, history::History::Direction::Forward));
     ASSERT_TRUE(recording.save(folder.filePath("bench.rec").toStdString()));
-    EXPECT_TRUE(FileRecording::open(folder.filePath("bench.rec").toStdString())) << "a recording as any other";
+    EXPECT_TRUE(RunRecording::open(folder.filePath("bench.rec").toStdString())) << "a recording as any other";
 }
 
 TEST(TableRecordingTest, NamesThatMeetAreToldApart) {
@@ -262,10 +262,10 @@ TEST(TableRecordingTest, NamesThatMeetAreToldApart) {
 TEST(TableRecordingTest, ATableThatIsNoneSaysWhy) {
     QTemporaryDir folder;
     write(folder.filePath("a.csv"), "name,value\nx,1\n");
-    const auto opened = FileRecording::open(folder.filePath("a.csv").toStdString());
+    const auto opened = RunRecording::open(folder.filePath("a.csv").toStdString());
     ASSERT_FALSE(opened);
     EXPECT_NE(opened.error().english().find("column of times"), std::string::npos);
-    EXPECT_FALSE(FileRecording::open(folder.filePath("missing.csv").toStdString()));
+    EXPECT_FALSE(RunRecording::open(folder.filePath("missing.csv").toStdString()));
 }
 
 TEST_F(TraceFigure, MeasuredValuesAreDrawnBesideLiveOnes) {
