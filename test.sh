@@ -95,6 +95,9 @@ fuzz() { # fuzz target
         seeds=()
         tests/fuzz/input_seeds.sh "build/fuzz/corpus/$1"
     fi
+    if [ "$1" = fuzz_messages ]; then # whole sessions with other editors
+        seeds=(tests/projects/language_server/scripts tests/projects/debug_adapter/scripts)
+    fi
     export ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 QT_QPA_PLATFORM=offscreen
     export LSAN_OPTIONS=suppressions=$PWD/tests/sanitizers/leaks.supp:print_suppressions=0
     exec "build/fuzz/bin/$1" -max_total_time="${FUZZ_SECONDS:-600}" -timeout=20 -rss_limit_mb=4096 -max_len=8192 -print_final_stats=1 \
@@ -122,7 +125,7 @@ if [ "$long" = 1 ]; then
     at_once=${FUZZERS:-2}
     [ "$at_once" -le "$(nproc)" ] || at_once=$(nproc)
     say "fuzz: ${FUZZ_SECONDS:-600} s each, $at_once at once; a finding lies in build/fuzz/findings"
-    part "fuzz: four targets, ${FUZZ_SECONDS:-600} s each, $at_once at once" \
-        side_by_side "$at_once" build/fuzz/logs fuzz fuzz_lexer fuzz_parser fuzz_run fuzz_inputs
+    part "fuzz: seven targets, ${FUZZ_SECONDS:-600} s each, $at_once at once" \
+        side_by_side "$at_once" build/fuzz/logs fuzz fuzz_lexer fuzz_parser fuzz_check fuzz_run fuzz_change fuzz_messages fuzz_inputs
 fi
 say "all tests passed"

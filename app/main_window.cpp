@@ -311,6 +311,9 @@ void MainWindow::connectParts() {
         m_watch->add(path);
         showDock("watch");
     });
+    connect(m_tree, &ProjectTree::instanceRequested, this, &MainWindow::showInstance);
+    m_tree->setInstances([this](const QString& path) { return m_control->instanceAt(path); },
+                         [this](const QString& block) { return m_control->instancesOf(block); });
     connect(m_tree, &ProjectTree::librariesRequested, this, &MainWindow::chooseLibraries);
     connect(m_tree, &ProjectTree::testsRequested, this, &MainWindow::runTests);
     connect(m_problems, &ProblemsView::placeRequested, this,

@@ -490,11 +490,42 @@ void ProjectTree::showMenu(const QPoint& position) {
                 [this, path] { emit watchRequested(path); });
         kit::addWhyActions(menu, [this, path](kit::AskWhy question) { emit whyRequested(question, path); });
     }
+    if (item) addInstances(menu, *item);
     connect(menu.addAction(kit::icon(Icon::Library), tr("Libraries…")), &QAction::triggered, this,
             &ProjectTree::librariesRequested);
     connect(menu.addAction(kit::icon(Icon::Test), tr("Run Tests")), &QAction::triggered, this,
             &ProjectTree::testsRequested);
     menu.exec(m_tree->viewport()->mapToGlobal(position));
+}
+
+void ProjectTree::setInstances(InstanceAt at, InstancesOf of) {
+    m_instanceAt = std::move(at);
+    m_instancesOf = std::move(of);
+}
+
+/// Of a variable the instance it is or lies in; of a block all that it has, as far as a menu holds them.
+void ProjectTree::addInstances(QMenu& menu, const QTreeWidgetItem& item) {
+    constexpr size_t kMost = 40;
+    const QString kind = item.data(0, Kind).toString();
+    if (kind == "variable" && m_instanceAt) {
+        const auto [block, instance] = m_instanceAt(item.data(0, Path).toString());
+        if (block.isEmpty()) return;
+        connect(menu.addAction(kit::icon(Icon::Forward), tr("Source of %1 with the values of %2").arg(block, instance)),
+                &QAction::triggered, this,
+                [this, block = block, instance = instance] { emit instanceRequested(block, instance); });
+        return;
+    }
+    if (kind != "unit" || !m_instancesOf) return;
+    const QString block = item.data(0, Name).toString();
+    const std::vector<QString> all = m_instancesOf(block);
+    if (all.empty() || (all.size() == 1 && all[0] == block)) return; // a program is its own
+    QMenu* instances = menu.addMenu(kit::icon(Icon::Forward), tr("Values of Instance"));
+    for (size_t i = 0; i < std::min(all.size(), kMost); ++i)
+        connect(instances->addAction(all[i]), &QAction::triggered, this,
+                [this, block, instance = all[i]] { emit instanceRequested(block, instance); });
+    if (all.size() > kMost)
+        instances->addAction(tr("%n more: choose in the watch", nullptr, static_cast<int>(all.size() - kMost)))
+            ->setEnabled(false);
 }
 
 void ProjectTree::rename(QTreeWidgetItem* item) {

@@ -7,9 +7,11 @@
 #include <QTreeWidget>
 #include <QWidget>
 
+#include <functional>
 #include <map>
 
 class QLineEdit;
+class QMenu;
 class QToolButton;
 
 namespace plc::app {
@@ -20,6 +22,12 @@ public:
     explicit ProjectTree(editor::Workspace& workspace, QWidget* parent = nullptr);
     void reload();
     [[nodiscard]] QTreeWidget& tree() { return *m_tree; }
+
+    /// Which block a path lies in, and its instance (two empty texts: in none); the instances of a block. Both of the
+    /// program that is shown; without them the menu does not offer instances.
+    using InstanceAt = std::function<std::pair<QString, QString>(const QString& path)>;
+    using InstancesOf = std::function<std::vector<QString>(const QString& block)>;
+    void setInstances(InstanceAt at, InstancesOf of);
 
     /// The path of the variable that has the focus; empty: none has.
     [[nodiscard]] QString focusedVariable() const;
@@ -43,6 +51,8 @@ signals:
     void renameFileRequested(const QString& kind, const QString& name);
     void deleteFileRequested(const QString& kind, const QString& name);
     void watchRequested(const QString& path);
+    /// The block's text with the values of that instance.
+    void instanceRequested(const QString& block, const QString& instance);
     void whyRequested(plc::kit::AskWhy question, const QString& path);
     void renameRequested(const QString& file, uint32_t offset);
     void deleteRequested(const QString& file, uint32_t begin, uint32_t end, const QString& name);
@@ -62,12 +72,15 @@ private:
     void addUnit(QTreeWidgetItem* parent, const analysis::OutlineItem& unit, const QString& file);
     void activate(QTreeWidgetItem* item);
     void showMenu(const QPoint& position);
+    void addInstances(QMenu& menu, const QTreeWidgetItem& item);
     void filter(const QString& text);
 
     editor::Workspace& m_workspace;
     QTreeWidget* m_tree;
     QLineEdit* m_filter;
     QToolButton* m_byFile;
+    InstanceAt m_instanceAt;
+    InstancesOf m_instancesOf;
     QStringList m_collapsed;
     std::map<std::string, std::vector<const sema::Symbol*>> m_variables; // by folded owner, while the tree is made
     QString m_shape; // what the tree shows now; an equal new one is not rebuilt

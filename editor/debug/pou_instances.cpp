@@ -66,6 +66,18 @@ const std::vector<QString>& PouInstances::of(const QString& pou,
     return known->second;
 }
 
+std::pair<QString, QString> PouInstances::at(const QString& expression,
+                                             const std::shared_ptr<const image::CompiledProgram>& program) {
+    for (QString path = expression.trimmed(); program && !path.isEmpty();
+         path = path.contains('.') ? path.section('.', 0, -2) : QString()) {
+        const auto place = program->layout.find(path.toStdString());
+        if (!place) continue;
+        const types::Type& type = (*program->layout.types)[place->type];
+        if (type.kind == types::TypeKind::Block) return {QString::fromStdString(type.name), path};
+    }
+    return {};
+}
+
 QString PouInstances::preferred(const QString& pou,
                                 const std::shared_ptr<const image::CompiledProgram>& program) const {
     const QString block = pou.section('.', 0, 0);

@@ -15,6 +15,9 @@ public:
     /// Paths of the instances in that program, found once for each POU.
     [[nodiscard]] const std::vector<QString>& of(const QString& pou,
                                                  const std::shared_ptr<const image::CompiledProgram>& program) const;
+    /// The block that an expression names or lies in, and the path of its instance; both empty outside of one.
+    [[nodiscard]] static std::pair<QString, QString> at(const QString& expression,
+                                                        const std::shared_ptr<const image::CompiledProgram>& program);
     void prefer(const QString& pou, const QString& instance) { m_preferred[pou.toLower()] = instance; }
     /// The one that was chosen, else the first.
     [[nodiscard]] QString preferred(const QString& pou,

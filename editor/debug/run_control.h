@@ -107,6 +107,9 @@ public:
     [[nodiscard]] std::vector<QString> instancesOf(const QString& pou) const {
         return m_instances.of(pou, m_shown.program());
     }
+    [[nodiscard]] std::pair<QString, QString> instanceAt(const QString& expression) const {
+        return PouInstances::at(expression, m_shown.program());
+    }
     void setPreferredInstance(const QString& pou, const QString& instance);
     [[nodiscard]] QString preferredInstance(const QString& pou) const {
         return m_instances.preferred(pou, m_shown.program());

@@ -400,7 +400,7 @@ void WatchView::showMenu(const QPoint& position) {
                 [this, item] { m_control.unforce(expressionOf(item)); });
         connect(menu.addAction(kit::icon(kit::Icon::Trace), tr("Show in trace")), &QAction::triggered, this,
                 [this, item] { emit traceRequested(expressionOf(item)); });
-        if (const auto [block, instance] = instanceOf(expressionOf(item)); !block.isEmpty())
+        if (const auto [block, instance] = m_control.instanceAt(expressionOf(item)); !block.isEmpty())
             connect(menu.addAction(kit::icon(kit::Icon::Forward),
                                    tr("Source of %1 with the values of %2").arg(block, instance)),
                     &QAction::triggered, this,
@@ -428,18 +428,6 @@ void WatchView::showMenu(const QPoint& position) {
         emit expressionsChanged();
     });
     menu.exec(m_tree->viewport()->mapToGlobal(position));
-}
-
-std::pair<QString, QString> WatchView::instanceOf(const QString& expression) const {
-    const auto* program = m_control.imageProgram();
-    for (QString path = expression.trimmed(); program && !path.isEmpty();
-         path = path.contains('.') ? path.section('.', 0, -2) : QString()) {
-        const auto place = program->layout.find(path.toStdString());
-        if (!place) continue;
-        const types::Type& type = (*program->layout.types)[place->type];
-        if (type.kind == types::TypeKind::Block) return {QString::fromStdString(type.name), path};
-    }
-    return {};
 }
 
 void WatchView::dragEnterEvent(QDragEnterEvent* event) {

@@ -75,8 +75,6 @@ protected:
 private:
     enum Column { Name, Value, Type, Prepared, Comment, Count };
     void fillRow(QTreeWidgetItem* item);
-    /// The block that an expression names or lies in, and the path of its instance; both empty outside of one.
-    [[nodiscard]] std::pair<QString, QString> instanceOf(const QString& expression) const;
     void unfold(QTreeWidgetItem* item);
     void unfoldArray(QTreeWidgetItem* item, const types::Type& type, const QString& base, uint64_t from);
     QTreeWidgetItem* addPart(QTreeWidgetItem* parent, const QString& name, const QString& expression,

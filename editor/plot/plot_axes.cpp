@@ -29,7 +29,7 @@ struct PlotAxes::Parts {
     std::vector<QCategoryAxis*> values;
     AxisSpec timeSpec;
     bool timeLabels = true, grid = true;
-    const ThemeColors* styledFor = nullptr;
+    const kit::ThemeColors* styledFor = nullptr;
     std::vector<AxisSpec> valueSpecs;
     QFont font;
     bool marginsKnown = false;

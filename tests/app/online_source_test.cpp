@@ -1,6 +1,7 @@
 // The source of a block while it runs: whose values stand beside it, values beside declarations, writing and forcing
 // from the text; the watch with several lists and a format per row.
 #include "app/instance_bar.h"
+#include "app/project_tree.h"
 #include "editor/debug/debug_views.h"
 #include "editor/debug/watch_view.h"
 #include "tests/app/studio_fixture.h"
@@ -100,6 +101,38 @@ TEST_F(OnlineSourceTest, TheCallPathChoosesTheInstance) {
     ASSERT_TRUE(waitFor([&] { return window->control().status().state == controller::State::Halted; }));
     EXPECT_TRUE(waitFor([&] { return bar().shownInstance() == "Main.b"; }));
     window->control().setBreakpoints({});
+}
+
+TEST_F(OnlineSourceTest, TheTreeChoosesTheInstance) {
+    run();
+    editor().goTo(at("n := n + 1"));
+    QTreeWidget& tree = window->projectTree().tree();
+    const auto item = [&](const QString& name) {
+        const auto found = tree.findItems(name, Qt::MatchExactly | Qt::MatchRecursive);
+        return found.isEmpty() ? nullptr : found.first();
+    };
+    const auto choose = [&](const QString& name, const QString& entry, const QString& under) {
+        ASSERT_NE(item(name), nullptr) << name.toStdString();
+        tree.scrollToItem(item(name));
+        bool chosen = false;
+        QTimer::singleShot(200, qApp, [&] {
+            auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+            ASSERT_NE(menu, nullptr);
+            for (QAction* each : menu->actions()) {
+                if (!under.isEmpty() && each->menu() && each->text().remove(u'&') == under)
+                    for (QAction* inner : each->menu()->actions())
+                        if (inner->text().remove(u'&') == entry) chosen = true, inner->trigger();
+                if (each->text().remove(u'&') == entry) chosen = true, each->trigger();
+            }
+            menu->close();
+        });
+        emit tree.customContextMenuRequested(tree.visualItemRect(item(name)).center());
+        EXPECT_TRUE(chosen) << entry.toStdString();
+    };
+    choose("b", "Source of Axis with the values of Main.b", {});
+    EXPECT_TRUE(waitFor([&] { return bar().isVisible() && bar().shownInstance() == "Main.b"; }));
+    choose("Axis", "Main.a", "Values of Instance");
+    EXPECT_TRUE(waitFor([&] { return bar().shownInstance() == "Main.a"; }));
 }
 
 TEST_F(OnlineSourceTest, TheWatchChoosesTheInstance) {

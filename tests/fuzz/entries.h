@@ -6,7 +6,11 @@ namespace plc::fuzz {
 
 void lexText(std::string_view bytes);
 void parseText(std::string_view bytes);
+/// The front end to the checked program, twice: what it says is the same, and lies in the text.
+void checkText(std::string_view bytes);
 /// Checks, compiles and runs a bounded number of scans; the controller must stay alive whatever the program does.
 void runText(std::string_view bytes);
+/// The program runs, is exchanged for a mutant of itself (seed from the bytes) and for itself again, state kept.
+void changeText(std::string_view bytes);
 
 } // namespace plc::fuzz

@@ -1,6 +1,7 @@
 // The bodies, included once per program. Broken promises abort: libFuzzer and the test runner both see that.
 #pragma once
 #include "tests/fuzz/entries.h"
+#include "tests/fuzz/grammar.h"
 
 #include "runtime/compiler/driver/driver.h"
 #include "runtime/compiler/format/format.h"
@@ -40,16 +41,58 @@ void parseText(std::string_view bytes) {
     promise(format::format(once, {}) == once);
 }
 
-void runText(std::string_view bytes) {
+inline driver::BuildInput inputOf(std::string_view bytes) {
     driver::BuildInput input;
     input.files.push_back({"fuzz.st", std::string(bytes)});
-    const driver::Built built = driver::build(input);
-    if (!built.program) return;
+    return input;
+}
+
+inline controller::Settings boundedSettings() {
     controller::Settings settings;
     settings.loopBudgetPerScan = 20'000;
-    controller::Controller controller(built.program, settings);
-    controller.start();
+    return settings;
+}
+
+inline void someScans(controller::Controller& controller) {
     for (int scan = 0; scan < 8 && controller.state() == controller::State::Running; ++scan) controller.scan();
+}
+
+void checkText(std::string_view bytes) {
+    static driver::KeptFiles kept; // the libraries are read once
+    const driver::Checked checked = driver::check(inputOf(bytes), kept);
+    bool hasErrors = false;
+    for (const diagnostics::Diagnostic& d : checked.analysis->diagnostics) {
+        hasErrors = hasErrors || d.severity == diagnostics::Severity::Error;
+        if (!d.range.file.isValid()) continue;
+        promise(d.range.file.index() < checked.sources->files.size());
+        promise(d.range.begin <= d.range.end && d.range.end <= (*checked.sources)[d.range.file].text().size());
+    }
+    promise(hasErrors == checked.analysis->hasErrors);
+    promise(driver::check(inputOf(bytes)).analysis->diagnostics.size() == checked.analysis->diagnostics.size());
+}
+
+void runText(std::string_view bytes) {
+    const driver::Built built = driver::build(inputOf(bytes));
+    if (!built.program) return;
+    controller::Controller controller(built.program, boundedSettings());
+    controller.start();
+    someScans(controller);
+}
+
+void changeText(std::string_view bytes) {
+    const driver::Built first = driver::build(inputOf(bytes));
+    if (!first.program) return;
+    uint32_t seed = 2166136261u;
+    for (const char c : bytes) seed = (seed ^ static_cast<unsigned char>(c)) * 16777619u;
+    const driver::Built second = driver::build(inputOf(mutateByGrammar(bytes, bytes, seed)));
+    if (!second.program) return;
+    controller::Controller controller(first.program, boundedSettings());
+    controller.start();
+    someScans(controller);
+    for (const driver::Built* next : {&second, &first}) {
+        (void)controller.changeProgram(next->program); // what it refuses it says
+        someScans(controller);
+    }
 }
 
 } // namespace plc::fuzz

@@ -1,4 +1,4 @@
-// Every seed and every past finding goes through all three fuzz entries, in each preset; and every seed cut at each
+// Every seed and every past finding goes through all fuzz entries, in each preset; and every seed cut at each
 // token and with one token swapped: no crash, no hang.
 #include "tests/fuzz/entries_impl.h"
 #include "tests/support/paths.h"
@@ -39,7 +39,9 @@ TEST_F(FuzzReplay, SeedsAndFindingsPass) {
             SCOPED_TRACE(name);
             plc::fuzz::lexText(text);
             plc::fuzz::parseText(text);
+            plc::fuzz::checkText(text);
             plc::fuzz::runText(text);
+            plc::fuzz::changeText(text);
             ++count;
         }
     EXPECT_GT(count, 0u);
@@ -60,6 +62,27 @@ TEST_F(FuzzReplay, SeedsCutAtEachTokenAndWithOneTokenSwapped) {
             plc::fuzz::parseText(swapped);
         }
     }
+}
+
+TEST_F(FuzzReplay, MutantsByTheGrammarAreCheckedRunAndExchanged) {
+    const char* given = std::getenv("STEPWISE_SEED");
+    const auto first = given ? static_cast<uint32_t>(std::strtoul(given, nullptr, 10)) : std::random_device{}();
+    std::printf("seed %u\n", first);
+    const bool isLong = std::getenv("STEPWISE_LONG") != nullptr;
+    const auto all = texts("seeds");
+    size_t right = 0;
+    for (uint32_t i = 0; i < (isLong ? 20'000u : 300u); ++i) {
+        const uint32_t seed = first + i;
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        const std::string& text = all[seed % all.size()].second;
+        const std::string mutant = plc::fuzz::mutateByGrammar(text, all[seed / 7 % all.size()].second, seed);
+        EXPECT_EQ(mutant, plc::fuzz::mutateByGrammar(text, all[seed / 7 % all.size()].second, seed));
+        plc::fuzz::parseText(mutant);
+        plc::fuzz::checkText(mutant);
+        right += plc::driver::check(plc::fuzz::inputOf(mutant)).analysis->hasErrors ? 0 : 1;
+        if (i % 30 == 0) plc::fuzz::changeText(mutant);
+    }
+    EXPECT_GT(right, 0u) << "mutants that nothing is wrong with reach the code behind the checker";
 }
 
 TEST_F(FuzzReplay, SeedsWithRandomTokensDroppedCompileOrComplain) {
