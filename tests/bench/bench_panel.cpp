@@ -1,6 +1,7 @@
 // A panel of 1,000 bound elements: what a frame costs when everything changes, what share of a core that is at 30
 // frames a second, and how long opening takes. Figures to hold against: under half a core, under 500 ms.
 #include "hmi/player/panel_player.h"
+#include "projects/session/session.h"
 
 #include <QApplication>
 #include <benchmark/benchmark.h>
