@@ -22,10 +22,10 @@ hmi::LogIn::Answer answerOf(const Gate::Outcome& outcome) {
 }
 } // namespace
 
-PanelLink::PanelLink(QWebSocket* socket, const hmi::PanelProject& project, session::Session& session,
+PanelLink::PanelLink(QWebSocket* socket, const hmi::PanelProject& project, session::Run& run,
                      hmi::web::PaintStore& store, hmi::PanelPlayer& station, Gate& gate, LinkLimits limits,
                      QObject* parent)
-    : QObject(parent), m_socket(socket), m_panel(project, session, store, station), m_gate(gate), m_limits(limits),
+    : QObject(parent), m_socket(socket), m_panel(project, run, store, station), m_gate(gate), m_limits(limits),
       m_address(socket->peerAddress().toString()), m_budget(limits.messagesPerSecond) {
     socket->setParent(this);
     m_panel.setDoor([this](const QString& user, const QString& password) {

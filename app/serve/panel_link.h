@@ -18,8 +18,8 @@ struct LinkLimits {
 class PanelLink final : public QObject {
     Q_OBJECT
 public:
-    PanelLink(QWebSocket* socket, const hmi::PanelProject& project, session::Session& session,
-              hmi::web::PaintStore& store, hmi::PanelPlayer& station, Gate& gate, LinkLimits limits, QObject* parent);
+    PanelLink(QWebSocket* socket, const hmi::PanelProject& project, session::Run& run, hmi::web::PaintStore& store,
+              hmi::PanelPlayer& station, Gate& gate, LinkLimits limits, QObject* parent);
     ~PanelLink() override;
 
     /// Sends what is new, if the browser is ready for it; time in ms of any epoch.

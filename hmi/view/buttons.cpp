@@ -256,7 +256,7 @@ TextBox SwitchView::label(bool on, const QString& forTag) const {
     const bool rtl = isRightToLeft(forTag);
     const QRectF rest = rtl ? QRectF(0, 0, area.width() > 0 ? width() - area.width() - 12 : 0, height())
                             : QRectF(area.width() + 12, 0, width() - area.width() - 12, height());
-    return textBox(shown(text(on ? "onText" : "offText"), forTag), rest, num("fontSize"), TextAlign::Start,
+    return textBox(shown(on ? text("onText") : text("offText"), forTag), rest, num("fontSize"), TextAlign::Start,
                    on ? "onText" : "offText", false, forTag);
 }
 

@@ -80,8 +80,8 @@ void ChartView::drawHorizontalAxis(QPainter& painter, const QRectF& plot, const 
 
 TextBox ChartView::titleBox(std::string_view property, const QRectF& area, TextAlign align,
                             const QString& forTag) const {
-    TextBox out =
-        textBox(shown(text(property), forTag), area, fontSize(), align, std::string(property).c_str(), false, forTag);
+    TextBox out = textBox(shown(element().text(property), forTag), area, fontSize(), align,
+                          std::string(property).c_str(), false, forTag);
     return out;
 }
 

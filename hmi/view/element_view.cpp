@@ -44,7 +44,7 @@ void ElementView::prepare() {
     setUp();
 }
 
-ElementView::Slot ElementView::bindProperty(std::string_view property) {
+ElementView::Slot ElementView::bindProperty(PropertyKey<PropertyUse::Text> property) {
     return bindExpression(m_element.text(property));
 }
 
@@ -227,7 +227,9 @@ QStringList ElementView::boundExpressions() const {
     return out;
 }
 
-QColor ElementView::color(std::string_view property) const { return theme().color(m_element.text(property)); }
+QColor ElementView::color(PropertyKey<PropertyUse::Color> property) const {
+    return theme().color(m_element.text(property));
+}
 
 QColor ElementView::colorOr(const QString& name, const QColor& fallback) const {
     const QColor found = theme().color(name);
@@ -277,7 +279,7 @@ TextBox ElementView::textBox(const QString& text, const QRectF& rect, double pix
     return box;
 }
 
-UnitView ElementView::unit(std::string_view property, const QString& forTag) const {
+UnitView ElementView::unit(PropertyKey<PropertyUse::Text> property, const QString& forTag) const {
     return m_scene.texts().settings().unitFor(forTag.isEmpty() ? tag() : forTag, m_element.text(property));
 }
 

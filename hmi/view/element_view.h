@@ -1,6 +1,7 @@
 // The view of one element: it reads its bindings, knows when its look changed, paints itself and says what pressing it
 // asks for. One subclass per kind, one file per family. Owned by the PanelScene; main thread.
 #pragma once
+#include "hmi/model/property_key.h"
 #include "hmi/texts/catalog.h"
 #include "hmi/view/panel_theme.h"
 #include "hmi/view/requests.h"
@@ -75,7 +76,7 @@ protected:
     virtual void draw(QPainter& painter) = 0;
     virtual bool advance(qint64 /*frame*/) { return false; }
 
-    Slot bindProperty(std::string_view property);
+    Slot bindProperty(PropertyKey<PropertyUse::Text> property);
     Slot bindExpression(const QString& expression);
     /// One row of the property "states": what is shown when the value is that of `value`.
     struct BoundState {
@@ -94,10 +95,11 @@ protected:
     bool isTrue(Slot slot, bool sample = false) const;
 
     const Element& properties() const { return m_element; }
-    QString text(std::string_view property) const { return m_element.text(property); }
-    double num(std::string_view property) const { return m_element.number(property); }
-    bool flag(std::string_view property) const { return m_element.isSet(property); }
-    QColor color(std::string_view property) const;
+    // Properties by name; one that elements.def does not have does not compile.
+    QString text(PropertyKey<PropertyUse::Text> property) const { return m_element.text(property); }
+    double num(PropertyKey<PropertyUse::Number> property) const { return m_element.number(property); }
+    bool flag(PropertyKey<PropertyUse::Flag> property) const { return m_element.isSet(property); }
+    QColor color(PropertyKey<PropertyUse::Color> property) const;
     QColor colorOr(const QString& name, const QColor& fallback) const;
     /// The element's colour unless a condition gives another.
     QColor stateColor(const QColor& own) const { return m_appearance.color.isValid() ? m_appearance.color : own; }
@@ -119,7 +121,7 @@ protected:
     QString shown(const QString& reference, const QString& tag = {}) const; // text filled with the element's values
     TextBox textBox(const QString& text, const QRectF& rect, double pixelSize, TextAlign align, const char* property,
                     bool bold = false, const QString& tag = {}) const;
-    UnitView unit(std::string_view property = "unit", const QString& tag = {}) const;
+    UnitView unit(PropertyKey<PropertyUse::Text> property = "unit", const QString& tag = {}) const;
     QString formatted(double raw, std::string_view format, const UnitView& unit, const QString& tag = {}) const;
 
     void write(const QString& target, const Value& value, const QString& confirm = {});

@@ -34,8 +34,8 @@ void sendMouse(QWidget& to, QEvent::Type type, QPointF atOverlay, const QWidget&
 
 } // namespace
 
-WebPanel::WebPanel(const PanelProject& project, session::Session& session, PaintStore& store, PanelPlayer& station)
-    : m_project(project), m_player(project, &session), m_stream(store, m_player) {
+WebPanel::WebPanel(const PanelProject& project, session::Run& run, PaintStore& store, PanelPlayer& station)
+    : m_project(project), m_player(project, &run), m_stream(store, m_player) {
     m_player.setStepped();
     m_player.shareAlarms(station);
     m_player.setLocked(true);

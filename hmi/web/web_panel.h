@@ -15,7 +15,7 @@ class WebPanel final : public QObject {
     Q_OBJECT
 public:
     /// `station` keeps the alarms of all browsers.
-    WebPanel(const PanelProject& project, session::Session& session, PaintStore& store, PanelPlayer& station);
+    WebPanel(const PanelProject& project, session::Run& run, PaintStore& store, PanelPlayer& station);
     ~WebPanel() override;
 
     /// False: the message makes no sense here, and who sends it is not a browser of ours.

@@ -2,6 +2,7 @@
 // frames a second, and how long opening takes. Figures to hold against: under half a core, under 500 ms.
 #include "hmi/player/panel_player.h"
 #include "hmi/web/web_panel.h"
+#include "projects/session/session.h"
 
 #include <QApplication>
 #include <benchmark/benchmark.h>
