@@ -43,7 +43,7 @@ TEST(Cells, EachLayoutGivesItsCells) {
         {R"("layout":"row")", "a 10,10 50x80; b 65,10 80x80; c 150,10 40x80; "},
         {R"("layout":"row","across":"center")", "a 10,30 50x40; b 65,40 80x20; c 150,20 40x60; "},
         {R"("layout":"row","across":"end")", "a 10,50 50x40; b 65,70 80x20; c 150,30 40x60; "},
-        {R"("layout":"column","across":"start")", "a 10,10 50x29; b 10,44 60x1; c 10,46 40x44; "},
+        {R"("layout":"column","across":"start")", "a 10,10 50x28; b 10,43 60x1; c 10,48 40x42; "},
         {R"("layout":"grid","columns":2)", "a 10,10 88x38; b 103,10 87x38; c 10,53 88x37; "},
         {R"("layout":"grid","columns":0,"cellWidth":80)", "a 10,10 88x38; b 103,10 87x38; c 10,53 88x37; "},
         {R"("layout":"grid","columns":0,"cellWidth":500)", "a 10,10 180x23; b 10,38 180x24; c 10,67 180x23; "},
@@ -55,8 +55,7 @@ TEST(Cells, EachLayoutGivesItsCells) {
             std::string(R"({"id":"g","kind":"group","rect":[0,0,200,100],"gap":5,"padding":10,)") + row.layout + "}",
             three);
         const Panel placed = laidOut(panel, panel.size());
-        if (std::string_view(row.layout).find("column\"") == std::string_view::npos) // it shrinks: see below
-            EXPECT_EQ(places(placed), row.expected) << row.layout;
+        EXPECT_EQ(places(placed), row.expected) << row.layout;
         EXPECT_TRUE(arrangement(placed).isEmpty()) << row.layout << ": what is in its cell stays there";
         for (const Element& one : placed.elements())
             EXPECT_TRUE(std::string_view(row.layout).find("free") != std::string_view::npos ||
