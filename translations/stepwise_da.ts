@@ -700,7 +700,7 @@
     </message>
     <message>
         <source>The result of {0} is not set on every path; assign it before the first RETURN or IF</source>
-        <translation>Resultatet af {0} sættes ikke ad alle veje; tildel det før første RETURN eller IF</translation>
+        <translation>Resultatet af {0} sættes ikke på alle stier; tildel det før første RETURN eller IF</translation>
     </message>
     <message>
         <source>CASE has no branch for {0} and no ELSE; add one of them</source>
@@ -2153,7 +2153,7 @@
     </message>
     <message>
         <source>more than {0} units of work (loop passes, calls, copies) in one run of the task; check for an endless loop</source>
-        <translation>mere end {0} arbejdsenheder (løkkegennemløb, kald, kopier) i én kørsel af tasken; er der en løkke uden ende?</translation>
+        <translation>mere end {0} arbejdsenheder (løkkegennemløb, kald, kopier) i én kørsel af tasken; kontroller for en endeløs løkke</translation>
     </message>
     <message>
         <source>{0} is not a whole number</source>
@@ -2897,6 +2897,10 @@
     <message>
         <source>The address {0} begins at a byte that other tools, which count in words, cannot name; move it to a multiple of its size</source>
         <translation>Adressen {0} begynder ved en byte, som andre værktøjer, der tæller i ord, ikke kan angive; flyt den til et multiplum af dens størrelse</translation>
+    </message>
+    <message>
+        <source>{0} reaches out of the controller; it is declared here with its inputs and outputs and does nothing</source>
+        <translation>{0} rækker ud over styringen; den er erklæret her med sine indgange og udgange og gør intet</translation>
     </message>
 </context>
 <context>
@@ -9535,6 +9539,14 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>Taken back: %1</source>
         <translation>Taget tilbage: %1</translation>
     </message>
+    <message>
+        <source>What the model leaves</source>
+        <translation>Hvad modellen ikke forklarer</translation>
+    </message>
+    <message>
+        <source>recorded less model</source>
+        <translation>optaget minus model</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::WatchView</name>
@@ -11572,6 +11584,10 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     <message>
         <source>Workbook</source>
         <translation>Arbejdsbog</translation>
+    </message>
+    <message>
+        <source>Tank over Modbus</source>
+        <translation>Tank over Modbus</translation>
     </message>
 </context>
 <context>

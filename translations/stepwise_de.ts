@@ -700,7 +700,7 @@
     </message>
     <message>
         <source>The result of {0} is not set on every path; assign it before the first RETURN or IF</source>
-        <translation>Das Ergebnis von {0} wird nicht auf jedem Weg gesetzt; vor dem ersten RETURN oder IF zuweisen</translation>
+        <translation>Das Ergebnis von {0} wird nicht auf jedem Pfad gesetzt; vor dem ersten RETURN oder IF zuweisen</translation>
     </message>
     <message>
         <source>CASE has no branch for {0} and no ELSE; add one of them</source>
@@ -2153,7 +2153,7 @@
     </message>
     <message>
         <source>more than {0} units of work (loop passes, calls, copies) in one run of the task; check for an endless loop</source>
-        <translation>mehr als {0} Arbeitseinheiten (Schleifendurchläufe, Aufrufe, Kopien) in einem Lauf der Task; gibt es eine Schleife ohne Ende?</translation>
+        <translation>mehr als {0} Arbeitseinheiten (Schleifendurchläufe, Aufrufe, Kopien) in einem Lauf der Task; auf eine Endlosschleife prüfen</translation>
     </message>
     <message>
         <source>{0} is not a whole number</source>
@@ -2897,6 +2897,10 @@
     <message>
         <source>The address {0} begins at a byte that other tools, which count in words, cannot name; move it to a multiple of its size</source>
         <translation>Die Adresse {0} beginnt an einem Byte, das andere Werkzeuge, die in Wörtern zählen, nicht benennen können; verschieben Sie sie auf ein Vielfaches ihrer Größe</translation>
+    </message>
+    <message>
+        <source>{0} reaches out of the controller; it is declared here with its inputs and outputs and does nothing</source>
+        <translation>{0} greift über die Steuerung hinaus; hier ist er mit seinen Ein- und Ausgängen deklariert und tut nichts</translation>
     </message>
 </context>
 <context>
@@ -9535,6 +9539,14 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>Taken back: %1</source>
         <translation>Zurückgenommen: %1</translation>
     </message>
+    <message>
+        <source>What the model leaves</source>
+        <translation>Rest neben dem Modell</translation>
+    </message>
+    <message>
+        <source>recorded less model</source>
+        <translation>aufgezeichnet minus Modell</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::WatchView</name>
@@ -11572,6 +11584,10 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
     <message>
         <source>Workbook</source>
         <translation>Übungsbuch</translation>
+    </message>
+    <message>
+        <source>Tank over Modbus</source>
+        <translation>Behälter über Modbus</translation>
     </message>
 </context>
 <context>

@@ -2898,6 +2898,10 @@
         <source>The address {0} begins at a byte that other tools, which count in words, cannot name; move it to a multiple of its size</source>
         <translation>La dirección {0} empieza en un byte que otras herramientas, que cuentan en palabras, no pueden nombrar; muévala a un múltiplo de su tamaño</translation>
     </message>
+    <message>
+        <source>{0} reaches out of the controller; it is declared here with its inputs and outputs and does nothing</source>
+        <translation>{0} actúa fuera del controlador; se declara aquí con sus entradas y salidas y no hace nada</translation>
+    </message>
 </context>
 <context>
     <name>Fixes</name>
@@ -9535,6 +9539,14 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <source>Taken back: %1</source>
         <translation>Revertido: %1</translation>
     </message>
+    <message>
+        <source>What the model leaves</source>
+        <translation>Lo que el modelo no explica</translation>
+    </message>
+    <message>
+        <source>recorded less model</source>
+        <translation>grabado menos modelo</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::WatchView</name>
@@ -11572,6 +11584,10 @@ Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
     <message>
         <source>Workbook</source>
         <translation>Cuaderno de ejercicios</translation>
+    </message>
+    <message>
+        <source>Tank over Modbus</source>
+        <translation>Depósito por Modbus</translation>
     </message>
 </context>
 <context>

@@ -2898,6 +2898,10 @@
         <source>The address {0} begins at a byte that other tools, which count in words, cannot name; move it to a multiple of its size</source>
         <translation>L’adresse {0} commence à un octet que d’autres outils, qui comptent en mots, ne peuvent pas nommer&#x202f;; déplacez-la à un multiple de sa taille</translation>
     </message>
+    <message>
+        <source>{0} reaches out of the controller; it is declared here with its inputs and outputs and does nothing</source>
+        <translation>{0} agit hors de l’automate&#x202f;; il est déclaré ici avec ses entrées et sorties et ne fait rien</translation>
+    </message>
 </context>
 <context>
     <name>Fixes</name>
@@ -3182,7 +3186,7 @@
     </message>
     <message>
         <source>Suppressed if</source>
-        <translation>Supprimée si</translation>
+        <translation>Inhibée si</translation>
     </message>
     <message>
         <source>Colour</source>
@@ -5182,7 +5186,7 @@
     </message>
     <message>
         <source>a subrange</source>
-        <translation>une plage</translation>
+        <translation>un sous-intervalle</translation>
     </message>
     <message>
         <source>an enumeration</source>
@@ -9535,6 +9539,14 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <source>Taken back: %1</source>
         <translation>Annulé&#xa0;: %1</translation>
     </message>
+    <message>
+        <source>What the model leaves</source>
+        <translation>Ce que le modèle n’explique pas</translation>
+    </message>
+    <message>
+        <source>recorded less model</source>
+        <translation>enregistré moins modèle</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::WatchView</name>
@@ -11572,6 +11584,10 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
     <message>
         <source>Workbook</source>
         <translation>Cahier d’exercices</translation>
+    </message>
+    <message>
+        <source>Tank over Modbus</source>
+        <translation>Cuve via Modbus</translation>
     </message>
 </context>
 <context>

@@ -2898,6 +2898,10 @@
         <source>The address {0} begins at a byte that other tools, which count in words, cannot name; move it to a multiple of its size</source>
         <translation>地址 {0} 起始于按字计数的其他工具无法表示的字节；请移到其大小的整数倍</translation>
     </message>
+    <message>
+        <source>{0} reaches out of the controller; it is declared here with its inputs and outputs and does nothing</source>
+        <translation>{0} 涉及控制器之外；此处只声明其输入和输出，不执行任何操作</translation>
+    </message>
 </context>
 <context>
     <name>Fixes</name>
@@ -4009,7 +4013,7 @@
     </message>
     <message>
         <source>House</source>
-        <translation>主页</translation>
+        <translation>房屋</translation>
     </message>
     <message>
         <source>Circular arrow</source>
@@ -9520,6 +9524,14 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <source>Taken back: %1</source>
         <translation>已还原：%1</translation>
     </message>
+    <message>
+        <source>What the model leaves</source>
+        <translation>模型未解释的部分</translation>
+    </message>
+    <message>
+        <source>recorded less model</source>
+        <translation>记录值减模型值</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::WatchView</name>
@@ -11551,6 +11563,10 @@ Click selects, Ctrl+click shows or hides.</source>
     <message>
         <source>Workbook</source>
         <translation>练习册</translation>
+    </message>
+    <message>
+        <source>Tank over Modbus</source>
+        <translation>通过 Modbus 连接的罐</translation>
     </message>
 </context>
 <context>
