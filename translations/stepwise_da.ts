@@ -6171,6 +6171,10 @@ Ikke bevaret: %3</translation>
         <source>files</source>
         <translation>filer</translation>
     </message>
+    <message>
+        <source>PLCopen XML, TwinCAT, CODESYS, ST</source>
+        <translation>PLCopen XML, TwinCAT, CODESYS, ST</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::InsideViews</name>

@@ -6171,6 +6171,10 @@ Nicht erhalten: %3</translation>
         <source>files</source>
         <translation>Dateien</translation>
     </message>
+    <message>
+        <source>PLCopen XML, TwinCAT, CODESYS, ST</source>
+        <translation>PLCopen XML, TwinCAT, CODESYS, ST</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::InsideViews</name>

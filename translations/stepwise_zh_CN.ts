@@ -6166,6 +6166,10 @@ Not kept: %3</source>
         <source>files</source>
         <translation>文件</translation>
     </message>
+    <message>
+        <source>PLCopen XML, TwinCAT, CODESYS, ST</source>
+        <translation>PLCopen XML、TwinCAT、CODESYS、ST</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::InsideViews</name>
