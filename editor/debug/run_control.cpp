@@ -496,7 +496,7 @@ RunControl::Shown RunControl::value(const QString& expression, const QString& sc
             shown.reason = kit::messageText(compiled.error().message);
             return shown;
         }
-        // A recorded image of an older version has another layout: the expression is made anew for it.
+        // A recorded image of an older version has another layout: the expression is made again for it.
         present = *compiled;
         if (m_imageProgram->version != m_session->program()->version)
             present = m_session->recompile(expression.toStdString(), scope.toStdString())(*m_imageProgram);

@@ -21,7 +21,7 @@ struct TraceOutput {
     const Recording* beneath = nullptr;
 };
 
-/// Writes the files; the text is the statistics table, or what the trigger did. An expression that can not be compiled
+/// Writes the files; the text is the statistics table, or what the trigger did. An expression that cannot be compiled
 /// is the error.
 [[nodiscard]] Result<std::string> renderTrace(const Recording& recording, const TraceOutput& output);
 

@@ -85,7 +85,7 @@ void PlcValues::setRecording(std::optional<PanelRecording> recording) {
     m_recording = std::move(recording);
     m_position.reset();
     m_image.clear();
-    m_program.reset(); // everything is compiled anew
+    m_program.reset(); // everything is compiled again
     m_scan = ~uint64_t(0);
     refresh();
 }

@@ -25,7 +25,7 @@ public:
     ~PanelScene() override;
 
     void setPanel(const Panel& panel);
-    /// Follows an edit of the same panel: only what was touched is made anew.
+    /// Follows an edit of the same panel: only what was touched is made again.
     void follow(const Panel& panel, const Touched& touched);
     /// The source must outlive the scene or be replaced before it goes; null: nothing has a value.
     void setValues(ValueSource* values);
@@ -77,7 +77,7 @@ public:
     bool isMeasuring() const { return m_measuring; }
     bool isLit() const { return m_lit; }
 
-    /// Reads all values at a time in ms (any epoch); returns what must be painted anew. At most one repaint per frame.
+    /// Reads all values at a time in ms (any epoch); returns what must be repainted. At most one repaint per frame.
     QRegion refresh(qint64 milliseconds);
     /// Painted between the background and the elements: the designer's grid.
     void setUnderlay(std::function<void(QPainter&)> underlay) { m_underlay = std::move(underlay); }
