@@ -44,6 +44,7 @@ namespace {
     QT_TRANSLATE_NOOP("Examples", "Pumping station with six pumps"),
     QT_TRANSLATE_NOOP("Examples", "Motor with selector"),
     QT_TRANSLATE_NOOP("Examples", "Stack of integers"),
+    QT_TRANSLATE_NOOP("Examples", "Tank over Modbus"),
     QT_TRANSLATE_NOOP("Examples", "Tank that is filled, heated and emptied"),
     QT_TRANSLATE_NOOP("Examples", "Tank, operated by hand"),
     QT_TRANSLATE_NOOP("Examples", "Level and volume"),

@@ -108,9 +108,8 @@ ImportDialog::ImportDialog(const QString& projectsFolder, QWidget* parent)
     m_source = new QLineEdit(this);
     m_source->setReadOnly(true);
     m_source->setAccessibleName(tr("From:"));
-    const QString hint = tr("PLCopen XML, TwinCAT or CODESYS files, structured text");
-    m_source->setPlaceholderText(hint);
-    m_source->setToolTip(hint); // also where a large font cuts it
+    m_source->setPlaceholderText(tr("PLCopen XML, TwinCAT, CODESYS, ST")); // short enough for fonts of 200 %
+    m_source->setToolTip(tr("PLCopen XML, TwinCAT or CODESYS files, structured text"));
     m_target = new QLineEdit(this);
     m_target->setObjectName("target");
     m_target->setAccessibleName(tr("New project in:"));

@@ -88,10 +88,6 @@
         <translation>Porte under 1024 kræver særlige rettigheder; det gør en port som 1502 ikke</translation>
     </message>
     <message>
-        <source>{0} has no channels, so nothing is exchanged</source>
-        <translation>{0} har ingen kanaler, så intet udveksles</translation>
-    </message>
-    <message>
         <source>A channel of an MQTT device needs a &quot;topic&quot;</source>
         <translation>En kanal på en MQTT-enhed kræver et ”topic”</translation>
     </message>
@@ -168,10 +164,6 @@
         <translation>{0} er en konstant og kan ikke skrives</translation>
     </message>
     <message>
-        <source>{0} and {1} write the same bytes: {2}</source>
-        <translation>{0} og {1} skriver de samme bytes: {2}</translation>
-    </message>
-    <message>
         <source>{0} and {1} both set {2} {3}</source>
         <translation>{0} og {1} sætter begge {2} {3}</translation>
     </message>
@@ -196,16 +188,8 @@
         <translation>{0} kan ikke læses; den indeholder udstederens certifikater (PEM)</translation>
     </message>
     <message>
-        <source>There is no free address left for {0}</source>
-        <translation>Der er ingen ledig adresse tilbage til {0}</translation>
-    </message>
-    <message>
         <source>no answer within {0} ms</source>
         <translation>intet svar inden for {0} ms</translation>
-    </message>
-    <message>
-        <source>cannot connect to {0}: {1}</source>
-        <translation>kan ikke forbinde til {0}: {1}</translation>
     </message>
     <message>
         <source>the connection ended: {0}</source>
@@ -277,11 +261,11 @@
     </message>
     <message>
         <source>The project had no devices when its controller was built; add them and build again</source>
-        <translation>Projektet havde ingen enheder, da det blev oversat; tilføj dem, og oversæt igen</translation>
+        <translation>Projektet havde ingen enheder, da styringens program blev oversat; tilføj dem, og oversæt igen</translation>
     </message>
     <message>
         <source>The devices had errors when the controller was built; correct them and build again</source>
-        <translation>Enhederne havde fejl, da projektet blev oversat; ret dem, og oversæt igen</translation>
+        <translation>Enhederne havde fejl, da styringens program blev oversat; ret dem, og oversæt igen</translation>
     </message>
     <message>
         <source>Set the speed to real time first; devices cannot keep up with another one</source>
@@ -290,6 +274,22 @@
     <message>
         <source>The devices of an attached controller are connected there</source>
         <translation>Enhederne til en tilkoblet styring er forbundet dér</translation>
+    </message>
+    <message>
+        <source>{0} and {1} write the same bytes: {2}; change an address</source>
+        <translation>{0} og {1} skriver de samme bytes: {2}; ret en adresse</translation>
+    </message>
+    <message>
+        <source>There is no free address left for {0}; give it a variable</source>
+        <translation>Der er ingen ledig adresse tilbage til {0}; giv den en variabel</translation>
+    </message>
+    <message>
+        <source>{0} has no channels, so nothing is exchanged; add one</source>
+        <translation>{0} har ingen kanaler, så intet udveksles; tilføj en</translation>
+    </message>
+    <message>
+        <source>cannot connect to {0}: {1}; check the address and the cable</source>
+        <translation>kan ikke forbinde til {0}: {1}; kontroller adressen og kablet</translation>
     </message>
 </context>
 <context>
@@ -407,10 +407,6 @@
         <translation>{0} er en IN_OUT-parameter og kræver en variabel af typen {1}</translation>
     </message>
     <message>
-        <source>This array has {0} {0:dimension|dimensions}, not {1}</source>
-        <translation>Dette array har {0} {0:dimension|dimensioner}, ikke {1}</translation>
-    </message>
-    <message>
         <source>The index {0} is outside {1}..{2}</source>
         <translation>Indekset {0} ligger uden for {1}..{2}</translation>
     </message>
@@ -433,18 +429,6 @@
     <message>
         <source>The character {0} is not in STRING (Latin-1); use WSTRING</source>
         <translation>Tegnet {0} findes ikke i STRING (Latin-1); brug WSTRING</translation>
-    </message>
-    <message>
-        <source>The text has {0} characters and will be truncated to {1}</source>
-        <translation>Teksten har {0} tegn og afkortes til {1}</translation>
-    </message>
-    <message>
-        <source>This integer division discards the fraction before the conversion to {0}</source>
-        <translation>Denne heltalsdivision fjerner decimalerne før konverteringen til {0}</translation>
-    </message>
-    <message>
-        <source>{0} is computed as {1} and may overflow before the conversion to {2}</source>
-        <translation>{0} beregnes som {1} og kan løbe over før konverteringen til {2}</translation>
     </message>
     <message>
         <source>{0} and {1} are compared as {2}; convert one of them</source>
@@ -475,10 +459,6 @@
         <translation>{0} indeholder sig selv; brug REFERENCE TO</translation>
     </message>
     <message>
-        <source>{0} calls itself, which is not allowed: {1}</source>
-        <translation>{0} kalder sig selv, hvilket ikke er tilladt: {1}</translation>
-    </message>
-    <message>
         <source>The parameters of {0} must match those of the overridden method</source>
         <translation>Parametrene i {0} skal svare til den tilsidesatte metodes</translation>
     </message>
@@ -493,14 +473,6 @@
     <message>
         <source>{0} is only allowed inside a loop</source>
         <translation>{0} er kun tilladt i en løkke</translation>
-    </message>
-    <message>
-        <source>The loop variable {0} is changed inside its loop</source>
-        <translation>Løkkevariablen {0} ændres inde i sin løkke</translation>
-    </message>
-    <message>
-        <source>There is no global variable {0} of type {1}</source>
-        <translation>Der er ingen global variabel {0} af typen {1}</translation>
     </message>
     <message>
         <source>There are several programs and no CONFIGURATION; name one of them Main or write a CONFIGURATION</source>
@@ -533,10 +505,6 @@
     <message>
         <source>The qualifier {0} needs a time, for example T#2s</source>
         <translation>Kvalifikatoren {0} kræver en tid, for eksempel T#2s</translation>
-    </message>
-    <message>
-        <source>{0} is not an IL operator</source>
-        <translation>{0} er ikke en IL-operator</translation>
     </message>
     <message>
         <source>{0} needs a current result; load one with LD</source>
@@ -700,7 +668,7 @@
     </message>
     <message>
         <source>The result of {0} is not set on every path; assign it before the first RETURN or IF</source>
-        <translation>Resultatet af {0} sættes ikke ad alle veje; tildel det før første RETURN eller IF</translation>
+        <translation>Resultatet af {0} sættes ikke på alle stier; tildel det før første RETURN eller IF</translation>
     </message>
     <message>
         <source>CASE has no branch for {0} and no ELSE; add one of them</source>
@@ -813,6 +781,38 @@
     <message>
         <source>{0} converts the number, as in CODESYS; to keep the bits, put both types into a UNION</source>
         <translation>{0} konverterer tallet, som i CODESYS; læg begge typer i en UNION for at bevare bittene</translation>
+    </message>
+    <message>
+        <source>{0} calls itself, which is not allowed: {1}; use a loop instead</source>
+        <translation>{0} kalder sig selv, hvilket ikke er tilladt: {1}; brug en løkke i stedet</translation>
+    </message>
+    <message>
+        <source>The loop variable {0} is changed inside its loop; use WHILE or another variable</source>
+        <translation>Løkkevariablen {0} ændres inde i sin løkke; brug WHILE eller en anden variabel</translation>
+    </message>
+    <message>
+        <source>There is no global variable {0} of type {1}; declare it in VAR_GLOBAL</source>
+        <translation>Der er ingen global variabel {0} af typen {1}; erklær den i VAR_GLOBAL</translation>
+    </message>
+    <message>
+        <source>The text has {0} characters and will be truncated to {1}; declare a longer string</source>
+        <translation>Teksten har {0} tegn og afkortes til {1}; erklær en længere streng</translation>
+    </message>
+    <message>
+        <source>This integer division discards the fraction before the conversion to {0}; convert an operand first</source>
+        <translation>Denne heltalsdivision fjerner decimalerne før konverteringen til {0}; konverter først en operand</translation>
+    </message>
+    <message>
+        <source>{0} is computed as {1} and may overflow before the conversion to {2}; convert an operand first</source>
+        <translation>{0} beregnes som {1} og kan løbe over før konverteringen til {2}; konverter først en operand</translation>
+    </message>
+    <message>
+        <source>{0} is not an IL operator; use one such as LD, ST, AND or JMP</source>
+        <translation>{0} er ikke en IL-operator; brug for eksempel LD, ST, AND eller JMP</translation>
+    </message>
+    <message>
+        <source>This array has {0} {0:dimension|dimensions}, not {1}; write an index for each</source>
+        <translation>Dette array har {0} {0:dimension|dimensioner}, ikke {1}; skriv et indeks for hver</translation>
     </message>
 </context>
 <context>
@@ -1028,10 +1028,6 @@
         <translation>Filen er beskadiget eller er ikke en optagelse</translation>
     </message>
     <message>
-        <source>The recorded program can no longer be built</source>
-        <translation>Det optagede program kan ikke længere oversættes</translation>
-    </message>
-    <message>
         <source>This version of Stepwise lays out the program&apos;s variables differently; open the recording with the version that made it</source>
         <translation>Denne version af Stepwise placerer programmets variabler anderledes; åbn optagelsen med den version, der lavede den</translation>
     </message>
@@ -1046,10 +1042,6 @@
     <message>
         <source>The recording contains no program</source>
         <translation>Optagelsen indeholder intet program</translation>
-    </message>
-    <message>
-        <source>Nothing has been recorded yet</source>
-        <translation>Der er endnu ikke optaget noget</translation>
     </message>
     <message>
         <source>This scan is no longer in the recording</source>
@@ -1128,10 +1120,6 @@
         <translation>stien er tom</translation>
     </message>
     <message>
-        <source>the path is incomplete</source>
-        <translation>stien er ufuldstændig</translation>
-    </message>
-    <message>
         <source>the path cannot be read from &apos;{0}&apos; on</source>
         <translation>stien kan ikke læses fra ”{0}”</translation>
     </message>
@@ -1142,10 +1130,6 @@
     <message>
         <source>a constant cannot be written</source>
         <translation>en konstant kan ikke skrives</translation>
-    </message>
-    <message>
-        <source>a constant cannot be forced</source>
-        <translation>en konstant kan ikke forceres</translation>
     </message>
     <message>
         <source>the variable is not forced</source>
@@ -1360,10 +1344,6 @@
         <translation>Denne krop er ikke en instruktionsliste</translation>
     </message>
     <message>
-        <source>The type of {0} is not known here</source>
-        <translation>Typen af {0} er ikke kendt her</translation>
-    </message>
-    <message>
         <source>This body is not ST</source>
         <translation>Denne krop er ikke ST</translation>
     </message>
@@ -1448,10 +1428,6 @@
         <translation>Angiv en projektmappe eller ST-filer, ikke begge dele</translation>
     </message>
     <message>
-        <source>There is no name here that can be renamed</source>
-        <translation>Her er intet navn, der kan omdøbes</translation>
-    </message>
-    <message>
         <source>{0} belongs to a library and cannot be renamed</source>
         <translation>{0} hører til et bibliotek og kan ikke omdøbes</translation>
     </message>
@@ -1492,10 +1468,6 @@
         <translation>Filen findes ikke i projektet</translation>
     </message>
     <message>
-        <source>A file with this name already exists</source>
-        <translation>Der er allerede en fil med det navn</translation>
-    </message>
-    <message>
         <source>The file is read-only and was not overwritten</source>
         <translation>Filen er skrivebeskyttet og blev ikke overskrevet</translation>
     </message>
@@ -1516,22 +1488,6 @@
         <translation>Åbn først et projekt</translation>
     </message>
     <message>
-        <source>A panel with this name already exists</source>
-        <translation>Der er allerede et panel med det navn</translation>
-    </message>
-    <message>
-        <source>The controller is not running</source>
-        <translation>Styringen kører ikke</translation>
-    </message>
-    <message>
-        <source>There is no program to run</source>
-        <translation>Der er intet program at køre</translation>
-    </message>
-    <message>
-        <source>There is no program to test</source>
-        <translation>Der er intet program at teste</translation>
-    </message>
-    <message>
         <source>This statement is not possible in a TEST together with RUN or ASSERT around it</source>
         <translation>Denne sætning er ikke mulig i en TEST med RUN eller ASSERT omkring</translation>
     </message>
@@ -1546,14 +1502,6 @@
     <message>
         <source>{0} is not a value for {1}</source>
         <translation>{0} er ikke en værdi for {1}</translation>
-    </message>
-    <message>
-        <source>This loop of the test does not end</source>
-        <translation>Denne løkke i testen slutter ikke</translation>
-    </message>
-    <message>
-        <source>The step of this loop is 0</source>
-        <translation>Skridtet i denne løkke er 0</translation>
     </message>
     <message>
         <source>The simulation stopped: {0}</source>
@@ -1720,18 +1668,6 @@
         <translation>{0} er ikke et gyldigt navn; brug bogstaver, cifre og understreg</translation>
     </message>
     <message>
-        <source>A step {0} already exists</source>
-        <translation>Der er allerede et trin {0}</translation>
-    </message>
-    <message>
-        <source>This edit would change the same text twice</source>
-        <translation>Denne ændring ville ændre den samme tekst to gange</translation>
-    </message>
-    <message>
-        <source>This transition does not lead to a step yet</source>
-        <translation>Denne transition fører endnu ikke til et trin</translation>
-    </message>
-    <message>
         <source>Nothing would lead to the join after this step</source>
         <translation>Intet ville føre til sammenføringen efter dette trin</translation>
     </message>
@@ -1800,16 +1736,8 @@
         <translation>Grenene efter denne transition samles ikke; forbind dem først i teksten</translation>
     </message>
     <message>
-        <source>The panel is not valid JSON</source>
-        <translation>Panelet er ikke gyldig JSON</translation>
-    </message>
-    <message>
         <source>A panel must be a JSON object</source>
         <translation>Et panel skal være et JSON-objekt</translation>
-    </message>
-    <message>
-        <source>The panel was written by a newer version of Stepwise</source>
-        <translation>Panelet er skrevet af en nyere version af Stepwise</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; must be a list</source>
@@ -1828,20 +1756,12 @@
         <translation>To elementer har id&apos;et ”{0}”; ret det ene</translation>
     </message>
     <message>
-        <source>The alarms are not valid JSON</source>
-        <translation>Alarmerne er ikke gyldig JSON</translation>
-    </message>
-    <message>
         <source>Every alarm and every alarm class must be a JSON object</source>
         <translation>Hver alarm og hver alarmklasse skal være et JSON-objekt</translation>
     </message>
     <message>
         <source>An alarm has no id</source>
         <translation>En alarm har intet id</translation>
-    </message>
-    <message>
-        <source>Two alarms have the id &quot;{0}&quot;</source>
-        <translation>To alarmer har id&apos;et ”{0}”</translation>
     </message>
     <message>
         <source>This line is not valid UTF-8; save the file as UTF-8</source>
@@ -1852,10 +1772,6 @@
         <translation>Der er tekst efter et afsluttende anførselstegn; fordobl et anførselstegn, der hører til teksten</translation>
     </message>
     <message>
-        <source>The quote that opens here is never closed</source>
-        <translation>Anførselstegnet, der åbner her, bliver aldrig lukket</translation>
-    </message>
-    <message>
         <source>The first line must be {0} and one language tag per column</source>
         <translation>Den første linje skal være {0} og et sprogmærke pr. kolonne</translation>
     </message>
@@ -1864,20 +1780,12 @@
         <translation>Kolonne {0} har intet sprogmærke</translation>
     </message>
     <message>
-        <source>The language {0} has two columns</source>
-        <translation>Sproget {0} har to kolonner</translation>
-    </message>
-    <message>
         <source>This line has {0} {0:field|fields}, the header has {1}</source>
         <translation>Denne linje har {0} {0:felt|felter}, hovedet har {1}</translation>
     </message>
     <message>
         <source>This line has no key</source>
         <translation>Denne linje har ingen nøgle</translation>
-    </message>
-    <message>
-        <source>The key {0} is already on line {1}</source>
-        <translation>Nøglen {0} er allerede på linje {1}</translation>
     </message>
     <message>
         <source>The alarm history cannot be opened: {0}</source>
@@ -1940,10 +1848,6 @@
         <translation>Projektet har ikke sproget {0}</translation>
     </message>
     <message>
-        <source>The element is outside the panel</source>
-        <translation>Elementet ligger uden for panelet</translation>
-    </message>
-    <message>
         <source>The file {0} does not exist</source>
         <translation>Filen {0} findes ikke</translation>
     </message>
@@ -1956,10 +1860,6 @@
         <translation>Formatet {0} er ukendt; brug for eksempel {1} eller {2}</translation>
     </message>
     <message>
-        <source>The alarm has no condition</source>
-        <translation>Alarmen har ingen betingelse</translation>
-    </message>
-    <message>
         <source>There is no alarm class {0}</source>
         <translation>Der er ingen alarmklasse {0}</translation>
     </message>
@@ -1970,10 +1870,6 @@
     <message>
         <source>The placeholders differ: {0} has {1}, {2} has {3}</source>
         <translation>Pladsholderne er forskellige: {0} har {1}, {2} har {3}</translation>
-    </message>
-    <message>
-        <source>The key {0} has no text in {1}</source>
-        <translation>Nøglen {0} har ingen tekst på {1}</translation>
     </message>
     <message>
         <source>The font {0} is not installed here, so texts cannot be measured</source>
@@ -2028,16 +1924,8 @@
         <translation>Formatet {0} er ukendt</translation>
     </message>
     <message>
-        <source>The trace configuration is not valid JSON (see line {0})</source>
-        <translation>Traceopsætningen er ikke gyldig JSON (se linje {0})</translation>
-    </message>
-    <message>
         <source>A trace configuration must be a JSON object</source>
         <translation>En traceopsætning skal være et JSON-objekt</translation>
-    </message>
-    <message>
-        <source>This trace configuration was written by a newer version of Stepwise (version {0})</source>
-        <translation>Denne traceopsætning er skrevet af en nyere version af Stepwise (version {0})</translation>
     </message>
     <message>
         <source>The trace configuration is invalid: {0}</source>
@@ -2078,10 +1966,6 @@
     <message>
         <source>A priority is a number; 0 removes it</source>
         <translation>En prioritet er et tal; 0 fjerner den</translation>
-    </message>
-    <message>
-        <source>The file was changed by another program and was not overwritten</source>
-        <translation>Filen blev ændret af et andet program og blev ikke overskrevet</translation>
     </message>
     <message>
         <source>This file cannot be imported; PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
@@ -2153,7 +2037,7 @@
     </message>
     <message>
         <source>more than {0} units of work (loop passes, calls, copies) in one run of the task; check for an endless loop</source>
-        <translation>mere end {0} arbejdsenheder (løkkegennemløb, kald, kopier) i én kørsel af tasken; er der en løkke uden ende?</translation>
+        <translation>mere end {0} arbejdsenheder (løkkegennemløb, kald, kopier) i én kørsel af tasken; kontroller for en endeløs løkke</translation>
     </message>
     <message>
         <source>{0} is not a whole number</source>
@@ -2198,10 +2082,6 @@
     <message>
         <source>The picture {0} is outside the project; copy it into the project, or set {1} to true under {2} in project.json</source>
         <translation>Billedet {0} er uden for projektet; kopier det ind i projektet, eller sæt {1} til true under {2} i project.json</translation>
-    </message>
-    <message>
-        <source>The picture {0} is larger than {1} MB</source>
-        <translation>Billedet {0} er større end {1} MB</translation>
     </message>
     <message>
         <source>The picture {0} unpacks to more than {1} MB</source>
@@ -2324,10 +2204,6 @@
         <translation>{0} er ikke mellem {1} og {2}; {3} bruges</translation>
     </message>
     <message>
-        <source>The faceplate does not say which panel it shows</source>
-        <translation>Faceplaten angiver ikke, hvilket panel den viser</translation>
-    </message>
-    <message>
         <source>The panel {0} contains this one, so it cannot be placed in it</source>
         <translation>Panelet {0} indeholder dette og kan derfor ikke placeres i det</translation>
     </message>
@@ -2368,16 +2244,8 @@
         <translation>Scannet før er ikke i optagelsen, så de værdier, som dette scan begyndte med, er ikke kendt.</translation>
     </message>
     <message>
-        <source>The users and roles are not valid JSON</source>
-        <translation>Brugerne og rollerne er ikke gyldig JSON</translation>
-    </message>
-    <message>
         <source>A role has no name</source>
         <translation>En rolle har intet navn</translation>
-    </message>
-    <message>
-        <source>Two roles are named {0}</source>
-        <translation>To roller hedder {0}</translation>
     </message>
     <message>
         <source>There is no role {0}</source>
@@ -2386,10 +2254,6 @@
     <message>
         <source>A user has no name</source>
         <translation>En bruger har intet navn</translation>
-    </message>
-    <message>
-        <source>Two users are named {0}</source>
-        <translation>To brugere hedder {0}</translation>
     </message>
     <message>
         <source>There is no user {0}</source>
@@ -2424,16 +2288,8 @@
         <translation>Kun for rollerne {0}, men projektet har ingen brugere; enhver må betjene det</translation>
     </message>
     <message>
-        <source>The recipes are not valid JSON</source>
-        <translation>Recepterne er ikke gyldig JSON</translation>
-    </message>
-    <message>
         <source>A recipe has no name</source>
         <translation>En recept har intet navn</translation>
-    </message>
-    <message>
-        <source>Two recipes are named {0}</source>
-        <translation>To recepter hedder {0}</translation>
     </message>
     <message>
         <source>A row of a recipe names no variable</source>
@@ -2446,10 +2302,6 @@
     <message>
         <source>A set of a recipe has no name</source>
         <translation>Et sæt i en recept har intet navn</translation>
-    </message>
-    <message>
-        <source>Two sets of the recipe are named {0}</source>
-        <translation>To sæt i recepten hedder {0}</translation>
     </message>
     <message>
         <source>The first column must be named variable, and each set has a column of its own</source>
@@ -2580,10 +2432,6 @@
         <translation>{0} er et andet sted på panelet {1}</translation>
     </message>
     <message>
-        <source>The help of the alarm {0} does not say what to do</source>
-        <translation>Hjælpen til alarmen {0} siger ikke, hvad der skal gøres</translation>
-    </message>
-    <message>
         <source>{0} of {1} alarms have the highest priority</source>
         <translation>{0} af {1} alarmer har den højeste prioritet</translation>
     </message>
@@ -2617,7 +2465,7 @@
     </message>
     <message>
         <source>A panel that shows everything is searched, not read. Move details to a panel of the next level (ISA-101).</source>
-        <translation>Et panel, hvor alt står, gennemsøges, det læses ikke. Flyt detaljer til et panel på næste niveau (ISA-101).</translation>
+        <translation>Et panel, der viser alt, gennemsøges, det læses ikke. Flyt detaljer til et panel på næste niveau (ISA-101).</translation>
     </message>
     <message>
         <source>In an abnormal situation, every panel should be three presses away at most, and there should be a way back from it (ISA-101).</source>
@@ -2710,6 +2558,158 @@
     <message>
         <source>There is no theme {0}; choose one of {1}</source>
         <translation>Der er intet tema {0}; vælg et af {1}</translation>
+    </message>
+    <message>
+        <source>This edit would change the same text twice; undo it and edit the text</source>
+        <translation>Denne ændring ville ændre den samme tekst to gange; fortryd den, og rediger teksten</translation>
+    </message>
+    <message>
+        <source>This transition does not lead to a step yet; connect it to one first</source>
+        <translation>Denne transition fører endnu ikke til et trin; forbind den først med et</translation>
+    </message>
+    <message>
+        <source>The panel was written by a newer version of Stepwise; open it with that version</source>
+        <translation>Panelet er skrevet af en nyere version af Stepwise; åbn det med den version</translation>
+    </message>
+    <message>
+        <source>This trace configuration was written by a newer version of Stepwise (version {0}); open it with that version</source>
+        <translation>Denne traceopsætning er skrevet af en nyere version af Stepwise (version {0}); åbn den med den version</translation>
+    </message>
+    <message>
+        <source>The recorded program can no longer be built; open the recording with the version of Stepwise that made it</source>
+        <translation>Det optagede program kan ikke længere oversættes; åbn optagelsen med den version af Stepwise, der lavede den</translation>
+    </message>
+    <message>
+        <source>The controller is not running; press F5</source>
+        <translation>Styringen kører ikke; tryk på F5</translation>
+    </message>
+    <message>
+        <source>There is no program to run; declare a PROGRAM</source>
+        <translation>Der er intet program at køre; erklær et PROGRAM</translation>
+    </message>
+    <message>
+        <source>There is no program to test; declare a PROGRAM</source>
+        <translation>Der er intet program at teste; erklær et PROGRAM</translation>
+    </message>
+    <message>
+        <source>A file with this name already exists; choose another name</source>
+        <translation>Der er allerede en fil med det navn; vælg et andet navn</translation>
+    </message>
+    <message>
+        <source>A panel with this name already exists; choose another name</source>
+        <translation>Der er allerede et panel med det navn; vælg et andet navn</translation>
+    </message>
+    <message>
+        <source>A step {0} already exists; choose another name</source>
+        <translation>Der er allerede et trin {0}; vælg et andet navn</translation>
+    </message>
+    <message>
+        <source>The step of this loop is 0; write BY with another number</source>
+        <translation>Skridtet i denne løkke er 0; skriv BY med et andet tal</translation>
+    </message>
+    <message>
+        <source>This loop of the test does not end; give it a condition that becomes FALSE</source>
+        <translation>Denne løkke i testen slutter ikke; giv den en betingelse, der bliver FALSE</translation>
+    </message>
+    <message>
+        <source>There is no name here that can be renamed; put the cursor on one</source>
+        <translation>Her er intet navn, der kan omdøbes; sæt markøren på et</translation>
+    </message>
+    <message>
+        <source>The file was changed by another program and was not overwritten; compare both first</source>
+        <translation>Filen blev ændret af et andet program og blev ikke overskrevet; sammenlign først begge</translation>
+    </message>
+    <message>
+        <source>The type of {0} is not known here; correct the errors of the program first</source>
+        <translation>Typen af {0} er ikke kendt her; ret først programmets fejl</translation>
+    </message>
+    <message>
+        <source>Nothing has been recorded yet; start the controller with F5</source>
+        <translation>Der er endnu ikke optaget noget; start styringen med F5</translation>
+    </message>
+    <message>
+        <source>a constant cannot be forced; change it in the program</source>
+        <translation>en konstant kan ikke forceres; ret den i programmet</translation>
+    </message>
+    <message>
+        <source>the path is incomplete; write it to a single value, for example Main.x</source>
+        <translation>stien er ufuldstændig; skriv den frem til en enkelt værdi, for eksempel Main.x</translation>
+    </message>
+    <message>
+        <source>The panel is not valid JSON; look for a missing comma, quote or bracket</source>
+        <translation>Panelet er ikke gyldig JSON; led efter et manglende komma, anførselstegn eller en parentes</translation>
+    </message>
+    <message>
+        <source>The alarms are not valid JSON; look for a missing comma, quote or bracket</source>
+        <translation>Alarmerne er ikke gyldig JSON; led efter et manglende komma, anførselstegn eller en parentes</translation>
+    </message>
+    <message>
+        <source>The recipes are not valid JSON; look for a missing comma, quote or bracket</source>
+        <translation>Recepterne er ikke gyldig JSON; led efter et manglende komma, anførselstegn eller en parentes</translation>
+    </message>
+    <message>
+        <source>The users and roles are not valid JSON; look for a missing comma, quote or bracket</source>
+        <translation>Brugerne og rollerne er ikke gyldig JSON; led efter et manglende komma, anførselstegn eller en parentes</translation>
+    </message>
+    <message>
+        <source>The trace configuration is not valid JSON (see line {0}); look for a missing comma, quote or bracket</source>
+        <translation>Traceopsætningen er ikke gyldig JSON (se linje {0}); led efter et manglende komma, anførselstegn eller en parentes</translation>
+    </message>
+    <message>
+        <source>Two alarms have the id &quot;{0}&quot;; change one of them</source>
+        <translation>To alarmer har id&apos;et ”{0}”; ret det ene</translation>
+    </message>
+    <message>
+        <source>The quote that opens here is never closed; add one at the end of the text</source>
+        <translation>Anførselstegnet, der åbner her, bliver aldrig lukket; tilføj et efter teksten</translation>
+    </message>
+    <message>
+        <source>The language {0} has two columns; remove one of them</source>
+        <translation>Sproget {0} har to kolonner; fjern den ene</translation>
+    </message>
+    <message>
+        <source>The key {0} is already on line {1}; remove one of the two lines</source>
+        <translation>Nøglen {0} er allerede på linje {1}; fjern den ene af de to linjer</translation>
+    </message>
+    <message>
+        <source>Two roles are named {0}; rename one</source>
+        <translation>To roller hedder {0}; omdøb den ene</translation>
+    </message>
+    <message>
+        <source>Two users are named {0}; rename one</source>
+        <translation>To brugere hedder {0}; omdøb den ene</translation>
+    </message>
+    <message>
+        <source>Two recipes are named {0}; rename one</source>
+        <translation>To recepter hedder {0}; omdøb den ene</translation>
+    </message>
+    <message>
+        <source>Two sets of the recipe are named {0}; rename one</source>
+        <translation>To sæt i recepten hedder {0}; omdøb det ene</translation>
+    </message>
+    <message>
+        <source>The alarm has no condition; enter one</source>
+        <translation>Alarmen har ingen betingelse; angiv en</translation>
+    </message>
+    <message>
+        <source>The element is outside the panel; move it inside</source>
+        <translation>Elementet ligger uden for panelet; flyt det ind</translation>
+    </message>
+    <message>
+        <source>The picture {0} is larger than {1} MB; use a smaller one</source>
+        <translation>Billedet {0} er større end {1} MB; brug et mindre</translation>
+    </message>
+    <message>
+        <source>The faceplate does not say which panel it shows; choose one</source>
+        <translation>Faceplaten angiver ikke, hvilket panel den viser; vælg et</translation>
+    </message>
+    <message>
+        <source>The key {0} has no text in {1}; enter it in the text table</source>
+        <translation>Nøglen {0} har ingen tekst på {1}; indtast den i teksttabellen</translation>
+    </message>
+    <message>
+        <source>The help of the alarm {0} does not say what to do; add the operator&apos;s next step</source>
+        <translation>Hjælpen til alarmen {0} siger ikke, hvad der skal gøres; tilføj operatørens næste skridt</translation>
     </message>
 </context>
 <context>
@@ -2897,6 +2897,10 @@
     <message>
         <source>The address {0} begins at a byte that other tools, which count in words, cannot name; move it to a multiple of its size</source>
         <translation>Adressen {0} begynder ved en byte, som andre værktøjer, der tæller i ord, ikke kan angive; flyt den til et multiplum af dens størrelse</translation>
+    </message>
+    <message>
+        <source>{0} reaches out of the controller; it is declared here with its inputs and outputs and does nothing</source>
+        <translation>{0} rækker ud over styringen; den er erklæret her med sine indgange og udgange og gør intet</translation>
     </message>
 </context>
 <context>
@@ -6166,6 +6170,10 @@ Ikke bevaret: %3</translation>
     <message>
         <source>files</source>
         <translation>filer</translation>
+    </message>
+    <message>
+        <source>PLCopen XML, TwinCAT, CODESYS, ST</source>
+        <translation>PLCopen XML, TwinCAT, CODESYS, ST</translation>
     </message>
 </context>
 <context>
@@ -9535,6 +9543,14 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>Taken back: %1</source>
         <translation>Taget tilbage: %1</translation>
     </message>
+    <message>
+        <source>What the model leaves</source>
+        <translation>Hvad modellen ikke forklarer</translation>
+    </message>
+    <message>
+        <source>recorded less model</source>
+        <translation>optaget minus model</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::WatchView</name>
@@ -11573,6 +11589,10 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
         <source>Workbook</source>
         <translation>Arbejdsbog</translation>
     </message>
+    <message>
+        <source>Tank over Modbus</source>
+        <translation>Tank over Modbus</translation>
+    </message>
 </context>
 <context>
     <name>FigureText</name>
@@ -11590,7 +11610,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>There are no samples in view: run the program or show another stretch.</source>
-        <translation>Der er ingen samples i det viste område: kør programmet, eller vis et andet område.</translation>
+        <translation>Der er ingen målepunkter i det viste område: kør programmet, eller vis et andet område.</translation>
     </message>
     <message>
         <source>%L1 points over %2</source>
@@ -11728,11 +11748,11 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>{0} {0:sample is|samples are} too few for a spectrum; show a longer stretch</source>
-        <translation>{0} {0:sample|samples} er for lidt til et spektrum; vis et længere område</translation>
+        <translation>{0} {0:målepunkt|målepunkter} er for lidt til et spektrum; vis et længere område</translation>
     </message>
     <message>
         <source>{0} {0:sample is|samples are} too few for a frequency response; show a longer stretch</source>
-        <translation>{0} {0:sample|samples} er for lidt til en frekvensrespons; vis et længere område</translation>
+        <translation>{0} {0:målepunkt|målepunkter} er for lidt til en frekvensrespons; vis et længere område</translation>
     </message>
     <message>
         <source>The input does not move here; there is nothing to answer to</source>

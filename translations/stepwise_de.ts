@@ -88,10 +88,6 @@
         <translation>Ports unter 1024 brauchen besondere Rechte; ein Port wie 1502 nicht</translation>
     </message>
     <message>
-        <source>{0} has no channels, so nothing is exchanged</source>
-        <translation>{0} hat keine Kanäle, es wird also nichts ausgetauscht</translation>
-    </message>
-    <message>
         <source>A channel of an MQTT device needs a &quot;topic&quot;</source>
         <translation>Ein Kanal eines MQTT-Geräts braucht ein „topic“</translation>
     </message>
@@ -168,10 +164,6 @@
         <translation>{0} ist eine Konstante und kann nicht geschrieben werden</translation>
     </message>
     <message>
-        <source>{0} and {1} write the same bytes: {2}</source>
-        <translation>{0} und {1} schreiben dieselben Bytes: {2}</translation>
-    </message>
-    <message>
         <source>{0} and {1} both set {2} {3}</source>
         <translation>{0} und {1} setzen beide {2} {3}</translation>
     </message>
@@ -196,16 +188,8 @@
         <translation>{0} kann nicht gelesen werden; die Datei enthält die Zertifikate der Zertifizierungsstelle (PEM)</translation>
     </message>
     <message>
-        <source>There is no free address left for {0}</source>
-        <translation>Für {0} ist keine Adresse mehr frei</translation>
-    </message>
-    <message>
         <source>no answer within {0} ms</source>
         <translation>keine Antwort innerhalb von {0} ms</translation>
-    </message>
-    <message>
-        <source>cannot connect to {0}: {1}</source>
-        <translation>keine Verbindung zu {0}: {1}</translation>
     </message>
     <message>
         <source>the connection ended: {0}</source>
@@ -277,11 +261,11 @@
     </message>
     <message>
         <source>The project had no devices when its controller was built; add them and build again</source>
-        <translation>Das Projekt hatte keine Geräte, als es übersetzt wurde; fügen Sie sie hinzu und übersetzen Sie erneut</translation>
+        <translation>Das Projekt hatte keine Geräte, als das Programm der Steuerung übersetzt wurde; fügen Sie sie hinzu und übersetzen Sie erneut</translation>
     </message>
     <message>
         <source>The devices had errors when the controller was built; correct them and build again</source>
-        <translation>Die Geräte hatten Fehler, als das Projekt übersetzt wurde; berichtigen Sie sie und übersetzen Sie erneut</translation>
+        <translation>Die Geräte hatten Fehler, als das Programm der Steuerung übersetzt wurde; berichtigen Sie sie und übersetzen Sie erneut</translation>
     </message>
     <message>
         <source>Set the speed to real time first; devices cannot keep up with another one</source>
@@ -290,6 +274,22 @@
     <message>
         <source>The devices of an attached controller are connected there</source>
         <translation>Die Geräte einer angebundenen Steuerung sind dort verbunden</translation>
+    </message>
+    <message>
+        <source>{0} and {1} write the same bytes: {2}; change an address</source>
+        <translation>{0} und {1} schreiben dieselben Bytes: {2}; ändern Sie eine Adresse</translation>
+    </message>
+    <message>
+        <source>There is no free address left for {0}; give it a variable</source>
+        <translation>Für {0} ist keine Adresse mehr frei; geben Sie ihm eine Variable</translation>
+    </message>
+    <message>
+        <source>{0} has no channels, so nothing is exchanged; add one</source>
+        <translation>{0} hat keine Kanäle, es wird also nichts ausgetauscht; fügen Sie einen hinzu</translation>
+    </message>
+    <message>
+        <source>cannot connect to {0}: {1}; check the address and the cable</source>
+        <translation>keine Verbindung zu {0}: {1}; prüfen Sie Adresse und Kabel</translation>
     </message>
 </context>
 <context>
@@ -407,10 +407,6 @@
         <translation>{0} ist ein IN_OUT-Parameter und braucht eine Variable vom Typ {1}</translation>
     </message>
     <message>
-        <source>This array has {0} {0:dimension|dimensions}, not {1}</source>
-        <translation>Dieses Array hat {0} {0:Dimension|Dimensionen}, nicht {1}</translation>
-    </message>
-    <message>
         <source>The index {0} is outside {1}..{2}</source>
         <translation>Der Index {0} liegt außerhalb von {1}..{2}</translation>
     </message>
@@ -433,18 +429,6 @@
     <message>
         <source>The character {0} is not in STRING (Latin-1); use WSTRING</source>
         <translation>Das Zeichen {0} ist nicht in STRING (Latin-1); WSTRING verwenden</translation>
-    </message>
-    <message>
-        <source>The text has {0} characters and will be truncated to {1}</source>
-        <translation>Der Text hat {0} Zeichen und wird auf {1} gekürzt</translation>
-    </message>
-    <message>
-        <source>This integer division discards the fraction before the conversion to {0}</source>
-        <translation>Diese Ganzzahldivision schneidet die Nachkommastellen vor der Konvertierung nach {0} ab</translation>
-    </message>
-    <message>
-        <source>{0} is computed as {1} and may overflow before the conversion to {2}</source>
-        <translation>{0} wird als {1} berechnet und kann vor der Konvertierung in {2} überlaufen</translation>
     </message>
     <message>
         <source>{0} and {1} are compared as {2}; convert one of them</source>
@@ -475,10 +459,6 @@
         <translation>{0} enthält sich selbst; REFERENCE TO verwenden</translation>
     </message>
     <message>
-        <source>{0} calls itself, which is not allowed: {1}</source>
-        <translation>{0} ruft sich selbst auf, was nicht erlaubt ist: {1}</translation>
-    </message>
-    <message>
         <source>The parameters of {0} must match those of the overridden method</source>
         <translation>Die Parameter von {0} müssen mit denen der überschriebenen Methode übereinstimmen</translation>
     </message>
@@ -493,14 +473,6 @@
     <message>
         <source>{0} is only allowed inside a loop</source>
         <translation>{0} ist nur in einer Schleife erlaubt</translation>
-    </message>
-    <message>
-        <source>The loop variable {0} is changed inside its loop</source>
-        <translation>Die Schleifenvariable {0} wird in ihrer Schleife geändert</translation>
-    </message>
-    <message>
-        <source>There is no global variable {0} of type {1}</source>
-        <translation>Es gibt keine globale Variable {0} vom Typ {1}</translation>
     </message>
     <message>
         <source>There are several programs and no CONFIGURATION; name one of them Main or write a CONFIGURATION</source>
@@ -533,10 +505,6 @@
     <message>
         <source>The qualifier {0} needs a time, for example T#2s</source>
         <translation>Das Bestimmungszeichen {0} braucht eine Zeit, zum Beispiel T#2s</translation>
-    </message>
-    <message>
-        <source>{0} is not an IL operator</source>
-        <translation>{0} ist kein AWL-Operator</translation>
     </message>
     <message>
         <source>{0} needs a current result; load one with LD</source>
@@ -700,7 +668,7 @@
     </message>
     <message>
         <source>The result of {0} is not set on every path; assign it before the first RETURN or IF</source>
-        <translation>Das Ergebnis von {0} wird nicht auf jedem Weg gesetzt; vor dem ersten RETURN oder IF zuweisen</translation>
+        <translation>Das Ergebnis von {0} wird nicht auf jedem Pfad gesetzt; vor dem ersten RETURN oder IF zuweisen</translation>
     </message>
     <message>
         <source>CASE has no branch for {0} and no ELSE; add one of them</source>
@@ -813,6 +781,38 @@
     <message>
         <source>{0} converts the number, as in CODESYS; to keep the bits, put both types into a UNION</source>
         <translation>{0} konvertiert die Zahl wie in CODESYS; um die Bits zu erhalten, beide Typen in eine UNION legen</translation>
+    </message>
+    <message>
+        <source>{0} calls itself, which is not allowed: {1}; use a loop instead</source>
+        <translation>{0} ruft sich selbst auf, was nicht erlaubt ist: {1}; stattdessen eine Schleife verwenden</translation>
+    </message>
+    <message>
+        <source>The loop variable {0} is changed inside its loop; use WHILE or another variable</source>
+        <translation>Die Schleifenvariable {0} wird in ihrer Schleife geändert; WHILE oder eine andere Variable verwenden</translation>
+    </message>
+    <message>
+        <source>There is no global variable {0} of type {1}; declare it in VAR_GLOBAL</source>
+        <translation>Es gibt keine globale Variable {0} vom Typ {1}; in VAR_GLOBAL deklarieren</translation>
+    </message>
+    <message>
+        <source>The text has {0} characters and will be truncated to {1}; declare a longer string</source>
+        <translation>Der Text hat {0} Zeichen und wird auf {1} gekürzt; eine längere Zeichenkette deklarieren</translation>
+    </message>
+    <message>
+        <source>This integer division discards the fraction before the conversion to {0}; convert an operand first</source>
+        <translation>Diese Ganzzahldivision schneidet die Nachkommastellen vor der Konvertierung nach {0} ab; zuerst einen Operanden konvertieren</translation>
+    </message>
+    <message>
+        <source>{0} is computed as {1} and may overflow before the conversion to {2}; convert an operand first</source>
+        <translation>{0} wird als {1} berechnet und kann vor der Konvertierung in {2} überlaufen; zuerst einen Operanden konvertieren</translation>
+    </message>
+    <message>
+        <source>{0} is not an IL operator; use one such as LD, ST, AND or JMP</source>
+        <translation>{0} ist kein AWL-Operator; zum Beispiel LD, ST, AND oder JMP verwenden</translation>
+    </message>
+    <message>
+        <source>This array has {0} {0:dimension|dimensions}, not {1}; write an index for each</source>
+        <translation>Dieses Array hat {0} {0:Dimension|Dimensionen}, nicht {1}; für jede einen Index schreiben</translation>
     </message>
 </context>
 <context>
@@ -1028,10 +1028,6 @@
         <translation>Die Datei ist beschädigt oder keine Aufzeichnung</translation>
     </message>
     <message>
-        <source>The recorded program can no longer be built</source>
-        <translation>Das aufgezeichnete Programm lässt sich nicht mehr übersetzen</translation>
-    </message>
-    <message>
         <source>This version of Stepwise lays out the program&apos;s variables differently; open the recording with the version that made it</source>
         <translation>Diese Version von Stepwise ordnet die Variablen des Programms anders an; öffnen Sie die Aufzeichnung mit der Version, die sie erstellt hat</translation>
     </message>
@@ -1046,10 +1042,6 @@
     <message>
         <source>The recording contains no program</source>
         <translation>Die Aufzeichnung enthält kein Programm</translation>
-    </message>
-    <message>
-        <source>Nothing has been recorded yet</source>
-        <translation>Es wurde noch nichts aufgezeichnet</translation>
     </message>
     <message>
         <source>This scan is no longer in the recording</source>
@@ -1128,10 +1120,6 @@
         <translation>der Pfad ist leer</translation>
     </message>
     <message>
-        <source>the path is incomplete</source>
-        <translation>der Pfad ist unvollständig</translation>
-    </message>
-    <message>
         <source>the path cannot be read from &apos;{0}&apos; on</source>
         <translation>der Pfad ist ab „{0}“ nicht lesbar</translation>
     </message>
@@ -1142,10 +1130,6 @@
     <message>
         <source>a constant cannot be written</source>
         <translation>eine Konstante kann nicht geschrieben werden</translation>
-    </message>
-    <message>
-        <source>a constant cannot be forced</source>
-        <translation>eine Konstante kann nicht geforct werden</translation>
     </message>
     <message>
         <source>the variable is not forced</source>
@@ -1360,10 +1344,6 @@
         <translation>Dieser Rumpf ist keine Anweisungsliste</translation>
     </message>
     <message>
-        <source>The type of {0} is not known here</source>
-        <translation>Der Typ von {0} ist hier nicht bekannt</translation>
-    </message>
-    <message>
         <source>This body is not ST</source>
         <translation>Dieser Rumpf ist kein ST</translation>
     </message>
@@ -1448,10 +1428,6 @@
         <translation>Geben Sie einen Projektordner oder ST-Dateien an, nicht beides</translation>
     </message>
     <message>
-        <source>There is no name here that can be renamed</source>
-        <translation>Hier ist kein Name, der umbenannt werden kann</translation>
-    </message>
-    <message>
         <source>{0} belongs to a library and cannot be renamed</source>
         <translation>{0} gehört zu einer Bibliothek und kann nicht umbenannt werden</translation>
     </message>
@@ -1492,10 +1468,6 @@
         <translation>Diese Datei ist im Projekt nicht vorhanden</translation>
     </message>
     <message>
-        <source>A file with this name already exists</source>
-        <translation>Eine Datei dieses Namens ist bereits vorhanden</translation>
-    </message>
-    <message>
         <source>The file is read-only and was not overwritten</source>
         <translation>Die Datei ist schreibgeschützt und wurde nicht überschrieben</translation>
     </message>
@@ -1516,22 +1488,6 @@
         <translation>Öffnen Sie zuerst ein Projekt</translation>
     </message>
     <message>
-        <source>A panel with this name already exists</source>
-        <translation>Ein Panel dieses Namens ist bereits vorhanden</translation>
-    </message>
-    <message>
-        <source>The controller is not running</source>
-        <translation>Die Steuerung läuft nicht</translation>
-    </message>
-    <message>
-        <source>There is no program to run</source>
-        <translation>Kein Programm zum Ausführen vorhanden</translation>
-    </message>
-    <message>
-        <source>There is no program to test</source>
-        <translation>Kein Programm zum Testen vorhanden</translation>
-    </message>
-    <message>
         <source>This statement is not possible in a TEST together with RUN or ASSERT around it</source>
         <translation>Diese Anweisung ist in einem TEST mit RUN oder ASSERT darum nicht möglich</translation>
     </message>
@@ -1546,14 +1502,6 @@
     <message>
         <source>{0} is not a value for {1}</source>
         <translation>{0} ist kein Wert für {1}</translation>
-    </message>
-    <message>
-        <source>This loop of the test does not end</source>
-        <translation>Diese Schleife des Tests endet nicht</translation>
-    </message>
-    <message>
-        <source>The step of this loop is 0</source>
-        <translation>Die Schrittweite dieser Schleife ist 0</translation>
     </message>
     <message>
         <source>The simulation stopped: {0}</source>
@@ -1720,18 +1668,6 @@
         <translation>{0} ist kein gültiger Name; verwenden Sie Buchstaben, Ziffern und Unterstriche</translation>
     </message>
     <message>
-        <source>A step {0} already exists</source>
-        <translation>Ein Schritt {0} ist bereits vorhanden</translation>
-    </message>
-    <message>
-        <source>This edit would change the same text twice</source>
-        <translation>Diese Änderung würde denselben Text zweimal ändern</translation>
-    </message>
-    <message>
-        <source>This transition does not lead to a step yet</source>
-        <translation>Diese Transition führt noch zu keinem Schritt</translation>
-    </message>
-    <message>
         <source>Nothing would lead to the join after this step</source>
         <translation>Zur Zusammenführung nach diesem Schritt würde nichts mehr führen</translation>
     </message>
@@ -1800,16 +1736,8 @@
         <translation>Die Zweige nach dieser Transition werden nicht zusammengeführt; verbinden Sie sie zuerst im Text</translation>
     </message>
     <message>
-        <source>The panel is not valid JSON</source>
-        <translation>Das Panel ist kein gültiges JSON</translation>
-    </message>
-    <message>
         <source>A panel must be a JSON object</source>
         <translation>Ein Panel muss ein JSON-Objekt sein</translation>
-    </message>
-    <message>
-        <source>The panel was written by a newer version of Stepwise</source>
-        <translation>Das Panel wurde von einer neueren Version von Stepwise geschrieben</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; must be a list</source>
@@ -1828,20 +1756,12 @@
         <translation>Zwei Elemente haben die Kennung „{0}“; ändern Sie eine davon</translation>
     </message>
     <message>
-        <source>The alarms are not valid JSON</source>
-        <translation>Die Alarme sind kein gültiges JSON</translation>
-    </message>
-    <message>
         <source>Every alarm and every alarm class must be a JSON object</source>
         <translation>Jeder Alarm und jede Alarmklasse muss ein JSON-Objekt sein</translation>
     </message>
     <message>
         <source>An alarm has no id</source>
         <translation>Ein Alarm hat keine Kennung</translation>
-    </message>
-    <message>
-        <source>Two alarms have the id &quot;{0}&quot;</source>
-        <translation>Zwei Alarme haben die Kennung „{0}“</translation>
     </message>
     <message>
         <source>This line is not valid UTF-8; save the file as UTF-8</source>
@@ -1852,10 +1772,6 @@
         <translation>Nach einem schließenden Anführungszeichen steht Text; verdoppeln Sie ein Anführungszeichen, das zum Text gehört</translation>
     </message>
     <message>
-        <source>The quote that opens here is never closed</source>
-        <translation>Das hier geöffnete Anführungszeichen wird nicht geschlossen</translation>
-    </message>
-    <message>
         <source>The first line must be {0} and one language tag per column</source>
         <translation>Die erste Zeile muss {0} und ein Sprachkürzel je Spalte sein</translation>
     </message>
@@ -1864,20 +1780,12 @@
         <translation>Spalte {0} hat kein Sprachkürzel</translation>
     </message>
     <message>
-        <source>The language {0} has two columns</source>
-        <translation>Die Sprache {0} hat zwei Spalten</translation>
-    </message>
-    <message>
         <source>This line has {0} {0:field|fields}, the header has {1}</source>
         <translation>Diese Zeile hat {0} {0:Feld|Felder}, die Kopfzeile hat {1}</translation>
     </message>
     <message>
         <source>This line has no key</source>
         <translation>Diese Zeile hat keinen Schlüssel</translation>
-    </message>
-    <message>
-        <source>The key {0} is already on line {1}</source>
-        <translation>Der Schlüssel {0} ist bereits in Zeile {1} vorhanden</translation>
     </message>
     <message>
         <source>The alarm history cannot be opened: {0}</source>
@@ -1940,10 +1848,6 @@
         <translation>Das Projekt hat keine Sprache {0}</translation>
     </message>
     <message>
-        <source>The element is outside the panel</source>
-        <translation>Das Element liegt außerhalb des Panels</translation>
-    </message>
-    <message>
         <source>The file {0} does not exist</source>
         <translation>Die Datei {0} ist nicht vorhanden</translation>
     </message>
@@ -1956,10 +1860,6 @@
         <translation>Das Format {0} ist nicht bekannt; verwenden Sie zum Beispiel {1} oder {2}</translation>
     </message>
     <message>
-        <source>The alarm has no condition</source>
-        <translation>Der Alarm hat keine Bedingung</translation>
-    </message>
-    <message>
         <source>There is no alarm class {0}</source>
         <translation>Es gibt keine Alarmklasse {0}</translation>
     </message>
@@ -1970,10 +1870,6 @@
     <message>
         <source>The placeholders differ: {0} has {1}, {2} has {3}</source>
         <translation>Die Platzhalter sind unterschiedlich: {0} hat {1}, {2} hat {3}</translation>
-    </message>
-    <message>
-        <source>The key {0} has no text in {1}</source>
-        <translation>Der Schlüssel {0} hat keinen Text in {1}</translation>
     </message>
     <message>
         <source>The font {0} is not installed here, so texts cannot be measured</source>
@@ -2028,16 +1924,8 @@
         <translation>Das Format {0} ist nicht bekannt</translation>
     </message>
     <message>
-        <source>The trace configuration is not valid JSON (see line {0})</source>
-        <translation>Die Trace-Konfiguration ist kein gültiges JSON (siehe Zeile {0})</translation>
-    </message>
-    <message>
         <source>A trace configuration must be a JSON object</source>
         <translation>Eine Trace-Konfiguration muss ein JSON-Objekt sein</translation>
-    </message>
-    <message>
-        <source>This trace configuration was written by a newer version of Stepwise (version {0})</source>
-        <translation>Diese Trace-Konfiguration wurde von einer neueren Version von Stepwise geschrieben (Version {0})</translation>
     </message>
     <message>
         <source>The trace configuration is invalid: {0}</source>
@@ -2078,10 +1966,6 @@
     <message>
         <source>A priority is a number; 0 removes it</source>
         <translation>Eine Priorität ist eine Zahl; 0 entfernt sie</translation>
-    </message>
-    <message>
-        <source>The file was changed by another program and was not overwritten</source>
-        <translation>Die Datei wurde von einem anderen Programm geändert und nicht überschrieben</translation>
     </message>
     <message>
         <source>This file cannot be imported; PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
@@ -2153,7 +2037,7 @@
     </message>
     <message>
         <source>more than {0} units of work (loop passes, calls, copies) in one run of the task; check for an endless loop</source>
-        <translation>mehr als {0} Arbeitseinheiten (Schleifendurchläufe, Aufrufe, Kopien) in einem Lauf der Task; gibt es eine Schleife ohne Ende?</translation>
+        <translation>mehr als {0} Arbeitseinheiten (Schleifendurchläufe, Aufrufe, Kopien) in einem Lauf der Task; auf eine Endlosschleife prüfen</translation>
     </message>
     <message>
         <source>{0} is not a whole number</source>
@@ -2198,10 +2082,6 @@
     <message>
         <source>The picture {0} is outside the project; copy it into the project, or set {1} to true under {2} in project.json</source>
         <translation>Das Bild {0} liegt außerhalb des Projekts; kopieren Sie es in das Projekt, oder setzen Sie {1} unter {2} in project.json auf true</translation>
-    </message>
-    <message>
-        <source>The picture {0} is larger than {1} MB</source>
-        <translation>Das Bild {0} ist größer als {1} MB</translation>
     </message>
     <message>
         <source>The picture {0} unpacks to more than {1} MB</source>
@@ -2324,10 +2204,6 @@
         <translation>{0} liegt nicht zwischen {1} und {2}; verwendet wird {3}</translation>
     </message>
     <message>
-        <source>The faceplate does not say which panel it shows</source>
-        <translation>Das Faceplate gibt nicht an, welches Panel angezeigt wird</translation>
-    </message>
-    <message>
         <source>The panel {0} contains this one, so it cannot be placed in it</source>
         <translation>Das Panel {0} enthält dieses hier und kann deshalb nicht darin platziert werden</translation>
     </message>
@@ -2368,16 +2244,8 @@
         <translation>Der Zyklus davor ist nicht in der Aufzeichnung; die Werte, mit denen dieser Zyklus begann, sind daher nicht bekannt.</translation>
     </message>
     <message>
-        <source>The users and roles are not valid JSON</source>
-        <translation>Die Benutzer und Rollen sind kein gültiges JSON</translation>
-    </message>
-    <message>
         <source>A role has no name</source>
         <translation>Eine Rolle hat keinen Namen</translation>
-    </message>
-    <message>
-        <source>Two roles are named {0}</source>
-        <translation>Zwei Rollen heißen {0}</translation>
     </message>
     <message>
         <source>There is no role {0}</source>
@@ -2386,10 +2254,6 @@
     <message>
         <source>A user has no name</source>
         <translation>Ein Benutzer hat keinen Namen</translation>
-    </message>
-    <message>
-        <source>Two users are named {0}</source>
-        <translation>Zwei Benutzer heißen {0}</translation>
     </message>
     <message>
         <source>There is no user {0}</source>
@@ -2424,16 +2288,8 @@
         <translation>Nur für die Rollen {0}, aber das Projekt hat keine Benutzer; jeder darf es bedienen</translation>
     </message>
     <message>
-        <source>The recipes are not valid JSON</source>
-        <translation>Die Rezepte sind kein gültiges JSON</translation>
-    </message>
-    <message>
         <source>A recipe has no name</source>
         <translation>Ein Rezept hat keinen Namen</translation>
-    </message>
-    <message>
-        <source>Two recipes are named {0}</source>
-        <translation>Zwei Rezepte heißen {0}</translation>
     </message>
     <message>
         <source>A row of a recipe names no variable</source>
@@ -2446,10 +2302,6 @@
     <message>
         <source>A set of a recipe has no name</source>
         <translation>Ein Datensatz eines Rezepts hat keinen Namen</translation>
-    </message>
-    <message>
-        <source>Two sets of the recipe are named {0}</source>
-        <translation>Zwei Datensätze des Rezepts heißen {0}</translation>
     </message>
     <message>
         <source>The first column must be named variable, and each set has a column of its own</source>
@@ -2580,10 +2432,6 @@
         <translation>{0} ist auf dem Panel {1} an einer anderen Stelle</translation>
     </message>
     <message>
-        <source>The help of the alarm {0} does not say what to do</source>
-        <translation>Die Hilfe des Alarms {0} sagt nicht, was zu tun ist</translation>
-    </message>
-    <message>
         <source>{0} of {1} alarms have the highest priority</source>
         <translation>{0} von {1} Alarmen haben die höchste Priorität</translation>
     </message>
@@ -2617,7 +2465,7 @@
     </message>
     <message>
         <source>A panel that shows everything is searched, not read. Move details to a panel of the next level (ISA-101).</source>
-        <translation>Ein Panel, auf dem alles steht, wird abgesucht, nicht gelesen. Verschieben Sie Einzelheiten auf ein Panel der nächsten Ebene (ISA-101).</translation>
+        <translation>Ein Panel, das alles anzeigt, wird abgesucht, nicht gelesen. Verschieben Sie Einzelheiten auf ein Panel der nächsten Ebene (ISA-101).</translation>
     </message>
     <message>
         <source>In an abnormal situation, every panel should be three presses away at most, and there should be a way back from it (ISA-101).</source>
@@ -2677,7 +2525,7 @@
     </message>
     <message>
         <source>One man in twelve cannot tell some colours apart, and bright light washes them out. Show the same by a text, a shape, blinking or at least a different brightness.</source>
-        <translation>Jeder zwölfte Mann kann manche Farben nicht unterscheiden, und bei grellem Licht verblassen sie. Zeigen Sie dasselbe auch durch einen Text, eine Form, Blinken oder wenigstens eine andere Helligkeit.</translation>
+        <translation>Jeder zwölfte Mann kann manche Farben nicht unterscheiden, und bei grellem Licht verblassen sie. Lassen Sie dasselbe auch durch einen Text, eine Form, Blinken oder wenigstens eine andere Helligkeit anzeigen.</translation>
     </message>
     <message>
         <source>What only some may do, or what project.json lists as critical, must not happen by an accidental touch. Set &quot;Writes are confirmed&quot;, or enter a question.</source>
@@ -2710,6 +2558,158 @@
     <message>
         <source>There is no theme {0}; choose one of {1}</source>
         <translation>Es gibt kein Farbschema {0}; wählen Sie eines von {1}</translation>
+    </message>
+    <message>
+        <source>This edit would change the same text twice; undo it and edit the text</source>
+        <translation>Diese Änderung würde denselben Text zweimal ändern; machen Sie sie rückgängig und bearbeiten Sie den Text</translation>
+    </message>
+    <message>
+        <source>This transition does not lead to a step yet; connect it to one first</source>
+        <translation>Diese Transition führt noch zu keinem Schritt; verbinden Sie sie zuerst mit einem</translation>
+    </message>
+    <message>
+        <source>The panel was written by a newer version of Stepwise; open it with that version</source>
+        <translation>Das Panel wurde von einer neueren Version von Stepwise geschrieben; öffnen Sie es mit dieser Version</translation>
+    </message>
+    <message>
+        <source>This trace configuration was written by a newer version of Stepwise (version {0}); open it with that version</source>
+        <translation>Diese Trace-Konfiguration wurde von einer neueren Version von Stepwise geschrieben (Version {0}); öffnen Sie sie mit dieser Version</translation>
+    </message>
+    <message>
+        <source>The recorded program can no longer be built; open the recording with the version of Stepwise that made it</source>
+        <translation>Das aufgezeichnete Programm lässt sich nicht mehr übersetzen; öffnen Sie die Aufzeichnung mit der Version von Stepwise, die sie erstellt hat</translation>
+    </message>
+    <message>
+        <source>The controller is not running; press F5</source>
+        <translation>Die Steuerung läuft nicht; drücken Sie F5</translation>
+    </message>
+    <message>
+        <source>There is no program to run; declare a PROGRAM</source>
+        <translation>Kein Programm zum Ausführen vorhanden; deklarieren Sie ein PROGRAM</translation>
+    </message>
+    <message>
+        <source>There is no program to test; declare a PROGRAM</source>
+        <translation>Kein Programm zum Testen vorhanden; deklarieren Sie ein PROGRAM</translation>
+    </message>
+    <message>
+        <source>A file with this name already exists; choose another name</source>
+        <translation>Eine Datei dieses Namens ist bereits vorhanden; wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>A panel with this name already exists; choose another name</source>
+        <translation>Ein Panel dieses Namens ist bereits vorhanden; wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>A step {0} already exists; choose another name</source>
+        <translation>Ein Schritt {0} ist bereits vorhanden; wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>The step of this loop is 0; write BY with another number</source>
+        <translation>Die Schrittweite dieser Schleife ist 0; schreiben Sie BY mit einer anderen Zahl</translation>
+    </message>
+    <message>
+        <source>This loop of the test does not end; give it a condition that becomes FALSE</source>
+        <translation>Diese Schleife des Tests endet nicht; geben Sie ihr eine Bedingung, die FALSE wird</translation>
+    </message>
+    <message>
+        <source>There is no name here that can be renamed; put the cursor on one</source>
+        <translation>Hier ist kein Name, der umbenannt werden kann; setzen Sie den Cursor auf einen</translation>
+    </message>
+    <message>
+        <source>The file was changed by another program and was not overwritten; compare both first</source>
+        <translation>Die Datei wurde von einem anderen Programm geändert und nicht überschrieben; vergleichen Sie zuerst beide</translation>
+    </message>
+    <message>
+        <source>The type of {0} is not known here; correct the errors of the program first</source>
+        <translation>Der Typ von {0} ist hier nicht bekannt; beheben Sie zuerst die Fehler des Programms</translation>
+    </message>
+    <message>
+        <source>Nothing has been recorded yet; start the controller with F5</source>
+        <translation>Es wurde noch nichts aufgezeichnet; starten Sie die Steuerung mit F5</translation>
+    </message>
+    <message>
+        <source>a constant cannot be forced; change it in the program</source>
+        <translation>eine Konstante kann nicht geforct werden; ändern Sie sie im Programm</translation>
+    </message>
+    <message>
+        <source>the path is incomplete; write it to a single value, for example Main.x</source>
+        <translation>der Pfad ist unvollständig; schreiben Sie ihn bis zu einem einzelnen Wert, zum Beispiel Main.x</translation>
+    </message>
+    <message>
+        <source>The panel is not valid JSON; look for a missing comma, quote or bracket</source>
+        <translation>Das Panel ist kein gültiges JSON; suchen Sie nach einem fehlenden Komma, Anführungszeichen oder einer Klammer</translation>
+    </message>
+    <message>
+        <source>The alarms are not valid JSON; look for a missing comma, quote or bracket</source>
+        <translation>Die Alarme sind kein gültiges JSON; suchen Sie nach einem fehlenden Komma, Anführungszeichen oder einer Klammer</translation>
+    </message>
+    <message>
+        <source>The recipes are not valid JSON; look for a missing comma, quote or bracket</source>
+        <translation>Die Rezepte sind kein gültiges JSON; suchen Sie nach einem fehlenden Komma, Anführungszeichen oder einer Klammer</translation>
+    </message>
+    <message>
+        <source>The users and roles are not valid JSON; look for a missing comma, quote or bracket</source>
+        <translation>Die Benutzer und Rollen sind kein gültiges JSON; suchen Sie nach einem fehlenden Komma, Anführungszeichen oder einer Klammer</translation>
+    </message>
+    <message>
+        <source>The trace configuration is not valid JSON (see line {0}); look for a missing comma, quote or bracket</source>
+        <translation>Die Trace-Konfiguration ist kein gültiges JSON (siehe Zeile {0}); suchen Sie nach einem fehlenden Komma, Anführungszeichen oder einer Klammer</translation>
+    </message>
+    <message>
+        <source>Two alarms have the id &quot;{0}&quot;; change one of them</source>
+        <translation>Zwei Alarme haben die Kennung „{0}“; ändern Sie eine davon</translation>
+    </message>
+    <message>
+        <source>The quote that opens here is never closed; add one at the end of the text</source>
+        <translation>Das hier geöffnete Anführungszeichen wird nicht geschlossen; ergänzen Sie eines am Ende des Textes</translation>
+    </message>
+    <message>
+        <source>The language {0} has two columns; remove one of them</source>
+        <translation>Die Sprache {0} hat zwei Spalten; entfernen Sie eine davon</translation>
+    </message>
+    <message>
+        <source>The key {0} is already on line {1}; remove one of the two lines</source>
+        <translation>Der Schlüssel {0} ist bereits in Zeile {1} vorhanden; entfernen Sie eine der beiden Zeilen</translation>
+    </message>
+    <message>
+        <source>Two roles are named {0}; rename one</source>
+        <translation>Zwei Rollen heißen {0}; bitte eine umbenennen</translation>
+    </message>
+    <message>
+        <source>Two users are named {0}; rename one</source>
+        <translation>Zwei Benutzer heißen {0}; bitte einen umbenennen</translation>
+    </message>
+    <message>
+        <source>Two recipes are named {0}; rename one</source>
+        <translation>Zwei Rezepte heißen {0}; bitte eines umbenennen</translation>
+    </message>
+    <message>
+        <source>Two sets of the recipe are named {0}; rename one</source>
+        <translation>Zwei Datensätze des Rezepts heißen {0}; bitte einen umbenennen</translation>
+    </message>
+    <message>
+        <source>The alarm has no condition; enter one</source>
+        <translation>Der Alarm hat keine Bedingung; geben Sie eine ein</translation>
+    </message>
+    <message>
+        <source>The element is outside the panel; move it inside</source>
+        <translation>Das Element liegt außerhalb des Panels; verschieben Sie es hinein</translation>
+    </message>
+    <message>
+        <source>The picture {0} is larger than {1} MB; use a smaller one</source>
+        <translation>Das Bild {0} ist größer als {1} MB; verwenden Sie ein kleineres</translation>
+    </message>
+    <message>
+        <source>The faceplate does not say which panel it shows; choose one</source>
+        <translation>Das Faceplate gibt nicht an, welches Panel angezeigt wird; wählen Sie eines</translation>
+    </message>
+    <message>
+        <source>The key {0} has no text in {1}; enter it in the text table</source>
+        <translation>Der Schlüssel {0} hat keinen Text in {1}; geben Sie ihn in der Texttabelle ein</translation>
+    </message>
+    <message>
+        <source>The help of the alarm {0} does not say what to do; add the operator&apos;s next step</source>
+        <translation>Die Hilfe des Alarms {0} sagt nicht, was zu tun ist; ergänzen Sie den nächsten Schritt des Bedieners</translation>
     </message>
 </context>
 <context>
@@ -2897,6 +2897,10 @@
     <message>
         <source>The address {0} begins at a byte that other tools, which count in words, cannot name; move it to a multiple of its size</source>
         <translation>Die Adresse {0} beginnt an einem Byte, das andere Werkzeuge, die in Wörtern zählen, nicht benennen können; verschieben Sie sie auf ein Vielfaches ihrer Größe</translation>
+    </message>
+    <message>
+        <source>{0} reaches out of the controller; it is declared here with its inputs and outputs and does nothing</source>
+        <translation>{0} greift über die Steuerung hinaus; hier ist er mit seinen Ein- und Ausgängen deklariert und tut nichts</translation>
     </message>
 </context>
 <context>
@@ -3934,7 +3938,7 @@
     </message>
     <message>
         <source>Share of the free room in a row</source>
-        <translation>Anteil am freien Platz in der Reihe</translation>
+        <translation>Anteil am freien Platz in der Zeile</translation>
     </message>
     <message>
         <source>Columns taken in a grid</source>
@@ -4605,7 +4609,7 @@
     </message>
     <message>
         <source>Row</source>
-        <translation>Reihe</translation>
+        <translation>Zeile</translation>
     </message>
     <message>
         <source>Column</source>
@@ -4613,7 +4617,7 @@
     </message>
     <message>
         <source>Row if wide, column if tall</source>
-        <translation>Reihe im Querformat, Spalte im Hochformat</translation>
+        <translation>Zeile im Querformat, Spalte im Hochformat</translation>
     </message>
     <message>
         <source>Filling it</source>
@@ -6166,6 +6170,10 @@ Nicht erhalten: %3</translation>
     <message>
         <source>files</source>
         <translation>Dateien</translation>
+    </message>
+    <message>
+        <source>PLCopen XML, TwinCAT, CODESYS, ST</source>
+        <translation>PLCopen XML, TwinCAT, CODESYS, ST</translation>
     </message>
 </context>
 <context>
@@ -9535,6 +9543,14 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>Taken back: %1</source>
         <translation>Zurückgenommen: %1</translation>
     </message>
+    <message>
+        <source>What the model leaves</source>
+        <translation>Rest neben dem Modell</translation>
+    </message>
+    <message>
+        <source>recorded less model</source>
+        <translation>aufgezeichnet minus Modell</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::WatchView</name>
@@ -10186,7 +10202,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Lay out in a row</source>
-        <translation>In einer Reihe anordnen</translation>
+        <translation>In einer Zeile anordnen</translation>
     </message>
     <message>
         <source>Lay out in a column</source>
@@ -11573,6 +11589,10 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
         <source>Workbook</source>
         <translation>Übungsbuch</translation>
     </message>
+    <message>
+        <source>Tank over Modbus</source>
+        <translation>Behälter über Modbus</translation>
+    </message>
 </context>
 <context>
     <name>FigureText</name>
@@ -11590,7 +11610,7 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
     </message>
     <message>
         <source>There are no samples in view: run the program or show another stretch.</source>
-        <translation>Im sichtbaren Bereich gibt es keine Abtastwerte: Lassen Sie das Programm laufen oder wählen Sie einen anderen Bereich.</translation>
+        <translation>Im sichtbaren Bereich gibt es keine Abtastwerte: Lassen Sie das Programm laufen oder blenden Sie einen anderen Bereich ein.</translation>
     </message>
     <message>
         <source>%L1 points over %2</source>
@@ -11598,7 +11618,7 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
     </message>
     <message>
         <source>A spectrum shows the frequencies of the visible channels: add a channel.</source>
-        <translation>Ein Spektrum zeigt die Frequenzen der sichtbaren Kanäle an: Fügen Sie einen Kanal hinzu.</translation>
+        <translation>Im Spektrum werden die Frequenzen der sichtbaren Kanäle angezeigt: Fügen Sie einen Kanal hinzu.</translation>
     </message>
     <message>
         <source>Spectrum</source>

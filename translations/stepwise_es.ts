@@ -88,10 +88,6 @@
         <translation>Los puertos por debajo de 1024 necesitan permisos especiales; un puerto como 1502, no</translation>
     </message>
     <message>
-        <source>{0} has no channels, so nothing is exchanged</source>
-        <translation>{0} no tiene canales, por lo que no se intercambia nada</translation>
-    </message>
-    <message>
         <source>A channel of an MQTT device needs a &quot;topic&quot;</source>
         <translation>Un canal de un dispositivo MQTT necesita un «topic»</translation>
     </message>
@@ -168,10 +164,6 @@
         <translation>{0} es una constante y no se puede escribir</translation>
     </message>
     <message>
-        <source>{0} and {1} write the same bytes: {2}</source>
-        <translation>{0} y {1} escriben los mismos bytes: {2}</translation>
-    </message>
-    <message>
         <source>{0} and {1} both set {2} {3}</source>
         <translation>{0} y {1} escriben ambos {2} {3}</translation>
     </message>
@@ -196,16 +188,8 @@
         <translation>{0} no se puede leer; contiene los certificados de la autoridad (PEM)</translation>
     </message>
     <message>
-        <source>There is no free address left for {0}</source>
-        <translation>No queda ninguna dirección libre para {0}</translation>
-    </message>
-    <message>
         <source>no answer within {0} ms</source>
         <translation>sin respuesta en {0}&#xa0;ms</translation>
-    </message>
-    <message>
-        <source>cannot connect to {0}: {1}</source>
-        <translation>no se puede conectar con {0}: {1}</translation>
     </message>
     <message>
         <source>the connection ended: {0}</source>
@@ -290,6 +274,22 @@
     <message>
         <source>The devices of an attached controller are connected there</source>
         <translation>Los dispositivos de un controlador remoto están conectados allí</translation>
+    </message>
+    <message>
+        <source>{0} and {1} write the same bytes: {2}; change an address</source>
+        <translation>{0} y {1} escriben los mismos bytes: {2}; cambie una dirección</translation>
+    </message>
+    <message>
+        <source>There is no free address left for {0}; give it a variable</source>
+        <translation>No queda ninguna dirección libre para {0}; asígnele una variable</translation>
+    </message>
+    <message>
+        <source>{0} has no channels, so nothing is exchanged; add one</source>
+        <translation>{0} no tiene canales, por lo que no se intercambia nada; añada uno</translation>
+    </message>
+    <message>
+        <source>cannot connect to {0}: {1}; check the address and the cable</source>
+        <translation>no se puede conectar con {0}: {1}; compruebe la dirección y el cable</translation>
     </message>
 </context>
 <context>
@@ -407,10 +407,6 @@
         <translation>{0} es un parámetro IN_OUT y necesita una variable de tipo {1}</translation>
     </message>
     <message>
-        <source>This array has {0} {0:dimension|dimensions}, not {1}</source>
-        <translation>Este array tiene {0} {0:dimensión|dimensiones}, no {1}</translation>
-    </message>
-    <message>
         <source>The index {0} is outside {1}..{2}</source>
         <translation>El índice {0} está fuera de {1}..{2}</translation>
     </message>
@@ -433,18 +429,6 @@
     <message>
         <source>The character {0} is not in STRING (Latin-1); use WSTRING</source>
         <translation>El carácter {0} no existe en STRING (Latin-1); use WSTRING</translation>
-    </message>
-    <message>
-        <source>The text has {0} characters and will be truncated to {1}</source>
-        <translation>El texto tiene {0} caracteres y se truncará a {1}</translation>
-    </message>
-    <message>
-        <source>This integer division discards the fraction before the conversion to {0}</source>
-        <translation>Esta división entera descarta los decimales antes de la conversión a {0}</translation>
-    </message>
-    <message>
-        <source>{0} is computed as {1} and may overflow before the conversion to {2}</source>
-        <translation>{0} se calcula como {1} y puede desbordarse antes de la conversión a {2}</translation>
     </message>
     <message>
         <source>{0} and {1} are compared as {2}; convert one of them</source>
@@ -475,10 +459,6 @@
         <translation>{0} se contiene a sí mismo; use un REFERENCE TO</translation>
     </message>
     <message>
-        <source>{0} calls itself, which is not allowed: {1}</source>
-        <translation>{0} se llama a sí mismo, lo que no está permitido: {1}</translation>
-    </message>
-    <message>
         <source>The parameters of {0} must match those of the overridden method</source>
         <translation>Los parámetros de {0} deben coincidir con los del método sobrescrito</translation>
     </message>
@@ -493,14 +473,6 @@
     <message>
         <source>{0} is only allowed inside a loop</source>
         <translation>{0} solo se permite dentro de un bucle</translation>
-    </message>
-    <message>
-        <source>The loop variable {0} is changed inside its loop</source>
-        <translation>La variable de bucle {0} se modifica dentro de su bucle</translation>
-    </message>
-    <message>
-        <source>There is no global variable {0} of type {1}</source>
-        <translation>No existe la variable global {0} de tipo {1}</translation>
     </message>
     <message>
         <source>There are several programs and no CONFIGURATION; name one of them Main or write a CONFIGURATION</source>
@@ -533,10 +505,6 @@
     <message>
         <source>The qualifier {0} needs a time, for example T#2s</source>
         <translation>El calificador {0} necesita un tiempo, por ejemplo T#2s</translation>
-    </message>
-    <message>
-        <source>{0} is not an IL operator</source>
-        <translation>{0} no es un operador de IL</translation>
     </message>
     <message>
         <source>{0} needs a current result; load one with LD</source>
@@ -814,6 +782,38 @@
         <source>{0} converts the number, as in CODESYS; to keep the bits, put both types into a UNION</source>
         <translation>{0} convierte el número, como en CODESYS; para conservar los bits, ponga ambos tipos en una UNION</translation>
     </message>
+    <message>
+        <source>{0} calls itself, which is not allowed: {1}; use a loop instead</source>
+        <translation>{0} se llama a sí mismo, lo que no está permitido: {1}; use un bucle en su lugar</translation>
+    </message>
+    <message>
+        <source>The loop variable {0} is changed inside its loop; use WHILE or another variable</source>
+        <translation>La variable de bucle {0} se modifica dentro de su bucle; use WHILE u otra variable</translation>
+    </message>
+    <message>
+        <source>There is no global variable {0} of type {1}; declare it in VAR_GLOBAL</source>
+        <translation>No existe la variable global {0} de tipo {1}; declárela en VAR_GLOBAL</translation>
+    </message>
+    <message>
+        <source>The text has {0} characters and will be truncated to {1}; declare a longer string</source>
+        <translation>El texto tiene {0} caracteres y se truncará a {1}; declare una cadena más larga</translation>
+    </message>
+    <message>
+        <source>This integer division discards the fraction before the conversion to {0}; convert an operand first</source>
+        <translation>Esta división entera descarta los decimales antes de la conversión a {0}; convierta antes un operando</translation>
+    </message>
+    <message>
+        <source>{0} is computed as {1} and may overflow before the conversion to {2}; convert an operand first</source>
+        <translation>{0} se calcula como {1} y puede desbordarse antes de la conversión a {2}; convierta antes un operando</translation>
+    </message>
+    <message>
+        <source>{0} is not an IL operator; use one such as LD, ST, AND or JMP</source>
+        <translation>{0} no es un operador de IL; use por ejemplo LD, ST, AND o JMP</translation>
+    </message>
+    <message>
+        <source>This array has {0} {0:dimension|dimensions}, not {1}; write an index for each</source>
+        <translation>Este array tiene {0} {0:dimensión|dimensiones}, no {1}; escriba un índice para cada una</translation>
+    </message>
 </context>
 <context>
     <name>DiskChange</name>
@@ -1028,10 +1028,6 @@
         <translation>El archivo está dañado o no es una grabación</translation>
     </message>
     <message>
-        <source>The recorded program can no longer be built</source>
-        <translation>El programa grabado ya no se puede compilar</translation>
-    </message>
-    <message>
         <source>This version of Stepwise lays out the program&apos;s variables differently; open the recording with the version that made it</source>
         <translation>Esta versión de Stepwise dispone las variables del programa de otro modo; abra la grabación con la versión que la creó</translation>
     </message>
@@ -1046,10 +1042,6 @@
     <message>
         <source>The recording contains no program</source>
         <translation>La grabación no contiene ningún programa</translation>
-    </message>
-    <message>
-        <source>Nothing has been recorded yet</source>
-        <translation>Aún no se ha grabado nada</translation>
     </message>
     <message>
         <source>This scan is no longer in the recording</source>
@@ -1128,10 +1120,6 @@
         <translation>la ruta está vacía</translation>
     </message>
     <message>
-        <source>the path is incomplete</source>
-        <translation>la ruta está incompleta</translation>
-    </message>
-    <message>
         <source>the path cannot be read from &apos;{0}&apos; on</source>
         <translation>la ruta no se puede leer a partir de «{0}»</translation>
     </message>
@@ -1142,10 +1130,6 @@
     <message>
         <source>a constant cannot be written</source>
         <translation>una constante no se puede escribir</translation>
-    </message>
-    <message>
-        <source>a constant cannot be forced</source>
-        <translation>una constante no se puede forzar</translation>
     </message>
     <message>
         <source>the variable is not forced</source>
@@ -1360,10 +1344,6 @@
         <translation>Este cuerpo no es una lista de instrucciones</translation>
     </message>
     <message>
-        <source>The type of {0} is not known here</source>
-        <translation>El tipo de {0} no se conoce aquí</translation>
-    </message>
-    <message>
         <source>This body is not ST</source>
         <translation>Este cuerpo no es ST</translation>
     </message>
@@ -1448,10 +1428,6 @@
         <translation>Indique una carpeta de proyecto o archivos ST, no ambos</translation>
     </message>
     <message>
-        <source>There is no name here that can be renamed</source>
-        <translation>Aquí no hay ningún nombre que se pueda renombrar</translation>
-    </message>
-    <message>
         <source>{0} belongs to a library and cannot be renamed</source>
         <translation>{0} pertenece a una biblioteca y no se puede renombrar</translation>
     </message>
@@ -1492,10 +1468,6 @@
         <translation>El proyecto no contiene ese archivo</translation>
     </message>
     <message>
-        <source>A file with this name already exists</source>
-        <translation>Ya existe un archivo con ese nombre</translation>
-    </message>
-    <message>
         <source>The file is read-only and was not overwritten</source>
         <translation>El archivo es de solo lectura y no se ha sobrescrito</translation>
     </message>
@@ -1516,22 +1488,6 @@
         <translation>Abra primero un proyecto</translation>
     </message>
     <message>
-        <source>A panel with this name already exists</source>
-        <translation>Ya existe un panel con ese nombre</translation>
-    </message>
-    <message>
-        <source>The controller is not running</source>
-        <translation>El controlador no está en marcha</translation>
-    </message>
-    <message>
-        <source>There is no program to run</source>
-        <translation>No hay ningún programa que ejecutar</translation>
-    </message>
-    <message>
-        <source>There is no program to test</source>
-        <translation>No hay ningún programa que probar</translation>
-    </message>
-    <message>
         <source>This statement is not possible in a TEST together with RUN or ASSERT around it</source>
         <translation>Esta instrucción no es posible en un TEST cuando la rodea RUN o ASSERT</translation>
     </message>
@@ -1546,14 +1502,6 @@
     <message>
         <source>{0} is not a value for {1}</source>
         <translation>{0} no es un valor para {1}</translation>
-    </message>
-    <message>
-        <source>This loop of the test does not end</source>
-        <translation>Este bucle de la prueba no termina</translation>
-    </message>
-    <message>
-        <source>The step of this loop is 0</source>
-        <translation>El paso de este bucle es 0</translation>
     </message>
     <message>
         <source>The simulation stopped: {0}</source>
@@ -1720,18 +1668,6 @@
         <translation>{0} no es un nombre válido; use letras, cifras y guiones bajos</translation>
     </message>
     <message>
-        <source>A step {0} already exists</source>
-        <translation>Ya existe una etapa {0}</translation>
-    </message>
-    <message>
-        <source>This edit would change the same text twice</source>
-        <translation>Este cambio modificaría dos veces el mismo texto</translation>
-    </message>
-    <message>
-        <source>This transition does not lead to a step yet</source>
-        <translation>Esta transición aún no lleva a ninguna etapa</translation>
-    </message>
-    <message>
         <source>Nothing would lead to the join after this step</source>
         <translation>Nada llevaría a la convergencia después de esta etapa</translation>
     </message>
@@ -1800,16 +1736,8 @@
         <translation>Las ramas tras esta transición no convergen; conéctelas primero en el texto</translation>
     </message>
     <message>
-        <source>The panel is not valid JSON</source>
-        <translation>El panel no es JSON válido</translation>
-    </message>
-    <message>
         <source>A panel must be a JSON object</source>
         <translation>Un panel debe ser un objeto JSON</translation>
-    </message>
-    <message>
-        <source>The panel was written by a newer version of Stepwise</source>
-        <translation>El panel lo escribió una versión más reciente de Stepwise</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; must be a list</source>
@@ -1828,20 +1756,12 @@
         <translation>Dos elementos tienen el identificador «{0}»; cambie uno de ellos</translation>
     </message>
     <message>
-        <source>The alarms are not valid JSON</source>
-        <translation>Las alarmas no son JSON válido</translation>
-    </message>
-    <message>
         <source>Every alarm and every alarm class must be a JSON object</source>
         <translation>Cada alarma y cada clase de alarma debe ser un objeto JSON</translation>
     </message>
     <message>
         <source>An alarm has no id</source>
         <translation>Una alarma no tiene identificador</translation>
-    </message>
-    <message>
-        <source>Two alarms have the id &quot;{0}&quot;</source>
-        <translation>Dos alarmas tienen el identificador «{0}»</translation>
     </message>
     <message>
         <source>This line is not valid UTF-8; save the file as UTF-8</source>
@@ -1852,10 +1772,6 @@
         <translation>Hay texto tras una comilla de cierre; duplique la comilla que pertenece al texto</translation>
     </message>
     <message>
-        <source>The quote that opens here is never closed</source>
-        <translation>La comilla que se abre aquí no se cierra</translation>
-    </message>
-    <message>
         <source>The first line must be {0} and one language tag per column</source>
         <translation>La primera línea debe ser {0} y una etiqueta de idioma por columna</translation>
     </message>
@@ -1864,20 +1780,12 @@
         <translation>La columna {0} no tiene etiqueta de idioma</translation>
     </message>
     <message>
-        <source>The language {0} has two columns</source>
-        <translation>El idioma {0} tiene dos columnas</translation>
-    </message>
-    <message>
         <source>This line has {0} {0:field|fields}, the header has {1}</source>
         <translation>Esta línea tiene {0} {0:campo|campos}, la cabecera tiene {1}</translation>
     </message>
     <message>
         <source>This line has no key</source>
         <translation>Esta línea no tiene clave</translation>
-    </message>
-    <message>
-        <source>The key {0} is already on line {1}</source>
-        <translation>La clave {0} ya está en la línea {1}</translation>
     </message>
     <message>
         <source>The alarm history cannot be opened: {0}</source>
@@ -1940,10 +1848,6 @@
         <translation>El proyecto no tiene el idioma {0}</translation>
     </message>
     <message>
-        <source>The element is outside the panel</source>
-        <translation>El elemento está fuera del panel</translation>
-    </message>
-    <message>
         <source>The file {0} does not exist</source>
         <translation>El archivo {0} no existe</translation>
     </message>
@@ -1956,10 +1860,6 @@
         <translation>El formato {0} no se conoce; use por ejemplo {1} o {2}</translation>
     </message>
     <message>
-        <source>The alarm has no condition</source>
-        <translation>La alarma no tiene condición</translation>
-    </message>
-    <message>
         <source>There is no alarm class {0}</source>
         <translation>No existe la clase de alarma {0}</translation>
     </message>
@@ -1970,10 +1870,6 @@
     <message>
         <source>The placeholders differ: {0} has {1}, {2} has {3}</source>
         <translation>Los marcadores difieren: {0} tiene {1}, {2} tiene {3}</translation>
-    </message>
-    <message>
-        <source>The key {0} has no text in {1}</source>
-        <translation>La clave {0} no tiene texto en {1}</translation>
     </message>
     <message>
         <source>The font {0} is not installed here, so texts cannot be measured</source>
@@ -2028,16 +1924,8 @@
         <translation>El formato {0} no se conoce</translation>
     </message>
     <message>
-        <source>The trace configuration is not valid JSON (see line {0})</source>
-        <translation>La configuración de la traza no es JSON válido (vea la línea {0})</translation>
-    </message>
-    <message>
         <source>A trace configuration must be a JSON object</source>
         <translation>Una configuración de traza debe ser un objeto JSON</translation>
-    </message>
-    <message>
-        <source>This trace configuration was written by a newer version of Stepwise (version {0})</source>
-        <translation>Esta configuración de traza la escribió una versión más reciente de Stepwise (versión {0})</translation>
     </message>
     <message>
         <source>The trace configuration is invalid: {0}</source>
@@ -2078,10 +1966,6 @@
     <message>
         <source>A priority is a number; 0 removes it</source>
         <translation>Una prioridad es un número; 0 la quita</translation>
-    </message>
-    <message>
-        <source>The file was changed by another program and was not overwritten</source>
-        <translation>Otro programa cambió el archivo y no se ha sobrescrito</translation>
     </message>
     <message>
         <source>This file cannot be imported; PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
@@ -2198,10 +2082,6 @@
     <message>
         <source>The picture {0} is outside the project; copy it into the project, or set {1} to true under {2} in project.json</source>
         <translation>La imagen {0} está fuera del proyecto; cópiela en el proyecto o ponga {1} a true bajo {2} en project.json</translation>
-    </message>
-    <message>
-        <source>The picture {0} is larger than {1} MB</source>
-        <translation>La imagen {0} supera {1}&#xa0;MB</translation>
     </message>
     <message>
         <source>The picture {0} unpacks to more than {1} MB</source>
@@ -2324,10 +2204,6 @@
         <translation>{0} no está entre {1} y {2}; se usa {3}</translation>
     </message>
     <message>
-        <source>The faceplate does not say which panel it shows</source>
-        <translation>El faceplate no indica qué panel muestra</translation>
-    </message>
-    <message>
         <source>The panel {0} contains this one, so it cannot be placed in it</source>
         <translation>El panel {0} contiene a este, por lo que no se puede colocar en él</translation>
     </message>
@@ -2368,16 +2244,8 @@
         <translation>El ciclo anterior no está en la grabación, por lo que no se conocen los valores con los que empezó este ciclo.</translation>
     </message>
     <message>
-        <source>The users and roles are not valid JSON</source>
-        <translation>Los usuarios y las funciones no son JSON válido</translation>
-    </message>
-    <message>
         <source>A role has no name</source>
         <translation>Una función no tiene nombre</translation>
-    </message>
-    <message>
-        <source>Two roles are named {0}</source>
-        <translation>Dos funciones se llaman {0}</translation>
     </message>
     <message>
         <source>There is no role {0}</source>
@@ -2386,10 +2254,6 @@
     <message>
         <source>A user has no name</source>
         <translation>Un usuario no tiene nombre</translation>
-    </message>
-    <message>
-        <source>Two users are named {0}</source>
-        <translation>Dos usuarios se llaman {0}</translation>
     </message>
     <message>
         <source>There is no user {0}</source>
@@ -2424,16 +2288,8 @@
         <translation>Solo para las funciones {0}, pero el proyecto no tiene usuarios; cualquiera puede operarlo</translation>
     </message>
     <message>
-        <source>The recipes are not valid JSON</source>
-        <translation>Las recetas no son JSON válido</translation>
-    </message>
-    <message>
         <source>A recipe has no name</source>
         <translation>Una receta no tiene nombre</translation>
-    </message>
-    <message>
-        <source>Two recipes are named {0}</source>
-        <translation>Dos recetas se llaman {0}</translation>
     </message>
     <message>
         <source>A row of a recipe names no variable</source>
@@ -2446,10 +2302,6 @@
     <message>
         <source>A set of a recipe has no name</source>
         <translation>Un juego de valores de una receta no tiene nombre</translation>
-    </message>
-    <message>
-        <source>Two sets of the recipe are named {0}</source>
-        <translation>Dos juegos de valores de la receta se llaman {0}</translation>
     </message>
     <message>
         <source>The first column must be named variable, and each set has a column of its own</source>
@@ -2580,10 +2432,6 @@
         <translation>{0} está en otro lugar en el panel {1}</translation>
     </message>
     <message>
-        <source>The help of the alarm {0} does not say what to do</source>
-        <translation>La ayuda de la alarma {0} no dice qué hacer</translation>
-    </message>
-    <message>
         <source>{0} of {1} alarms have the highest priority</source>
         <translation>{0} de {1} alarmas tienen la prioridad más alta</translation>
     </message>
@@ -2617,7 +2465,7 @@
     </message>
     <message>
         <source>A panel that shows everything is searched, not read. Move details to a panel of the next level (ISA-101).</source>
-        <translation>Un panel en el que está todo se rebusca, no se lee. Mueva los detalles a un panel del nivel siguiente (ISA-101).</translation>
+        <translation>Un panel que muestra todo se rebusca, no se lee. Mueva los detalles a un panel del nivel siguiente (ISA-101).</translation>
     </message>
     <message>
         <source>In an abnormal situation, every panel should be three presses away at most, and there should be a way back from it (ISA-101).</source>
@@ -2677,7 +2525,7 @@
     </message>
     <message>
         <source>One man in twelve cannot tell some colours apart, and bright light washes them out. Show the same by a text, a shape, blinking or at least a different brightness.</source>
-        <translation>Uno de cada doce hombres no distingue ciertos colores, y la luz intensa los borra. Indique lo mismo con un texto, una forma, un parpadeo o al menos otro brillo.</translation>
+        <translation>Uno de cada doce hombres no distingue ciertos colores, y la luz intensa los borra. Muestre lo mismo con un texto, una forma, un parpadeo o al menos otro brillo.</translation>
     </message>
     <message>
         <source>What only some may do, or what project.json lists as critical, must not happen by an accidental touch. Set &quot;Writes are confirmed&quot;, or enter a question.</source>
@@ -2710,6 +2558,158 @@
     <message>
         <source>There is no theme {0}; choose one of {1}</source>
         <translation>No existe el tema {0}; elija uno de {1}</translation>
+    </message>
+    <message>
+        <source>This edit would change the same text twice; undo it and edit the text</source>
+        <translation>Este cambio modificaría dos veces el mismo texto; elija deshacer y edite el texto</translation>
+    </message>
+    <message>
+        <source>This transition does not lead to a step yet; connect it to one first</source>
+        <translation>Esta transición aún no lleva a ninguna etapa; conéctela primero con una</translation>
+    </message>
+    <message>
+        <source>The panel was written by a newer version of Stepwise; open it with that version</source>
+        <translation>El panel lo escribió una versión más reciente de Stepwise; ábralo con esa versión</translation>
+    </message>
+    <message>
+        <source>This trace configuration was written by a newer version of Stepwise (version {0}); open it with that version</source>
+        <translation>Esta configuración de traza la escribió una versión más reciente de Stepwise (versión {0}); ábrala con esa versión</translation>
+    </message>
+    <message>
+        <source>The recorded program can no longer be built; open the recording with the version of Stepwise that made it</source>
+        <translation>El programa grabado ya no se puede compilar; abra la grabación con la versión de Stepwise que la creó</translation>
+    </message>
+    <message>
+        <source>The controller is not running; press F5</source>
+        <translation>El controlador no está en marcha; pulse F5</translation>
+    </message>
+    <message>
+        <source>There is no program to run; declare a PROGRAM</source>
+        <translation>No hay ningún programa que ejecutar; declare un PROGRAM</translation>
+    </message>
+    <message>
+        <source>There is no program to test; declare a PROGRAM</source>
+        <translation>No hay ningún programa que probar; declare un PROGRAM</translation>
+    </message>
+    <message>
+        <source>A file with this name already exists; choose another name</source>
+        <translation>Ya existe un archivo con ese nombre; elija otro nombre</translation>
+    </message>
+    <message>
+        <source>A panel with this name already exists; choose another name</source>
+        <translation>Ya existe un panel con ese nombre; elija otro nombre</translation>
+    </message>
+    <message>
+        <source>A step {0} already exists; choose another name</source>
+        <translation>Ya existe una etapa {0}; elija otro nombre</translation>
+    </message>
+    <message>
+        <source>The step of this loop is 0; write BY with another number</source>
+        <translation>El paso de este bucle es 0; escriba BY con otro número</translation>
+    </message>
+    <message>
+        <source>This loop of the test does not end; give it a condition that becomes FALSE</source>
+        <translation>Este bucle de la prueba no termina; dele una condición que llegue a ser FALSE</translation>
+    </message>
+    <message>
+        <source>There is no name here that can be renamed; put the cursor on one</source>
+        <translation>Aquí no hay ningún nombre que se pueda renombrar; ponga el cursor sobre uno</translation>
+    </message>
+    <message>
+        <source>The file was changed by another program and was not overwritten; compare both first</source>
+        <translation>Otro programa cambió el archivo y no se ha sobrescrito; compare primero ambos</translation>
+    </message>
+    <message>
+        <source>The type of {0} is not known here; correct the errors of the program first</source>
+        <translation>El tipo de {0} no se conoce aquí; corrija primero los errores del programa</translation>
+    </message>
+    <message>
+        <source>Nothing has been recorded yet; start the controller with F5</source>
+        <translation>Aún no se ha grabado nada; inicie el controlador con F5</translation>
+    </message>
+    <message>
+        <source>a constant cannot be forced; change it in the program</source>
+        <translation>una constante no se puede forzar; cámbiela en el programa</translation>
+    </message>
+    <message>
+        <source>the path is incomplete; write it to a single value, for example Main.x</source>
+        <translation>la ruta está incompleta; escríbala hasta un único valor, por ejemplo Main.x</translation>
+    </message>
+    <message>
+        <source>The panel is not valid JSON; look for a missing comma, quote or bracket</source>
+        <translation>El panel no es JSON válido; busque una coma, una comilla o un corchete que falte</translation>
+    </message>
+    <message>
+        <source>The alarms are not valid JSON; look for a missing comma, quote or bracket</source>
+        <translation>Las alarmas no son JSON válido; busque una coma, una comilla o un corchete que falte</translation>
+    </message>
+    <message>
+        <source>The recipes are not valid JSON; look for a missing comma, quote or bracket</source>
+        <translation>Las recetas no son JSON válido; busque una coma, una comilla o un corchete que falte</translation>
+    </message>
+    <message>
+        <source>The users and roles are not valid JSON; look for a missing comma, quote or bracket</source>
+        <translation>Los usuarios y las funciones no son JSON válido; busque una coma, una comilla o un corchete que falte</translation>
+    </message>
+    <message>
+        <source>The trace configuration is not valid JSON (see line {0}); look for a missing comma, quote or bracket</source>
+        <translation>La configuración de la traza no es JSON válido (vea la línea {0}); busque una coma, una comilla o un corchete que falte</translation>
+    </message>
+    <message>
+        <source>Two alarms have the id &quot;{0}&quot;; change one of them</source>
+        <translation>Dos alarmas tienen el identificador «{0}»; cambie uno de ellos</translation>
+    </message>
+    <message>
+        <source>The quote that opens here is never closed; add one at the end of the text</source>
+        <translation>La comilla que se abre aquí no se cierra; añada una al final del texto</translation>
+    </message>
+    <message>
+        <source>The language {0} has two columns; remove one of them</source>
+        <translation>El idioma {0} tiene dos columnas; elimine una de ellas</translation>
+    </message>
+    <message>
+        <source>The key {0} is already on line {1}; remove one of the two lines</source>
+        <translation>La clave {0} ya está en la línea {1}; elimine una de las dos líneas</translation>
+    </message>
+    <message>
+        <source>Two roles are named {0}; rename one</source>
+        <translation>Dos funciones se llaman {0}; renombre uno</translation>
+    </message>
+    <message>
+        <source>Two users are named {0}; rename one</source>
+        <translation>Dos usuarios se llaman {0}; renombre uno</translation>
+    </message>
+    <message>
+        <source>Two recipes are named {0}; rename one</source>
+        <translation>Dos recetas se llaman {0}; renombre una</translation>
+    </message>
+    <message>
+        <source>Two sets of the recipe are named {0}; rename one</source>
+        <translation>Dos juegos de valores de la receta se llaman {0}; renombre uno</translation>
+    </message>
+    <message>
+        <source>The alarm has no condition; enter one</source>
+        <translation>La alarma no tiene condición; introduzca una</translation>
+    </message>
+    <message>
+        <source>The element is outside the panel; move it inside</source>
+        <translation>El elemento está fuera del panel; muévalo adentro</translation>
+    </message>
+    <message>
+        <source>The picture {0} is larger than {1} MB; use a smaller one</source>
+        <translation>La imagen {0} supera {1}&#xa0;MB; use una más pequeña</translation>
+    </message>
+    <message>
+        <source>The faceplate does not say which panel it shows; choose one</source>
+        <translation>El faceplate no indica qué panel muestra; elija uno</translation>
+    </message>
+    <message>
+        <source>The key {0} has no text in {1}; enter it in the text table</source>
+        <translation>La clave {0} no tiene texto en {1}; introdúzcalo en la tabla de textos</translation>
+    </message>
+    <message>
+        <source>The help of the alarm {0} does not say what to do; add the operator&apos;s next step</source>
+        <translation>La ayuda de la alarma {0} no dice qué hacer; añada el siguiente paso del operador</translation>
     </message>
 </context>
 <context>
@@ -2897,6 +2897,10 @@
     <message>
         <source>The address {0} begins at a byte that other tools, which count in words, cannot name; move it to a multiple of its size</source>
         <translation>La dirección {0} empieza en un byte que otras herramientas, que cuentan en palabras, no pueden nombrar; muévala a un múltiplo de su tamaño</translation>
+    </message>
+    <message>
+        <source>{0} reaches out of the controller; it is declared here with its inputs and outputs and does nothing</source>
+        <translation>{0} actúa fuera del controlador; se declara aquí con sus entradas y salidas y no hace nada</translation>
     </message>
 </context>
 <context>
@@ -6166,6 +6170,10 @@ No conservados: %3</translation>
     <message>
         <source>files</source>
         <translation>archivos</translation>
+    </message>
+    <message>
+        <source>PLCopen XML, TwinCAT, CODESYS, ST</source>
+        <translation>PLCopen XML, TwinCAT, CODESYS, ST</translation>
     </message>
 </context>
 <context>
@@ -9535,6 +9543,14 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <source>Taken back: %1</source>
         <translation>Revertido: %1</translation>
     </message>
+    <message>
+        <source>What the model leaves</source>
+        <translation>Lo que el modelo no explica</translation>
+    </message>
+    <message>
+        <source>recorded less model</source>
+        <translation>grabado menos modelo</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::WatchView</name>
@@ -11572,6 +11588,10 @@ Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
     <message>
         <source>Workbook</source>
         <translation>Cuaderno de ejercicios</translation>
+    </message>
+    <message>
+        <source>Tank over Modbus</source>
+        <translation>Depósito por Modbus</translation>
     </message>
 </context>
 <context>

@@ -88,10 +88,6 @@
         <translation>Les ports inférieurs à 1024 demandent des droits particuliers&#x202f;; un port comme 1502, non</translation>
     </message>
     <message>
-        <source>{0} has no channels, so nothing is exchanged</source>
-        <translation>{0} n’a pas de voies&#x202f;; rien n’est donc échangé</translation>
-    </message>
-    <message>
         <source>A channel of an MQTT device needs a &quot;topic&quot;</source>
         <translation>Une voie d’un appareil MQTT demande un «&#xa0;topic&#xa0;»</translation>
     </message>
@@ -168,10 +164,6 @@
         <translation>{0} est une constante et ne peut pas être écrite</translation>
     </message>
     <message>
-        <source>{0} and {1} write the same bytes: {2}</source>
-        <translation>{0} et {1} écrivent les mêmes octets&#xa0;: {2}</translation>
-    </message>
-    <message>
         <source>{0} and {1} both set {2} {3}</source>
         <translation>{0} et {1} écrivent tous deux {2} {3}</translation>
     </message>
@@ -196,16 +188,8 @@
         <translation>{0} ne peut pas être lu&#x202f;; il contient les certificats de l’autorité (PEM)</translation>
     </message>
     <message>
-        <source>There is no free address left for {0}</source>
-        <translation>Il n’y a plus d’adresse libre pour {0}</translation>
-    </message>
-    <message>
         <source>no answer within {0} ms</source>
         <translation>pas de réponse en {0}&#xa0;ms</translation>
-    </message>
-    <message>
-        <source>cannot connect to {0}: {1}</source>
-        <translation>connexion impossible à {0}&#xa0;: {1}</translation>
     </message>
     <message>
         <source>the connection ended: {0}</source>
@@ -290,6 +274,22 @@
     <message>
         <source>The devices of an attached controller are connected there</source>
         <translation>Les appareils d’un automate rattaché sont reliés là-bas</translation>
+    </message>
+    <message>
+        <source>{0} and {1} write the same bytes: {2}; change an address</source>
+        <translation>{0} et {1} écrivent les mêmes octets&#xa0;: {2}&#x202f;; modifiez une adresse</translation>
+    </message>
+    <message>
+        <source>There is no free address left for {0}; give it a variable</source>
+        <translation>Il n’y a plus d’adresse libre pour {0}&#x202f;; donnez-lui une variable</translation>
+    </message>
+    <message>
+        <source>{0} has no channels, so nothing is exchanged; add one</source>
+        <translation>{0} n’a pas de voies&#x202f;; rien n’est donc échangé&#x202f;; ajoutez-en une</translation>
+    </message>
+    <message>
+        <source>cannot connect to {0}: {1}; check the address and the cable</source>
+        <translation>connexion impossible à {0}&#xa0;: {1}&#x202f;; vérifiez l’adresse et le câble</translation>
     </message>
 </context>
 <context>
@@ -407,10 +407,6 @@
         <translation>{0} est un paramètre IN_OUT et demande une variable de type {1}</translation>
     </message>
     <message>
-        <source>This array has {0} {0:dimension|dimensions}, not {1}</source>
-        <translation>Ce tableau a {0} {0:dimension|dimensions}, et non {1}</translation>
-    </message>
-    <message>
         <source>The index {0} is outside {1}..{2}</source>
         <translation>L’indice {0} est en dehors de {1}..{2}</translation>
     </message>
@@ -433,18 +429,6 @@
     <message>
         <source>The character {0} is not in STRING (Latin-1); use WSTRING</source>
         <translation>Le caractère {0} n’existe pas en STRING (Latin-1)&#x202f;; utiliser WSTRING</translation>
-    </message>
-    <message>
-        <source>The text has {0} characters and will be truncated to {1}</source>
-        <translation>Le texte a {0} caractères et sera tronqué à {1}</translation>
-    </message>
-    <message>
-        <source>This integer division discards the fraction before the conversion to {0}</source>
-        <translation>Cette division entière supprime la partie décimale avant la conversion en {0}</translation>
-    </message>
-    <message>
-        <source>{0} is computed as {1} and may overflow before the conversion to {2}</source>
-        <translation>{0} est calculé en {1} et peut déborder avant la conversion en {2}</translation>
     </message>
     <message>
         <source>{0} and {1} are compared as {2}; convert one of them</source>
@@ -475,10 +459,6 @@
         <translation>{0} se contient lui-même&#x202f;; utiliser un REFERENCE TO</translation>
     </message>
     <message>
-        <source>{0} calls itself, which is not allowed: {1}</source>
-        <translation>{0} s’appelle lui-même, ce qui n’est pas autorisé&#xa0;: {1}</translation>
-    </message>
-    <message>
         <source>The parameters of {0} must match those of the overridden method</source>
         <translation>Les paramètres de {0} doivent correspondre à ceux de la méthode redéfinie</translation>
     </message>
@@ -493,14 +473,6 @@
     <message>
         <source>{0} is only allowed inside a loop</source>
         <translation>{0} n’est autorisé que dans une boucle</translation>
-    </message>
-    <message>
-        <source>The loop variable {0} is changed inside its loop</source>
-        <translation>La variable de boucle {0} est modifiée dans sa boucle</translation>
-    </message>
-    <message>
-        <source>There is no global variable {0} of type {1}</source>
-        <translation>La variable globale {0} de type {1} n’existe pas</translation>
     </message>
     <message>
         <source>There are several programs and no CONFIGURATION; name one of them Main or write a CONFIGURATION</source>
@@ -533,10 +505,6 @@
     <message>
         <source>The qualifier {0} needs a time, for example T#2s</source>
         <translation>Le qualificatif {0} demande un temps, par exemple T#2s</translation>
-    </message>
-    <message>
-        <source>{0} is not an IL operator</source>
-        <translation>{0} n’est pas un opérateur IL</translation>
     </message>
     <message>
         <source>{0} needs a current result; load one with LD</source>
@@ -814,6 +782,38 @@
         <source>{0} converts the number, as in CODESYS; to keep the bits, put both types into a UNION</source>
         <translation>{0} convertit le nombre, comme dans CODESYS&#x202f;; pour conserver les bits, placer les deux types dans une UNION</translation>
     </message>
+    <message>
+        <source>{0} calls itself, which is not allowed: {1}; use a loop instead</source>
+        <translation>{0} s’appelle lui-même, ce qui n’est pas autorisé&#xa0;: {1}&#x202f;; utiliser une boucle à la place</translation>
+    </message>
+    <message>
+        <source>The loop variable {0} is changed inside its loop; use WHILE or another variable</source>
+        <translation>La variable de boucle {0} est modifiée dans sa boucle&#x202f;; utiliser WHILE ou une autre variable</translation>
+    </message>
+    <message>
+        <source>There is no global variable {0} of type {1}; declare it in VAR_GLOBAL</source>
+        <translation>La variable globale {0} de type {1} n’existe pas&#x202f;; la déclarer dans VAR_GLOBAL</translation>
+    </message>
+    <message>
+        <source>The text has {0} characters and will be truncated to {1}; declare a longer string</source>
+        <translation>Le texte a {0} caractères et sera tronqué à {1}&#x202f;; déclarer une chaîne plus longue</translation>
+    </message>
+    <message>
+        <source>This integer division discards the fraction before the conversion to {0}; convert an operand first</source>
+        <translation>Cette division entière supprime la partie décimale avant la conversion en {0}&#x202f;; convertir d’abord un opérande</translation>
+    </message>
+    <message>
+        <source>{0} is computed as {1} and may overflow before the conversion to {2}; convert an operand first</source>
+        <translation>{0} est calculé en {1} et peut déborder avant la conversion en {2}&#x202f;; convertir d’abord un opérande</translation>
+    </message>
+    <message>
+        <source>{0} is not an IL operator; use one such as LD, ST, AND or JMP</source>
+        <translation>{0} n’est pas un opérateur IL&#x202f;; utiliser par exemple LD, ST, AND ou JMP</translation>
+    </message>
+    <message>
+        <source>This array has {0} {0:dimension|dimensions}, not {1}; write an index for each</source>
+        <translation>Ce tableau a {0} {0:dimension|dimensions}, et non {1}&#x202f;; écrire un indice pour chacune</translation>
+    </message>
 </context>
 <context>
     <name>DiskChange</name>
@@ -1028,10 +1028,6 @@
         <translation>Le fichier est endommagé ou n’est pas un enregistrement</translation>
     </message>
     <message>
-        <source>The recorded program can no longer be built</source>
-        <translation>Le programme enregistré ne peut plus être compilé</translation>
-    </message>
-    <message>
         <source>This version of Stepwise lays out the program&apos;s variables differently; open the recording with the version that made it</source>
         <translation>Cette version de Stepwise dispose autrement les variables du programme&#x202f;; ouvrez l’enregistrement avec la version qui l’a créé</translation>
     </message>
@@ -1046,10 +1042,6 @@
     <message>
         <source>The recording contains no program</source>
         <translation>L’enregistrement ne contient pas de programme</translation>
-    </message>
-    <message>
-        <source>Nothing has been recorded yet</source>
-        <translation>Rien n’a encore été enregistré</translation>
     </message>
     <message>
         <source>This scan is no longer in the recording</source>
@@ -1128,10 +1120,6 @@
         <translation>le chemin est vide</translation>
     </message>
     <message>
-        <source>the path is incomplete</source>
-        <translation>le chemin est incomplet</translation>
-    </message>
-    <message>
         <source>the path cannot be read from &apos;{0}&apos; on</source>
         <translation>le chemin n’est plus lisible à partir de «&#xa0;{0}&#xa0;»</translation>
     </message>
@@ -1142,10 +1130,6 @@
     <message>
         <source>a constant cannot be written</source>
         <translation>une constante ne peut pas être écrite</translation>
-    </message>
-    <message>
-        <source>a constant cannot be forced</source>
-        <translation>une constante ne peut pas être forcée</translation>
     </message>
     <message>
         <source>the variable is not forced</source>
@@ -1360,10 +1344,6 @@
         <translation>Ce corps n’est pas une liste d’instructions</translation>
     </message>
     <message>
-        <source>The type of {0} is not known here</source>
-        <translation>Le type de {0} est inconnu ici</translation>
-    </message>
-    <message>
         <source>This body is not ST</source>
         <translation>Ce corps n’est pas en ST</translation>
     </message>
@@ -1448,10 +1428,6 @@
         <translation>Indiquez un dossier de projet ou des fichiers ST, pas les deux</translation>
     </message>
     <message>
-        <source>There is no name here that can be renamed</source>
-        <translation>Il n’y a ici aucun nom qui puisse être renommé</translation>
-    </message>
-    <message>
         <source>{0} belongs to a library and cannot be renamed</source>
         <translation>{0} appartient à une bibliothèque et ne peut pas être renommé</translation>
     </message>
@@ -1492,10 +1468,6 @@
         <translation>Le projet ne contient pas ce fichier</translation>
     </message>
     <message>
-        <source>A file with this name already exists</source>
-        <translation>Un fichier de ce nom existe déjà</translation>
-    </message>
-    <message>
         <source>The file is read-only and was not overwritten</source>
         <translation>Le fichier est en lecture seule et n’a pas été écrasé</translation>
     </message>
@@ -1516,22 +1488,6 @@
         <translation>Ouvrez d’abord un projet</translation>
     </message>
     <message>
-        <source>A panel with this name already exists</source>
-        <translation>Une vue de ce nom existe déjà</translation>
-    </message>
-    <message>
-        <source>The controller is not running</source>
-        <translation>L’automate n’est pas en marche</translation>
-    </message>
-    <message>
-        <source>There is no program to run</source>
-        <translation>Il n’y a pas de programme à exécuter</translation>
-    </message>
-    <message>
-        <source>There is no program to test</source>
-        <translation>Il n’y a pas de programme à tester</translation>
-    </message>
-    <message>
         <source>This statement is not possible in a TEST together with RUN or ASSERT around it</source>
         <translation>Cette instruction n’est pas possible dans un TEST avec RUN ou ASSERT autour d’elle</translation>
     </message>
@@ -1546,14 +1502,6 @@
     <message>
         <source>{0} is not a value for {1}</source>
         <translation>{0} n’est pas une valeur pour {1}</translation>
-    </message>
-    <message>
-        <source>This loop of the test does not end</source>
-        <translation>Cette boucle du test ne se termine pas</translation>
-    </message>
-    <message>
-        <source>The step of this loop is 0</source>
-        <translation>Le pas de cette boucle est 0</translation>
     </message>
     <message>
         <source>The simulation stopped: {0}</source>
@@ -1720,18 +1668,6 @@
         <translation>{0} n’est pas un nom valide&#x202f;; utilisez des lettres, des chiffres et le trait de soulignement</translation>
     </message>
     <message>
-        <source>A step {0} already exists</source>
-        <translation>Une étape {0} existe déjà</translation>
-    </message>
-    <message>
-        <source>This edit would change the same text twice</source>
-        <translation>Cette modification changerait deux fois le même texte</translation>
-    </message>
-    <message>
-        <source>This transition does not lead to a step yet</source>
-        <translation>Cette transition ne mène encore à aucune étape</translation>
-    </message>
-    <message>
         <source>Nothing would lead to the join after this step</source>
         <translation>Rien ne mènerait à la convergence après cette étape</translation>
     </message>
@@ -1800,16 +1736,8 @@
         <translation>Les branches après cette transition ne convergent pas&#x202f;; reliez-les d’abord dans le texte</translation>
     </message>
     <message>
-        <source>The panel is not valid JSON</source>
-        <translation>La vue n’est pas du JSON valide</translation>
-    </message>
-    <message>
         <source>A panel must be a JSON object</source>
         <translation>Une vue doit être un objet JSON</translation>
-    </message>
-    <message>
-        <source>The panel was written by a newer version of Stepwise</source>
-        <translation>La vue a été écrite par une version plus récente de Stepwise</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; must be a list</source>
@@ -1828,20 +1756,12 @@
         <translation>Deux éléments ont l’identifiant «&#xa0;{0}&#xa0;»&#x202f;; modifiez l’un des deux</translation>
     </message>
     <message>
-        <source>The alarms are not valid JSON</source>
-        <translation>Les alarmes ne sont pas du JSON valide</translation>
-    </message>
-    <message>
         <source>Every alarm and every alarm class must be a JSON object</source>
         <translation>Chaque alarme et chaque classe d’alarme doit être un objet JSON</translation>
     </message>
     <message>
         <source>An alarm has no id</source>
         <translation>Une alarme n’a pas d’identifiant</translation>
-    </message>
-    <message>
-        <source>Two alarms have the id &quot;{0}&quot;</source>
-        <translation>Deux alarmes ont l’identifiant «&#xa0;{0}&#xa0;»</translation>
     </message>
     <message>
         <source>This line is not valid UTF-8; save the file as UTF-8</source>
@@ -1852,10 +1772,6 @@
         <translation>Du texte suit un guillemet fermant&#x202f;; doublez un guillemet qui appartient au texte</translation>
     </message>
     <message>
-        <source>The quote that opens here is never closed</source>
-        <translation>Le guillemet ouvert ici n’est jamais fermé</translation>
-    </message>
-    <message>
         <source>The first line must be {0} and one language tag per column</source>
         <translation>La première ligne doit être {0} suivi d’une étiquette de langue par colonne</translation>
     </message>
@@ -1864,20 +1780,12 @@
         <translation>La colonne {0} n’a pas d’étiquette de langue</translation>
     </message>
     <message>
-        <source>The language {0} has two columns</source>
-        <translation>La langue {0} a deux colonnes</translation>
-    </message>
-    <message>
         <source>This line has {0} {0:field|fields}, the header has {1}</source>
         <translation>Cette ligne a {0} {0:champ|champs}, l’en-tête en a {1}</translation>
     </message>
     <message>
         <source>This line has no key</source>
         <translation>Cette ligne n’a pas de clé</translation>
-    </message>
-    <message>
-        <source>The key {0} is already on line {1}</source>
-        <translation>La clé {0} figure déjà à la ligne {1}</translation>
     </message>
     <message>
         <source>The alarm history cannot be opened: {0}</source>
@@ -1940,10 +1848,6 @@
         <translation>Le projet n’a pas la langue {0}</translation>
     </message>
     <message>
-        <source>The element is outside the panel</source>
-        <translation>L’élément est en dehors de la vue</translation>
-    </message>
-    <message>
         <source>The file {0} does not exist</source>
         <translation>Le fichier {0} n’existe pas</translation>
     </message>
@@ -1956,10 +1860,6 @@
         <translation>Le format {0} est inconnu&#x202f;; utilisez par exemple {1} ou {2}</translation>
     </message>
     <message>
-        <source>The alarm has no condition</source>
-        <translation>L’alarme n’a pas de condition</translation>
-    </message>
-    <message>
         <source>There is no alarm class {0}</source>
         <translation>La classe d’alarme {0} n’existe pas</translation>
     </message>
@@ -1970,10 +1870,6 @@
     <message>
         <source>The placeholders differ: {0} has {1}, {2} has {3}</source>
         <translation>Les espaces réservés diffèrent&#xa0;: {0} a {1}, {2} a {3}</translation>
-    </message>
-    <message>
-        <source>The key {0} has no text in {1}</source>
-        <translation>La clé {0} n’a pas de texte en {1}</translation>
     </message>
     <message>
         <source>The font {0} is not installed here, so texts cannot be measured</source>
@@ -2028,16 +1924,8 @@
         <translation>Le format {0} est inconnu</translation>
     </message>
     <message>
-        <source>The trace configuration is not valid JSON (see line {0})</source>
-        <translation>La configuration de trace n’est pas du JSON valide (voir la ligne {0})</translation>
-    </message>
-    <message>
         <source>A trace configuration must be a JSON object</source>
         <translation>Une configuration de trace doit être un objet JSON</translation>
-    </message>
-    <message>
-        <source>This trace configuration was written by a newer version of Stepwise (version {0})</source>
-        <translation>Cette configuration de trace a été écrite par une version plus récente de Stepwise (version {0})</translation>
     </message>
     <message>
         <source>The trace configuration is invalid: {0}</source>
@@ -2078,10 +1966,6 @@
     <message>
         <source>A priority is a number; 0 removes it</source>
         <translation>Une priorité est un nombre&#x202f;; 0 la supprime</translation>
-    </message>
-    <message>
-        <source>The file was changed by another program and was not overwritten</source>
-        <translation>Le fichier a été modifié par un autre programme et n’a pas été écrasé</translation>
     </message>
     <message>
         <source>This file cannot be imported; PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
@@ -2198,10 +2082,6 @@
     <message>
         <source>The picture {0} is outside the project; copy it into the project, or set {1} to true under {2} in project.json</source>
         <translation>L’image {0} est en dehors du projet&#x202f;; copiez-la dans le projet, ou mettez {1} à true sous {2} dans project.json</translation>
-    </message>
-    <message>
-        <source>The picture {0} is larger than {1} MB</source>
-        <translation>L’image {0} dépasse {1}&#xa0;Mo</translation>
     </message>
     <message>
         <source>The picture {0} unpacks to more than {1} MB</source>
@@ -2324,10 +2204,6 @@
         <translation>{0} n’est pas entre {1} et {2}&#x202f;; {3} est utilisé</translation>
     </message>
     <message>
-        <source>The faceplate does not say which panel it shows</source>
-        <translation>La vue d’objet n’indique pas quelle vue elle affiche</translation>
-    </message>
-    <message>
         <source>The panel {0} contains this one, so it cannot be placed in it</source>
         <translation>La vue {0} contient celle-ci et ne peut donc pas y être placée</translation>
     </message>
@@ -2368,16 +2244,8 @@
         <translation>Le cycle précédent n’est pas dans l’enregistrement&#x202f;; les valeurs au début de ce cycle sont donc inconnues.</translation>
     </message>
     <message>
-        <source>The users and roles are not valid JSON</source>
-        <translation>Les utilisateurs et les rôles ne sont pas du JSON valide</translation>
-    </message>
-    <message>
         <source>A role has no name</source>
         <translation>Un rôle n’a pas de nom</translation>
-    </message>
-    <message>
-        <source>Two roles are named {0}</source>
-        <translation>Deux rôles s’appellent {0}</translation>
     </message>
     <message>
         <source>There is no role {0}</source>
@@ -2386,10 +2254,6 @@
     <message>
         <source>A user has no name</source>
         <translation>Un utilisateur n’a pas de nom</translation>
-    </message>
-    <message>
-        <source>Two users are named {0}</source>
-        <translation>Deux utilisateurs s’appellent {0}</translation>
     </message>
     <message>
         <source>There is no user {0}</source>
@@ -2424,16 +2288,8 @@
         <translation>Seulement pour les rôles {0}, mais le projet n’a pas d’utilisateurs&#x202f;; tout le monde peut le commander</translation>
     </message>
     <message>
-        <source>The recipes are not valid JSON</source>
-        <translation>Les recettes ne sont pas du JSON valide</translation>
-    </message>
-    <message>
         <source>A recipe has no name</source>
         <translation>Une recette n’a pas de nom</translation>
-    </message>
-    <message>
-        <source>Two recipes are named {0}</source>
-        <translation>Deux recettes s’appellent {0}</translation>
     </message>
     <message>
         <source>A row of a recipe names no variable</source>
@@ -2446,10 +2302,6 @@
     <message>
         <source>A set of a recipe has no name</source>
         <translation>Un jeu de valeurs d’une recette n’a pas de nom</translation>
-    </message>
-    <message>
-        <source>Two sets of the recipe are named {0}</source>
-        <translation>Deux jeux de valeurs de la recette s’appellent {0}</translation>
     </message>
     <message>
         <source>The first column must be named variable, and each set has a column of its own</source>
@@ -2580,10 +2432,6 @@
         <translation>{0} est à un autre endroit sur la vue {1}</translation>
     </message>
     <message>
-        <source>The help of the alarm {0} does not say what to do</source>
-        <translation>L’aide de l’alarme {0} ne dit pas quoi faire</translation>
-    </message>
-    <message>
         <source>{0} of {1} alarms have the highest priority</source>
         <translation>{0} alarmes sur {1} ont la plus haute priorité</translation>
     </message>
@@ -2617,7 +2465,7 @@
     </message>
     <message>
         <source>A panel that shows everything is searched, not read. Move details to a panel of the next level (ISA-101).</source>
-        <translation>Une vue où tout figure se fouille, elle ne se lit pas. Déplacez les détails vers une vue du niveau suivant (ISA-101).</translation>
+        <translation>Une vue qui affiche tout se fouille, elle ne se lit pas. Déplacez les détails vers une vue du niveau suivant (ISA-101).</translation>
     </message>
     <message>
         <source>In an abnormal situation, every panel should be three presses away at most, and there should be a way back from it (ISA-101).</source>
@@ -2677,7 +2525,7 @@
     </message>
     <message>
         <source>One man in twelve cannot tell some colours apart, and bright light washes them out. Show the same by a text, a shape, blinking or at least a different brightness.</source>
-        <translation>Un homme sur douze ne distingue pas certaines couleurs, et une lumière vive les efface. Indiquez la même chose par un texte, une forme, un clignotement ou au moins une autre luminosité.</translation>
+        <translation>Un homme sur douze ne distingue pas certaines couleurs, et une lumière vive les efface. Affichez la même chose par un texte, une forme, un clignotement ou au moins une autre luminosité.</translation>
     </message>
     <message>
         <source>What only some may do, or what project.json lists as critical, must not happen by an accidental touch. Set &quot;Writes are confirmed&quot;, or enter a question.</source>
@@ -2710,6 +2558,158 @@
     <message>
         <source>There is no theme {0}; choose one of {1}</source>
         <translation>Le thème {0} n’existe pas&#x202f;; choisissez parmi {1}</translation>
+    </message>
+    <message>
+        <source>This edit would change the same text twice; undo it and edit the text</source>
+        <translation>Cette modification changerait deux fois le même texte&#x202f;; annulez-la et modifiez le texte</translation>
+    </message>
+    <message>
+        <source>This transition does not lead to a step yet; connect it to one first</source>
+        <translation>Cette transition ne mène encore à aucune étape&#x202f;; reliez-la d’abord à une étape</translation>
+    </message>
+    <message>
+        <source>The panel was written by a newer version of Stepwise; open it with that version</source>
+        <translation>La vue a été écrite par une version plus récente de Stepwise&#x202f;; ouvrez-la avec cette version</translation>
+    </message>
+    <message>
+        <source>This trace configuration was written by a newer version of Stepwise (version {0}); open it with that version</source>
+        <translation>Cette configuration de trace a été écrite par une version plus récente de Stepwise (version {0})&#x202f;; ouvrez-la avec cette version</translation>
+    </message>
+    <message>
+        <source>The recorded program can no longer be built; open the recording with the version of Stepwise that made it</source>
+        <translation>Le programme enregistré ne peut plus être compilé&#x202f;; ouvrez l’enregistrement avec la version de Stepwise qui l’a créé</translation>
+    </message>
+    <message>
+        <source>The controller is not running; press F5</source>
+        <translation>L’automate n’est pas en marche&#x202f;; appuyez sur F5</translation>
+    </message>
+    <message>
+        <source>There is no program to run; declare a PROGRAM</source>
+        <translation>Il n’y a pas de programme à exécuter&#x202f;; déclarez un PROGRAM</translation>
+    </message>
+    <message>
+        <source>There is no program to test; declare a PROGRAM</source>
+        <translation>Il n’y a pas de programme à tester&#x202f;; déclarez un PROGRAM</translation>
+    </message>
+    <message>
+        <source>A file with this name already exists; choose another name</source>
+        <translation>Un fichier de ce nom existe déjà&#x202f;; choisissez un autre nom</translation>
+    </message>
+    <message>
+        <source>A panel with this name already exists; choose another name</source>
+        <translation>Une vue de ce nom existe déjà&#x202f;; choisissez un autre nom</translation>
+    </message>
+    <message>
+        <source>A step {0} already exists; choose another name</source>
+        <translation>Une étape {0} existe déjà&#x202f;; choisissez un autre nom</translation>
+    </message>
+    <message>
+        <source>The step of this loop is 0; write BY with another number</source>
+        <translation>Le pas de cette boucle est 0&#x202f;; écrivez BY avec un autre nombre</translation>
+    </message>
+    <message>
+        <source>This loop of the test does not end; give it a condition that becomes FALSE</source>
+        <translation>Cette boucle du test ne se termine pas&#x202f;; donnez-lui une condition qui devient FALSE</translation>
+    </message>
+    <message>
+        <source>There is no name here that can be renamed; put the cursor on one</source>
+        <translation>Il n’y a ici aucun nom qui puisse être renommé&#x202f;; placez le curseur sur un nom</translation>
+    </message>
+    <message>
+        <source>The file was changed by another program and was not overwritten; compare both first</source>
+        <translation>Le fichier a été modifié par un autre programme et n’a pas été écrasé&#x202f;; comparez d’abord les deux</translation>
+    </message>
+    <message>
+        <source>The type of {0} is not known here; correct the errors of the program first</source>
+        <translation>Le type de {0} est inconnu ici&#x202f;; corrigez d’abord les erreurs du programme</translation>
+    </message>
+    <message>
+        <source>Nothing has been recorded yet; start the controller with F5</source>
+        <translation>Rien n’a encore été enregistré&#x202f;; démarrez l’automate avec F5</translation>
+    </message>
+    <message>
+        <source>a constant cannot be forced; change it in the program</source>
+        <translation>une constante ne peut pas être forcée&#x202f;; modifiez-la dans le programme</translation>
+    </message>
+    <message>
+        <source>the path is incomplete; write it to a single value, for example Main.x</source>
+        <translation>le chemin est incomplet&#x202f;; écrivez-le jusqu’à une valeur simple, par exemple Main.x</translation>
+    </message>
+    <message>
+        <source>The panel is not valid JSON; look for a missing comma, quote or bracket</source>
+        <translation>La vue n’est pas du JSON valide&#x202f;; recherchez une virgule, un guillemet ou un crochet manquant</translation>
+    </message>
+    <message>
+        <source>The alarms are not valid JSON; look for a missing comma, quote or bracket</source>
+        <translation>Les alarmes ne sont pas du JSON valide&#x202f;; recherchez une virgule, un guillemet ou un crochet manquant</translation>
+    </message>
+    <message>
+        <source>The recipes are not valid JSON; look for a missing comma, quote or bracket</source>
+        <translation>Les recettes ne sont pas du JSON valide&#x202f;; recherchez une virgule, un guillemet ou un crochet manquant</translation>
+    </message>
+    <message>
+        <source>The users and roles are not valid JSON; look for a missing comma, quote or bracket</source>
+        <translation>Les utilisateurs et les rôles ne sont pas du JSON valide&#x202f;; recherchez une virgule, un guillemet ou un crochet manquant</translation>
+    </message>
+    <message>
+        <source>The trace configuration is not valid JSON (see line {0}); look for a missing comma, quote or bracket</source>
+        <translation>La configuration de trace n’est pas du JSON valide (voir la ligne {0})&#x202f;; recherchez une virgule, un guillemet ou un crochet manquant</translation>
+    </message>
+    <message>
+        <source>Two alarms have the id &quot;{0}&quot;; change one of them</source>
+        <translation>Deux alarmes ont l’identifiant «&#xa0;{0}&#xa0;»&#x202f;; modifiez l’un des deux</translation>
+    </message>
+    <message>
+        <source>The quote that opens here is never closed; add one at the end of the text</source>
+        <translation>Le guillemet ouvert ici n’est jamais fermé&#x202f;; ajoutez-en un à la fin du texte</translation>
+    </message>
+    <message>
+        <source>The language {0} has two columns; remove one of them</source>
+        <translation>La langue {0} a deux colonnes&#x202f;; supprimez-en une</translation>
+    </message>
+    <message>
+        <source>The key {0} is already on line {1}; remove one of the two lines</source>
+        <translation>La clé {0} figure déjà à la ligne {1}&#x202f;; supprimez l’une des deux lignes</translation>
+    </message>
+    <message>
+        <source>Two roles are named {0}; rename one</source>
+        <translation>Deux rôles s’appellent {0}&#x202f;; renommez l’un des deux</translation>
+    </message>
+    <message>
+        <source>Two users are named {0}; rename one</source>
+        <translation>Deux utilisateurs s’appellent {0}&#x202f;; renommez l’un des deux</translation>
+    </message>
+    <message>
+        <source>Two recipes are named {0}; rename one</source>
+        <translation>Deux recettes s’appellent {0}&#x202f;; renommez l’une d’elles</translation>
+    </message>
+    <message>
+        <source>Two sets of the recipe are named {0}; rename one</source>
+        <translation>Deux jeux de valeurs de la recette s’appellent {0}&#x202f;; renommez l’un des deux</translation>
+    </message>
+    <message>
+        <source>The alarm has no condition; enter one</source>
+        <translation>L’alarme n’a pas de condition&#x202f;; saisissez-en une</translation>
+    </message>
+    <message>
+        <source>The element is outside the panel; move it inside</source>
+        <translation>L’élément est en dehors de la vue&#x202f;; ramenez-le à l’intérieur</translation>
+    </message>
+    <message>
+        <source>The picture {0} is larger than {1} MB; use a smaller one</source>
+        <translation>L’image {0} dépasse {1}&#xa0;Mo&#x202f;; utilisez-en une plus petite</translation>
+    </message>
+    <message>
+        <source>The faceplate does not say which panel it shows; choose one</source>
+        <translation>La vue d’objet n’indique pas quelle vue elle affiche&#x202f;; choisissez-en une</translation>
+    </message>
+    <message>
+        <source>The key {0} has no text in {1}; enter it in the text table</source>
+        <translation>La clé {0} n’a pas de texte en {1}&#x202f;; saisissez-le dans la table des textes</translation>
+    </message>
+    <message>
+        <source>The help of the alarm {0} does not say what to do; add the operator&apos;s next step</source>
+        <translation>L’aide de l’alarme {0} ne dit pas quoi faire&#x202f;; ajoutez la prochaine action de l’opérateur</translation>
     </message>
 </context>
 <context>
@@ -2897,6 +2897,10 @@
     <message>
         <source>The address {0} begins at a byte that other tools, which count in words, cannot name; move it to a multiple of its size</source>
         <translation>L’adresse {0} commence à un octet que d’autres outils, qui comptent en mots, ne peuvent pas nommer&#x202f;; déplacez-la à un multiple de sa taille</translation>
+    </message>
+    <message>
+        <source>{0} reaches out of the controller; it is declared here with its inputs and outputs and does nothing</source>
+        <translation>{0} agit hors de l’automate&#x202f;; il est déclaré ici avec ses entrées et sorties et ne fait rien</translation>
     </message>
 </context>
 <context>
@@ -3182,7 +3186,7 @@
     </message>
     <message>
         <source>Suppressed if</source>
-        <translation>Supprimée si</translation>
+        <translation>Inhibée si</translation>
     </message>
     <message>
         <source>Colour</source>
@@ -5182,7 +5186,7 @@
     </message>
     <message>
         <source>a subrange</source>
-        <translation>une plage</translation>
+        <translation>un sous-intervalle</translation>
     </message>
     <message>
         <source>an enumeration</source>
@@ -6166,6 +6170,10 @@ Non conservés&#xa0;: %3</translation>
     <message>
         <source>files</source>
         <translation>fichiers</translation>
+    </message>
+    <message>
+        <source>PLCopen XML, TwinCAT, CODESYS, ST</source>
+        <translation>PLCopen XML, TwinCAT, CODESYS, ST</translation>
     </message>
 </context>
 <context>
@@ -9535,6 +9543,14 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <source>Taken back: %1</source>
         <translation>Annulé&#xa0;: %1</translation>
     </message>
+    <message>
+        <source>What the model leaves</source>
+        <translation>Ce que le modèle n’explique pas</translation>
+    </message>
+    <message>
+        <source>recorded less model</source>
+        <translation>enregistré moins modèle</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::WatchView</name>
@@ -11572,6 +11588,10 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
     <message>
         <source>Workbook</source>
         <translation>Cahier d’exercices</translation>
+    </message>
+    <message>
+        <source>Tank over Modbus</source>
+        <translation>Cuve via Modbus</translation>
     </message>
 </context>
 <context>

@@ -88,10 +88,6 @@
         <translation>1024 以下的端口需要特殊权限；1502 这样的端口不需要</translation>
     </message>
     <message>
-        <source>{0} has no channels, so nothing is exchanged</source>
-        <translation>{0} 没有通道，因此不交换任何数据</translation>
-    </message>
-    <message>
         <source>A channel of an MQTT device needs a &quot;topic&quot;</source>
         <translation>MQTT 设备的通道需要“topic”</translation>
     </message>
@@ -168,10 +164,6 @@
         <translation>{0} 是常量，不能写入</translation>
     </message>
     <message>
-        <source>{0} and {1} write the same bytes: {2}</source>
-        <translation>{0} 和 {1} 写入相同的字节：{2}</translation>
-    </message>
-    <message>
         <source>{0} and {1} both set {2} {3}</source>
         <translation>{0} 和 {1} 都设置 {2} {3}</translation>
     </message>
@@ -196,16 +188,8 @@
         <translation>无法读取 {0}；其中包含证书颁发机构的证书 (PEM)</translation>
     </message>
     <message>
-        <source>There is no free address left for {0}</source>
-        <translation>没有可供 {0} 使用的空闲地址</translation>
-    </message>
-    <message>
         <source>no answer within {0} ms</source>
         <translation>{0} ms 内没有应答</translation>
-    </message>
-    <message>
-        <source>cannot connect to {0}: {1}</source>
-        <translation>无法连接到 {0}：{1}</translation>
     </message>
     <message>
         <source>the connection ended: {0}</source>
@@ -290,6 +274,22 @@
     <message>
         <source>The devices of an attached controller are connected there</source>
         <translation>已连接的远程控制器的设备在其所在处连接</translation>
+    </message>
+    <message>
+        <source>{0} and {1} write the same bytes: {2}; change an address</source>
+        <translation>{0} 和 {1} 写入相同的字节：{2}；请更改其中一个地址</translation>
+    </message>
+    <message>
+        <source>There is no free address left for {0}; give it a variable</source>
+        <translation>没有可供 {0} 使用的空闲地址；请为其指定变量</translation>
+    </message>
+    <message>
+        <source>{0} has no channels, so nothing is exchanged; add one</source>
+        <translation>{0} 没有通道，因此不交换任何数据；请添加通道</translation>
+    </message>
+    <message>
+        <source>cannot connect to {0}: {1}; check the address and the cable</source>
+        <translation>无法连接到 {0}：{1}；请检查地址和电缆</translation>
     </message>
 </context>
 <context>
@@ -407,10 +407,6 @@
         <translation>{0} 是 IN_OUT 参数，需要类型为 {1} 的变量</translation>
     </message>
     <message>
-        <source>This array has {0} {0:dimension|dimensions}, not {1}</source>
-        <translation>此数组有 {0} 维，而不是 {1} 维</translation>
-    </message>
-    <message>
         <source>The index {0} is outside {1}..{2}</source>
         <translation>下标 {0} 超出 {1}..{2}</translation>
     </message>
@@ -433,18 +429,6 @@
     <message>
         <source>The character {0} is not in STRING (Latin-1); use WSTRING</source>
         <translation>STRING（Latin-1）中没有字符 {0}；请使用 WSTRING</translation>
-    </message>
-    <message>
-        <source>The text has {0} characters and will be truncated to {1}</source>
-        <translation>文本有 {0} 个字符，将被截断为 {1} 个</translation>
-    </message>
-    <message>
-        <source>This integer division discards the fraction before the conversion to {0}</source>
-        <translation>此整数除法在转换为 {0} 之前会舍去小数部分</translation>
-    </message>
-    <message>
-        <source>{0} is computed as {1} and may overflow before the conversion to {2}</source>
-        <translation>{0} 按 {1} 计算，在转换为 {2} 之前可能溢出</translation>
     </message>
     <message>
         <source>{0} and {1} are compared as {2}; convert one of them</source>
@@ -475,10 +459,6 @@
         <translation>{0} 包含自身；请使用 REFERENCE TO</translation>
     </message>
     <message>
-        <source>{0} calls itself, which is not allowed: {1}</source>
-        <translation>{0} 调用自身，这是不允许的：{1}</translation>
-    </message>
-    <message>
         <source>The parameters of {0} must match those of the overridden method</source>
         <translation>{0} 的参数必须与被重写的方法一致</translation>
     </message>
@@ -493,14 +473,6 @@
     <message>
         <source>{0} is only allowed inside a loop</source>
         <translation>{0} 只能在循环内使用</translation>
-    </message>
-    <message>
-        <source>The loop variable {0} is changed inside its loop</source>
-        <translation>循环变量 {0} 在其循环内被修改</translation>
-    </message>
-    <message>
-        <source>There is no global variable {0} of type {1}</source>
-        <translation>没有类型为 {1} 的全局变量 {0}</translation>
     </message>
     <message>
         <source>There are several programs and no CONFIGURATION; name one of them Main or write a CONFIGURATION</source>
@@ -533,10 +505,6 @@
     <message>
         <source>The qualifier {0} needs a time, for example T#2s</source>
         <translation>限定符 {0} 需要时间，例如 T#2s</translation>
-    </message>
-    <message>
-        <source>{0} is not an IL operator</source>
-        <translation>{0} 不是 IL 操作符</translation>
     </message>
     <message>
         <source>{0} needs a current result; load one with LD</source>
@@ -814,6 +782,38 @@
         <source>{0} converts the number, as in CODESYS; to keep the bits, put both types into a UNION</source>
         <translation>{0} 与 CODESYS 一样转换数值；若要保留各位，请将两种类型放入 UNION</translation>
     </message>
+    <message>
+        <source>{0} calls itself, which is not allowed: {1}; use a loop instead</source>
+        <translation>{0} 调用自身，这是不允许的：{1}；请改为使用循环</translation>
+    </message>
+    <message>
+        <source>The loop variable {0} is changed inside its loop; use WHILE or another variable</source>
+        <translation>循环变量 {0} 在其循环内被修改；请使用 WHILE 或其他变量</translation>
+    </message>
+    <message>
+        <source>There is no global variable {0} of type {1}; declare it in VAR_GLOBAL</source>
+        <translation>没有类型为 {1} 的全局变量 {0}；请在 VAR_GLOBAL 中声明</translation>
+    </message>
+    <message>
+        <source>The text has {0} characters and will be truncated to {1}; declare a longer string</source>
+        <translation>文本有 {0} 个字符，将被截断为 {1} 个；请声明更长的字符串</translation>
+    </message>
+    <message>
+        <source>This integer division discards the fraction before the conversion to {0}; convert an operand first</source>
+        <translation>此整数除法在转换为 {0} 之前会舍去小数部分；请先转换一个操作数</translation>
+    </message>
+    <message>
+        <source>{0} is computed as {1} and may overflow before the conversion to {2}; convert an operand first</source>
+        <translation>{0} 按 {1} 计算，在转换为 {2} 之前可能溢出；请先转换一个操作数</translation>
+    </message>
+    <message>
+        <source>{0} is not an IL operator; use one such as LD, ST, AND or JMP</source>
+        <translation>{0} 不是 IL 操作符；请使用 LD、ST、AND 或 JMP 等操作符</translation>
+    </message>
+    <message>
+        <source>This array has {0} {0:dimension|dimensions}, not {1}; write an index for each</source>
+        <translation>此数组有 {0} 维，而不是 {1} 维；请为每一维写一个下标</translation>
+    </message>
 </context>
 <context>
     <name>DiskChange</name>
@@ -1028,10 +1028,6 @@
         <translation>文件已损坏或不是记录</translation>
     </message>
     <message>
-        <source>The recorded program can no longer be built</source>
-        <translation>记录的程序已无法编译</translation>
-    </message>
-    <message>
         <source>This version of Stepwise lays out the program&apos;s variables differently; open the recording with the version that made it</source>
         <translation>此版本的 Stepwise 对程序变量的布局不同；请用创建该记录的版本打开</translation>
     </message>
@@ -1046,10 +1042,6 @@
     <message>
         <source>The recording contains no program</source>
         <translation>记录中没有程序</translation>
-    </message>
-    <message>
-        <source>Nothing has been recorded yet</source>
-        <translation>尚未记录任何内容</translation>
     </message>
     <message>
         <source>This scan is no longer in the recording</source>
@@ -1128,10 +1120,6 @@
         <translation>路径为空</translation>
     </message>
     <message>
-        <source>the path is incomplete</source>
-        <translation>路径不完整</translation>
-    </message>
-    <message>
         <source>the path cannot be read from &apos;{0}&apos; on</source>
         <translation>从“{0}”起无法读取路径</translation>
     </message>
@@ -1142,10 +1130,6 @@
     <message>
         <source>a constant cannot be written</source>
         <translation>常量不能写入</translation>
-    </message>
-    <message>
-        <source>a constant cannot be forced</source>
-        <translation>常量不能强制</translation>
     </message>
     <message>
         <source>the variable is not forced</source>
@@ -1360,10 +1344,6 @@
         <translation>此主体不是指令表</translation>
     </message>
     <message>
-        <source>The type of {0} is not known here</source>
-        <translation>此处不知道 {0} 的类型</translation>
-    </message>
-    <message>
         <source>This body is not ST</source>
         <translation>此主体不是 ST</translation>
     </message>
@@ -1448,10 +1428,6 @@
         <translation>请指定一个项目文件夹或若干 ST 文件，不要同时指定</translation>
     </message>
     <message>
-        <source>There is no name here that can be renamed</source>
-        <translation>此处没有可重命名的名称</translation>
-    </message>
-    <message>
         <source>{0} belongs to a library and cannot be renamed</source>
         <translation>{0} 属于库，不能重命名</translation>
     </message>
@@ -1492,10 +1468,6 @@
         <translation>项目中没有此文件</translation>
     </message>
     <message>
-        <source>A file with this name already exists</source>
-        <translation>同名文件已存在</translation>
-    </message>
-    <message>
         <source>The file is read-only and was not overwritten</source>
         <translation>文件为只读，未被覆盖</translation>
     </message>
@@ -1516,22 +1488,6 @@
         <translation>请先打开项目</translation>
     </message>
     <message>
-        <source>A panel with this name already exists</source>
-        <translation>同名画面已存在</translation>
-    </message>
-    <message>
-        <source>The controller is not running</source>
-        <translation>控制器未运行</translation>
-    </message>
-    <message>
-        <source>There is no program to run</source>
-        <translation>没有可运行的程序</translation>
-    </message>
-    <message>
-        <source>There is no program to test</source>
-        <translation>没有可测试的程序</translation>
-    </message>
-    <message>
         <source>This statement is not possible in a TEST together with RUN or ASSERT around it</source>
         <translation>在 TEST 中，此语句不能与外围的 RUN 或 ASSERT 一起使用</translation>
     </message>
@@ -1546,14 +1502,6 @@
     <message>
         <source>{0} is not a value for {1}</source>
         <translation>{0} 不是 {1} 的值</translation>
-    </message>
-    <message>
-        <source>This loop of the test does not end</source>
-        <translation>测试中的此循环不会结束</translation>
-    </message>
-    <message>
-        <source>The step of this loop is 0</source>
-        <translation>此循环的步长为 0</translation>
     </message>
     <message>
         <source>The simulation stopped: {0}</source>
@@ -1720,18 +1668,6 @@
         <translation>{0} 不是有效的名称；请使用字母、数字和下划线</translation>
     </message>
     <message>
-        <source>A step {0} already exists</source>
-        <translation>步 {0} 已存在</translation>
-    </message>
-    <message>
-        <source>This edit would change the same text twice</source>
-        <translation>此编辑会两次更改同一文本</translation>
-    </message>
-    <message>
-        <source>This transition does not lead to a step yet</source>
-        <translation>此转换尚未通向任何步</translation>
-    </message>
-    <message>
         <source>Nothing would lead to the join after this step</source>
         <translation>将没有任何元素通向此步之后的汇合</translation>
     </message>
@@ -1800,16 +1736,8 @@
         <translation>此转换之后的分支没有汇合；请先在文本中连接</translation>
     </message>
     <message>
-        <source>The panel is not valid JSON</source>
-        <translation>画面不是有效的 JSON</translation>
-    </message>
-    <message>
         <source>A panel must be a JSON object</source>
         <translation>画面必须是 JSON 对象</translation>
-    </message>
-    <message>
-        <source>The panel was written by a newer version of Stepwise</source>
-        <translation>画面由更新版本的 Stepwise 写入</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; must be a list</source>
@@ -1828,20 +1756,12 @@
         <translation>两个元素的标识都是“{0}”；请更改其中一个</translation>
     </message>
     <message>
-        <source>The alarms are not valid JSON</source>
-        <translation>报警不是有效的 JSON</translation>
-    </message>
-    <message>
         <source>Every alarm and every alarm class must be a JSON object</source>
         <translation>每个报警和每个报警类别都必须是 JSON 对象</translation>
     </message>
     <message>
         <source>An alarm has no id</source>
         <translation>有一个报警没有标识</translation>
-    </message>
-    <message>
-        <source>Two alarms have the id &quot;{0}&quot;</source>
-        <translation>两个报警的标识都是“{0}”</translation>
     </message>
     <message>
         <source>This line is not valid UTF-8; save the file as UTF-8</source>
@@ -1852,10 +1772,6 @@
         <translation>结束引号之后还有文本；属于文本的引号请写两次</translation>
     </message>
     <message>
-        <source>The quote that opens here is never closed</source>
-        <translation>此处的引号没有结束</translation>
-    </message>
-    <message>
         <source>The first line must be {0} and one language tag per column</source>
         <translation>第一行必须是 {0}，且每列一个语言标签</translation>
     </message>
@@ -1864,20 +1780,12 @@
         <translation>第 {0} 列没有语言标签</translation>
     </message>
     <message>
-        <source>The language {0} has two columns</source>
-        <translation>语言 {0} 有两列</translation>
-    </message>
-    <message>
         <source>This line has {0} {0:field|fields}, the header has {1}</source>
         <translation>此行有 {0} 个字段，表头有 {1} 个</translation>
     </message>
     <message>
         <source>This line has no key</source>
         <translation>此行没有键</translation>
-    </message>
-    <message>
-        <source>The key {0} is already on line {1}</source>
-        <translation>键 {0} 已在第 {1} 行</translation>
     </message>
     <message>
         <source>The alarm history cannot be opened: {0}</source>
@@ -1940,10 +1848,6 @@
         <translation>项目没有语言 {0}</translation>
     </message>
     <message>
-        <source>The element is outside the panel</source>
-        <translation>元素在画面之外</translation>
-    </message>
-    <message>
         <source>The file {0} does not exist</source>
         <translation>文件 {0} 不存在</translation>
     </message>
@@ -1956,10 +1860,6 @@
         <translation>格式 {0} 未知；例如请使用 {1} 或 {2}</translation>
     </message>
     <message>
-        <source>The alarm has no condition</source>
-        <translation>报警没有条件</translation>
-    </message>
-    <message>
         <source>There is no alarm class {0}</source>
         <translation>没有报警类别 {0}</translation>
     </message>
@@ -1970,10 +1870,6 @@
     <message>
         <source>The placeholders differ: {0} has {1}, {2} has {3}</source>
         <translation>占位符不一致：{0} 有 {1}，{2} 有 {3}</translation>
-    </message>
-    <message>
-        <source>The key {0} has no text in {1}</source>
-        <translation>键 {0} 没有 {1} 文本</translation>
     </message>
     <message>
         <source>The font {0} is not installed here, so texts cannot be measured</source>
@@ -2028,16 +1924,8 @@
         <translation>格式 {0} 未知</translation>
     </message>
     <message>
-        <source>The trace configuration is not valid JSON (see line {0})</source>
-        <translation>跟踪配置不是有效的 JSON（见第 {0} 行）</translation>
-    </message>
-    <message>
         <source>A trace configuration must be a JSON object</source>
         <translation>跟踪配置必须是 JSON 对象</translation>
-    </message>
-    <message>
-        <source>This trace configuration was written by a newer version of Stepwise (version {0})</source>
-        <translation>此跟踪配置由更新版本的 Stepwise 写入（版本 {0}）</translation>
     </message>
     <message>
         <source>The trace configuration is invalid: {0}</source>
@@ -2078,10 +1966,6 @@
     <message>
         <source>A priority is a number; 0 removes it</source>
         <translation>优先级是数字；0 表示取消</translation>
-    </message>
-    <message>
-        <source>The file was changed by another program and was not overwritten</source>
-        <translation>文件已被其他程序更改，未被覆盖</translation>
     </message>
     <message>
         <source>This file cannot be imported; PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
@@ -2198,10 +2082,6 @@
     <message>
         <source>The picture {0} is outside the project; copy it into the project, or set {1} to true under {2} in project.json</source>
         <translation>图片 {0} 在项目之外；请复制到项目中，或在 project.json 的 {2} 下将 {1} 设为 true</translation>
-    </message>
-    <message>
-        <source>The picture {0} is larger than {1} MB</source>
-        <translation>图片 {0} 大于 {1} MB</translation>
     </message>
     <message>
         <source>The picture {0} unpacks to more than {1} MB</source>
@@ -2324,10 +2204,6 @@
         <translation>{0} 不在 {1} 与 {2} 之间；使用 {3}</translation>
     </message>
     <message>
-        <source>The faceplate does not say which panel it shows</source>
-        <translation>面板组件未指定要显示的画面</translation>
-    </message>
-    <message>
         <source>The panel {0} contains this one, so it cannot be placed in it</source>
         <translation>画面 {0} 包含本画面，因此不能放在其中</translation>
     </message>
@@ -2368,16 +2244,8 @@
         <translation>前一个扫描周期不在记录中，因此不知道此扫描周期开始时的值。</translation>
     </message>
     <message>
-        <source>The users and roles are not valid JSON</source>
-        <translation>用户和角色不是有效的 JSON</translation>
-    </message>
-    <message>
         <source>A role has no name</source>
         <translation>有一个角色没有名称</translation>
-    </message>
-    <message>
-        <source>Two roles are named {0}</source>
-        <translation>有两个角色名为 {0}</translation>
     </message>
     <message>
         <source>There is no role {0}</source>
@@ -2386,10 +2254,6 @@
     <message>
         <source>A user has no name</source>
         <translation>有一个用户没有名称</translation>
-    </message>
-    <message>
-        <source>Two users are named {0}</source>
-        <translation>有两个用户名为 {0}</translation>
     </message>
     <message>
         <source>There is no user {0}</source>
@@ -2424,16 +2288,8 @@
         <translation>仅限角色 {0}，但项目没有用户；任何人都可操作</translation>
     </message>
     <message>
-        <source>The recipes are not valid JSON</source>
-        <translation>配方不是有效的 JSON</translation>
-    </message>
-    <message>
         <source>A recipe has no name</source>
         <translation>有一个配方没有名称</translation>
-    </message>
-    <message>
-        <source>Two recipes are named {0}</source>
-        <translation>有两个配方名为 {0}</translation>
     </message>
     <message>
         <source>A row of a recipe names no variable</source>
@@ -2446,10 +2302,6 @@
     <message>
         <source>A set of a recipe has no name</source>
         <translation>配方的一组数据没有名称</translation>
-    </message>
-    <message>
-        <source>Two sets of the recipe are named {0}</source>
-        <translation>配方的两组数据名为 {0}</translation>
     </message>
     <message>
         <source>The first column must be named variable, and each set has a column of its own</source>
@@ -2580,10 +2432,6 @@
         <translation>{0} 在画面 {1} 上处于不同位置</translation>
     </message>
     <message>
-        <source>The help of the alarm {0} does not say what to do</source>
-        <translation>报警 {0} 的帮助没有说明该怎么做</translation>
-    </message>
-    <message>
         <source>{0} of {1} alarms have the highest priority</source>
         <translation>{1} 个报警中有 {0} 个为最高优先级</translation>
     </message>
@@ -2617,7 +2465,7 @@
     </message>
     <message>
         <source>A panel that shows everything is searched, not read. Move details to a panel of the next level (ISA-101).</source>
-        <translation>什么都放的画面只能搜索，无法阅读。请把细节移到下一级画面 (ISA-101)。</translation>
+        <translation>显示所有内容的画面只能搜索，无法阅读。请把细节移到下一级画面 (ISA-101)。</translation>
     </message>
     <message>
         <source>In an abnormal situation, every panel should be three presses away at most, and there should be a way back from it (ISA-101).</source>
@@ -2677,7 +2525,7 @@
     </message>
     <message>
         <source>One man in twelve cannot tell some colours apart, and bright light washes them out. Show the same by a text, a shape, blinking or at least a different brightness.</source>
-        <translation>每十二名男性中就有一人难以分辨某些颜色，强光下颜色也会变淡。请同时用文本、形状、闪烁或至少不同的亮度表达。</translation>
+        <translation>每十二名男性中就有一人难以分辨某些颜色，强光下颜色也会变淡。请同时用文本、形状、闪烁或至少不同的亮度来显示。</translation>
     </message>
     <message>
         <source>What only some may do, or what project.json lists as critical, must not happen by an accidental touch. Set &quot;Writes are confirmed&quot;, or enter a question.</source>
@@ -2710,6 +2558,158 @@
     <message>
         <source>There is no theme {0}; choose one of {1}</source>
         <translation>没有主题 {0}；请从 {1} 中选择</translation>
+    </message>
+    <message>
+        <source>This edit would change the same text twice; undo it and edit the text</source>
+        <translation>此编辑会两次更改同一文本；请撤消并编辑文本</translation>
+    </message>
+    <message>
+        <source>This transition does not lead to a step yet; connect it to one first</source>
+        <translation>此转换尚未通向任何步；请先将其连接到步</translation>
+    </message>
+    <message>
+        <source>The panel was written by a newer version of Stepwise; open it with that version</source>
+        <translation>画面由更新版本的 Stepwise 写入；请用该版本打开</translation>
+    </message>
+    <message>
+        <source>This trace configuration was written by a newer version of Stepwise (version {0}); open it with that version</source>
+        <translation>此跟踪配置由更新版本的 Stepwise 写入（版本 {0}）；请用该版本打开</translation>
+    </message>
+    <message>
+        <source>The recorded program can no longer be built; open the recording with the version of Stepwise that made it</source>
+        <translation>记录的程序已无法编译；请用创建该记录的 Stepwise 版本打开</translation>
+    </message>
+    <message>
+        <source>The controller is not running; press F5</source>
+        <translation>控制器未运行；请按 F5</translation>
+    </message>
+    <message>
+        <source>There is no program to run; declare a PROGRAM</source>
+        <translation>没有可运行的程序；请声明 PROGRAM</translation>
+    </message>
+    <message>
+        <source>There is no program to test; declare a PROGRAM</source>
+        <translation>没有可测试的程序；请声明 PROGRAM</translation>
+    </message>
+    <message>
+        <source>A file with this name already exists; choose another name</source>
+        <translation>同名文件已存在；请选择其他名称</translation>
+    </message>
+    <message>
+        <source>A panel with this name already exists; choose another name</source>
+        <translation>同名画面已存在；请选择其他名称</translation>
+    </message>
+    <message>
+        <source>A step {0} already exists; choose another name</source>
+        <translation>步 {0} 已存在；请选择其他名称</translation>
+    </message>
+    <message>
+        <source>The step of this loop is 0; write BY with another number</source>
+        <translation>此循环的步长为 0；请在 BY 后写其他数值</translation>
+    </message>
+    <message>
+        <source>This loop of the test does not end; give it a condition that becomes FALSE</source>
+        <translation>测试中的此循环不会结束；请设置会变为 FALSE 的条件</translation>
+    </message>
+    <message>
+        <source>There is no name here that can be renamed; put the cursor on one</source>
+        <translation>此处没有可重命名的名称；请将光标置于名称上</translation>
+    </message>
+    <message>
+        <source>The file was changed by another program and was not overwritten; compare both first</source>
+        <translation>文件已被其他程序更改，未被覆盖；请先比较两者</translation>
+    </message>
+    <message>
+        <source>The type of {0} is not known here; correct the errors of the program first</source>
+        <translation>此处不知道 {0} 的类型；请先更正程序中的错误</translation>
+    </message>
+    <message>
+        <source>Nothing has been recorded yet; start the controller with F5</source>
+        <translation>尚未记录任何内容；请按 F5 启动控制器</translation>
+    </message>
+    <message>
+        <source>a constant cannot be forced; change it in the program</source>
+        <translation>常量不能强制；请在程序中更改</translation>
+    </message>
+    <message>
+        <source>the path is incomplete; write it to a single value, for example Main.x</source>
+        <translation>路径不完整；请写到单个值为止，例如 Main.x</translation>
+    </message>
+    <message>
+        <source>The panel is not valid JSON; look for a missing comma, quote or bracket</source>
+        <translation>画面不是有效的 JSON；请检查是否缺少逗号、引号或括号</translation>
+    </message>
+    <message>
+        <source>The alarms are not valid JSON; look for a missing comma, quote or bracket</source>
+        <translation>报警不是有效的 JSON；请检查是否缺少逗号、引号或括号</translation>
+    </message>
+    <message>
+        <source>The recipes are not valid JSON; look for a missing comma, quote or bracket</source>
+        <translation>配方不是有效的 JSON；请检查是否缺少逗号、引号或括号</translation>
+    </message>
+    <message>
+        <source>The users and roles are not valid JSON; look for a missing comma, quote or bracket</source>
+        <translation>用户和角色不是有效的 JSON；请检查是否缺少逗号、引号或括号</translation>
+    </message>
+    <message>
+        <source>The trace configuration is not valid JSON (see line {0}); look for a missing comma, quote or bracket</source>
+        <translation>跟踪配置不是有效的 JSON（见第 {0} 行）；请检查是否缺少逗号、引号或括号</translation>
+    </message>
+    <message>
+        <source>Two alarms have the id &quot;{0}&quot;; change one of them</source>
+        <translation>两个报警的标识都是“{0}”；请更改其中一个</translation>
+    </message>
+    <message>
+        <source>The quote that opens here is never closed; add one at the end of the text</source>
+        <translation>此处的引号没有结束；请在文本末尾补上引号</translation>
+    </message>
+    <message>
+        <source>The language {0} has two columns; remove one of them</source>
+        <translation>语言 {0} 有两列；请删除其中一列</translation>
+    </message>
+    <message>
+        <source>The key {0} is already on line {1}; remove one of the two lines</source>
+        <translation>键 {0} 已在第 {1} 行；请删除两行中的一行</translation>
+    </message>
+    <message>
+        <source>Two roles are named {0}; rename one</source>
+        <translation>有两个角色名为 {0}；请重命名其中一个</translation>
+    </message>
+    <message>
+        <source>Two users are named {0}; rename one</source>
+        <translation>有两个用户名为 {0}；请重命名其中一个</translation>
+    </message>
+    <message>
+        <source>Two recipes are named {0}; rename one</source>
+        <translation>有两个配方名为 {0}；请重命名其中一个</translation>
+    </message>
+    <message>
+        <source>Two sets of the recipe are named {0}; rename one</source>
+        <translation>配方的两组数据名为 {0}；请重命名其中一个</translation>
+    </message>
+    <message>
+        <source>The alarm has no condition; enter one</source>
+        <translation>报警没有条件；请输入条件</translation>
+    </message>
+    <message>
+        <source>The element is outside the panel; move it inside</source>
+        <translation>元素在画面之外；请移到画面内</translation>
+    </message>
+    <message>
+        <source>The picture {0} is larger than {1} MB; use a smaller one</source>
+        <translation>图片 {0} 大于 {1} MB；请使用较小的图片</translation>
+    </message>
+    <message>
+        <source>The faceplate does not say which panel it shows; choose one</source>
+        <translation>面板组件未指定要显示的画面；请选择一个画面</translation>
+    </message>
+    <message>
+        <source>The key {0} has no text in {1}; enter it in the text table</source>
+        <translation>键 {0} 没有 {1} 文本；请在文本表中输入</translation>
+    </message>
+    <message>
+        <source>The help of the alarm {0} does not say what to do; add the operator&apos;s next step</source>
+        <translation>报警 {0} 的帮助没有说明该怎么做；请补充操作员的下一步操作</translation>
     </message>
 </context>
 <context>
@@ -2897,6 +2897,10 @@
     <message>
         <source>The address {0} begins at a byte that other tools, which count in words, cannot name; move it to a multiple of its size</source>
         <translation>地址 {0} 起始于按字计数的其他工具无法表示的字节；请移到其大小的整数倍</translation>
+    </message>
+    <message>
+        <source>{0} reaches out of the controller; it is declared here with its inputs and outputs and does nothing</source>
+        <translation>{0} 涉及控制器之外；此处只声明其输入和输出，不执行任何操作</translation>
     </message>
 </context>
 <context>
@@ -4009,7 +4013,7 @@
     </message>
     <message>
         <source>House</source>
-        <translation>主页</translation>
+        <translation>房屋</translation>
     </message>
     <message>
         <source>Circular arrow</source>
@@ -6161,6 +6165,10 @@ Not kept: %3</source>
     <message>
         <source>files</source>
         <translation>文件</translation>
+    </message>
+    <message>
+        <source>PLCopen XML, TwinCAT, CODESYS, ST</source>
+        <translation>PLCopen XML、TwinCAT、CODESYS、ST</translation>
     </message>
 </context>
 <context>
@@ -9520,6 +9528,14 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <source>Taken back: %1</source>
         <translation>已还原：%1</translation>
     </message>
+    <message>
+        <source>What the model leaves</source>
+        <translation>模型未解释的部分</translation>
+    </message>
+    <message>
+        <source>recorded less model</source>
+        <translation>记录值减模型值</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::WatchView</name>
@@ -11552,6 +11568,10 @@ Click selects, Ctrl+click shows or hides.</source>
         <source>Workbook</source>
         <translation>练习册</translation>
     </message>
+    <message>
+        <source>Tank over Modbus</source>
+        <translation>通过 Modbus 连接的罐</translation>
+    </message>
 </context>
 <context>
     <name>FigureText</name>
@@ -11645,7 +11665,7 @@ Click selects, Ctrl+click shows or hides.</source>
     </message>
     <message>
         <source>Charts over Time Only</source>
-        <translation>仅时间曲线</translation>
+        <translation>仅时间曲线图</translation>
     </message>
     <message>
         <source>XY Plot</source>
@@ -11782,7 +11802,7 @@ Click selects, Ctrl+click shows or hides.</source>
     </message>
     <message>
         <source>Charts over time only</source>
-        <translation>仅时间曲线</translation>
+        <translation>仅时间曲线图</translation>
     </message>
     <message>
         <source>Horizontal value</source>

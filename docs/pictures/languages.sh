@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Pictures of every window, dialog and menu in every language, light and dark, on a small screen and with texts of 200 %, to be
+# Pictures of every window, dialog and menu in every language, light, dark and in high contrast, on a small screen and with texts of 200 %, to be
 # looked at; they are not part of the project. Says what is cut.
 # usage: docs/pictures/languages.sh OUT [FOLDER OF PROGRAMS [LANGUAGE]]      (default: build/dev/bin, every language)
 set -uo pipefail
@@ -22,6 +22,7 @@ if [ "$programs" = build/dev/bin ]; then ninja -C build/dev window_pictures >/de
 mkdir -p "$out"
 take light 1440x900 light
 take dark 1440x900 dark
+take contrast 1440x900 contrast
 take small 1024x700 light
 take double 1440x900 light QT_FONT_DPI=192
 exit $result

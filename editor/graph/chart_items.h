@@ -39,7 +39,7 @@ private:
     QRectF m_rect;
 };
 
-/// All lines, bars and arrows in one item: they can not be picked and are redrawn together.
+/// All lines, bars and arrows in one item: they cannot be picked and are redrawn together.
 class ChartLines : public QGraphicsItem {
 public:
     struct Stroke {

@@ -316,7 +316,7 @@ void ChartScene::setOnline(ChartOnline online) {
         before.transitions.size() != m_online.transitions.size() ||
         before.associations.size() != m_online.associations.size())
         return update();
-    // only what changed is drawn anew
+    // only what changed is redrawn
     for (size_t i = 0; i < m_stepItems.size() && i < m_online.steps.size(); ++i) {
         if (!(before.steps[i] == m_online.steps[i])) m_stepItems[i]->update();
         if (i < m_online.associations.size() && before.associations[i] != m_online.associations[i])

@@ -1,4 +1,4 @@
-// The drawing of one sequential function chart, as IEC 61131-3 draws it: a cache of the model, made anew with each
+// The drawing of one sequential function chart, as IEC 61131-3 draws it: a cache of the model, made again with each
 // text. Items know their step or transition by id; nothing here edits. Owned by ChartView; GUI thread.
 #pragma once
 #include <QGraphicsScene> // before the standard library's: moc stumbles over <concepts> otherwise

@@ -123,7 +123,9 @@ public:
 private:
     friend class RungItem;
     [[nodiscard]] QRectF cells(const ladder::Hit& hit) const;
-    [[nodiscard]] double thick(double width) const { return m_look.isHighContrast || m_colors.contrast ? width * 1.5 : width; }
+    [[nodiscard]] double thick(double width) const {
+        return m_look.isHighContrast || m_colors.contrast ? width * 1.5 : width;
+    }
 
     const ladder::Diagram* m_diagram = nullptr;
     const ladder::Layout* m_layout = nullptr;

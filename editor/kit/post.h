@@ -1,6 +1,6 @@
 // What another thread gives to the thread of a QObject: results of builds, analyses and tests, news of alarms. Header
 // only, owns nothing; post may be called on any thread. Qt's queue hands calls over by locks that the thread sanitizer
-// can not see, since Qt is not built with it; the lock here it does see, so that all these hand-overs stay watched
+// cannot see, since Qt is not built with it; the lock here it does see, so that all these hand-overs stay watched
 // (tests/sanitizers).
 #pragma once
 #include <QMetaObject>

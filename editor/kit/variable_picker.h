@@ -51,7 +51,7 @@ public:
 
     QStringList selectedPaths() const;
     void setFilter(const QString& text);
-    /// Reads the provider anew, keeping what is unfolded.
+    /// Reads the provider again, keeping what is unfolded.
     void reload();
     bool selectPath(const QString& path);
 

@@ -360,7 +360,7 @@ void DeclarationTable::changeCell(int row, int column, const QString& text) {
         edits = commentEdit(declaration, text.toStdString());
     }
     if (edits.empty()) return fillAgain();
-    m_pou = nullptr; // filled anew with the next analysis
+    m_pou = nullptr; // filled again with the next analysis
     m_editor.applyEdits(edits);
 }
 

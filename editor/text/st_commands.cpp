@@ -1,4 +1,4 @@
-// What StEditor does at a command: highlights names and finds, comments out, selects blocks, formats, mends findings.
+// What StEditor does at a command: highlights names and finds, comments out, selects blocks, formats, fixes findings.
 #include "editor/text/st_editor.h"
 
 #include "editor/kit/message_text.h"

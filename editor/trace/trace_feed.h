@@ -57,7 +57,7 @@ public:
     TraceFeed(const Recording& recording, std::shared_ptr<history::ColumnStore> store);
     ~TraceFeed();
 
-    void setSettings(const FeedSettings& settings); // reads everything anew
+    void setSettings(const FeedSettings& settings); // reads everything again
     /// Keeps columns for exactly these expressions; those already there stay.
     /// `trigger` looks at every scan, whatever the settings leave out.
     void setExpressions(const std::vector<std::string>& expressions, const std::string& trigger = {});

@@ -24,7 +24,7 @@ struct TraceOutput {
     OtherRecordings::Open openOther; // of the files that channels name
 };
 
-/// Writes the files; the text is the statistics table, or what the trigger did. An expression that can not be compiled
+/// Writes the files; the text is the statistics table, or what the trigger did. An expression that cannot be compiled
 /// is the error.
 [[nodiscard]] Result<std::string> renderTrace(const Recording& recording, const TraceOutput& output);
 

@@ -12,7 +12,7 @@ enum class TriggerState : uint8_t { Off, Armed, Collecting, Done };
 
 class TriggerMachine {
 public:
-    void setSetup(const TriggerSetup& setup); // starts anew
+    void setSetup(const TriggerSetup& setup); // starts again
     /// Single: ready for another shot.
     void arm();
     void disarm();

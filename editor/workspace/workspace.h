@@ -78,7 +78,7 @@ signals:
     void opened();
     void closed();
     void filesChanged();
-    void textReplaced(const QString& file); // changed from outside or reverted: editors load it anew
+    void textReplaced(const QString& file); // changed from outside or reverted: editors load it again
     void modificationChanged(const QString& file, bool modified);
     void changedOnDiskAndHere(const QString& file); // the user must choose
     void analysed(std::shared_ptr<const plc::analysis::CodeModel> model);

@@ -36,7 +36,7 @@ public:
 
     /// New definitions; states of alarms that stay (same id) are kept.
     void setFile(const AlarmFile& file);
-    /// The newest 100,000 entries of the file are kept. In memory when it can not be used.
+    /// The newest 100,000 entries of the file are kept. In memory when it cannot be used.
     Result<void> openStore(const QString& path);
     QString storePath() const { return m_store.path(); }
     /// Which run of a controller findings are of; found again by another watch, they are not kept twice. A new one
@@ -57,7 +57,7 @@ public:
     void take(std::span<const AlarmRecord> records);
     void acknowledge(size_t alarm, const AlarmInstant& at, const QString& user = {});
     void acknowledgeAll(const AlarmInstant& at, const QStringList& classes = {}, const QString& user = {});
-    /// What was acknowledged in this run, oldest first; the watch that begins anew finds the rest in the recording.
+    /// What was acknowledged in this run, oldest first; the watch that starts again finds the rest in the recording.
     std::vector<AlarmRecord> takeAcknowledged();
     /// After going back in time: what happened later is no longer of this branch.
     void rewind(quint64 position);

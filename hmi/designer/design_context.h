@@ -30,7 +30,7 @@ public:
     const std::optional<history::Position>& position() const { return m_position; }
     void setCompletions(kit::CompletionSource completions) { m_completions = std::move(completions); }
     const kit::CompletionSource& completions() const { return m_completions; }
-    /// The variables to choose from and to drag onto a panel; asked anew each time, the object must stay.
+    /// The variables to choose from and to drag onto a panel; asked again each time, the object must stay.
     using Variables = std::function<const kit::VariableProvider&()>;
     void setVariables(Variables variables) { m_variables = std::move(variables); }
     const Variables& variables() const { return m_variables; }

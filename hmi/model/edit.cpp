@@ -33,7 +33,7 @@ Edit applyOne(Panel& panel, const SetField& edit, Touched& touched) {
                      had ? std::optional<Json>(properties->fields().at(edit.key)) : std::nullopt, place};
     if (!edit.element.isEmpty() && (edit.key == "parent" || edit.key == "page")) touched.structure = true;
     if (edit.key == "kind" && !edit.element.isEmpty()) {
-        // Another kind has another descriptor, so the element is made anew from its fields.
+        // Another kind has another descriptor, so the element is made again from its fields.
         Element& element = static_cast<Element&>(*properties);
         element.setField(edit.key, edit.value, place);
         element = Element(element.fields());

@@ -91,7 +91,7 @@ void Properties::setField(std::string_view key, const std::optional<Json>& value
         found->second = canonicalNumbers(*value);
         return;
     }
-    // The ordered map's pairs have a constant key, so a field is put between others by building the map anew.
+    // The ordered map's pairs have a constant key, so a field is put between others by building the map again.
     Json::object_t rebuilt;
     size_t index = 0;
     bool put = false;

@@ -56,7 +56,7 @@ private:
 class AlarmWatch final : public QObject {
     Q_OBJECT
 public:
-    /// Both must outlive the watch. What the book knows is found anew, but for what was acknowledged.
+    /// Both must outlive the watch. What the book knows is found again, but for what was acknowledged.
     AlarmWatch(const session::Run& of, AlarmBook& book, QObject* parent = nullptr);
     ~AlarmWatch() override;
 

@@ -15,7 +15,7 @@ public:
 protected:
     void setUp() override;
     bool update() override;
-    /// How far the value moves the drawing, in pixels: below a third of one nothing is painted anew.
+    /// How far the value moves the drawing, in pixels: below a third of one nothing is repainted.
     virtual double travel() const { return std::max(width(), height()); }
     virtual TextBox valueBox(const QString& words, const QString& tag) const = 0;
     double shareOf(double raw) const;

@@ -25,7 +25,7 @@ public:
     ~PanelScene() override;
 
     void setPanel(const Panel& panel);
-    /// Follows an edit of the same panel: only what was touched is made anew.
+    /// Follows an edit of the same panel: only what was touched is made again.
     void follow(const Panel& panel, const Touched& touched);
     /// The source must outlive the scene or be replaced before it goes; null: nothing has a value.
     void setValues(ValueSource* values);
@@ -85,7 +85,7 @@ public:
     bool isMeasuring() const { return m_measuring; }
     bool isLit() const { return m_lit; }
 
-    /// Reads all values at a time in ms (any epoch); returns what must be painted anew. At most one repaint per frame.
+    /// Reads all values at a time in ms (any epoch); returns what must be repainted. At most one repaint per frame.
     QRegion refresh(qint64 milliseconds);
     /// Whether this view was among what had to be painted since it was asked last.
     bool takeMark(ElementView& view) const;

@@ -18,7 +18,7 @@ namespace plc::analysis {
 
 /// A name of a declaration goes to a plain section of another kind. `lines`: the declaration's whole lines with the
 /// comments above them; a declaration of several names, or one that shares its line, leaves the others where they are.
-/// Empty when it can not be: a section on one line.
+/// Empty when it cannot be: a section on one line.
 [[nodiscard]] std::vector<diagnostics::TextEdit> moveToSection(const syntax::Pou& pou, const syntax::VarSection& from,
                                                                const syntax::VarDecl& declaration, size_t name,
                                                                syntax::SectionKind to, SourceRange lines,

@@ -1,4 +1,4 @@
-// Typed index into a vector: an id is a word of its own type, so a step can not be passed where a task is meant.
+// Typed index into a vector: an id is a word of its own type, so a step cannot be passed where a task is meant.
 // A default id is "none". Values, no owner, any thread.
 #pragma once
 #include <compare>

@@ -125,7 +125,7 @@ OnlineChangeReport Controller::changeProgram(std::shared_ptr<const image::Compil
     m->schedule.restoreTriggers(m->image.get());
     for (TaskRun& run : m->schedule.runs())
         run.isPending = std::find(pending.begin(), pending.end(), run.task->name) != pending.end();
-    m->simulationFault.reset(); // the plant may be what was mended
+    m->simulationFault.reset(); // the plant may be what was fixed
     m->touch(image::OutsideKind::OnlineChange);
     for (ScanObserver* observer : m->observers) observer->programChanged(m->program);
     m->report(EventKind::OnlineChange, {});

@@ -45,7 +45,7 @@ public:
 
     /// Times must grow; a row at or before the last one is refused (false).
     virtual bool append(int64_t time, double value) = 0;
-    /// The same for 64-bit integers that a double can not hold; of Uint64 the bits.
+    /// The same for 64-bit integers that a double cannot hold; of Uint64 the bits.
     virtual bool appendInteger(int64_t time, int64_t value) = 0;
     /// Notes that nothing is known between the last row and the next.
     void appendGap(int64_t from, int64_t to, ColumnGap::Reason reason);

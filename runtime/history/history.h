@@ -27,7 +27,7 @@ struct ScanStamp {
 };
 
 /// After going back, recording continues on a new branch: [first, …) follows `parent` (the scan it was resumed from).
-inline constexpr Position kNoParent = ~Position(0); // of a branch that begins anew (reset to the origin)
+inline constexpr Position kNoParent = ~Position(0); // of a branch that starts again (reset to the origin)
 struct Branch {
     Position first = 0;
     Position parent = 0;

@@ -12,7 +12,7 @@ public:
     Probe(expression::Expression expression, const Segment& segment);
     [[nodiscard]] const Watched& watched() const { return m_watched; }
     [[nodiscard]] std::optional<double> number(std::span<const std::byte> image) const;
-    /// The same without rounding, of what a double can not hold (64-bit integers, times, dates); else none.
+    /// The same without rounding, of what a double cannot hold (64-bit integers, times, dates); else none.
     [[nodiscard]] std::optional<int64_t> wide(std::span<const std::byte> image) const;
     [[nodiscard]] bool isTrue(std::span<const std::byte> image) const;
     /// Equal exactly when the values are equal (NaN equals itself).

@@ -117,7 +117,7 @@ TEST_F(ChartEventsTest, AStepDraggedOntoATransitionGoesBehindIt) {
     EXPECT_NE(text().find("FROM B TO A"), std::string::npos);
     editor().undo();
     EXPECT_EQ(text(), begin);
-    // where it can not go, nothing happens
+    // where it cannot go, nothing happens
     drag(view->scene().stepRect(step("A")).center(), view->scene().barRect(1).center());
     EXPECT_EQ(text(), begin);
 }

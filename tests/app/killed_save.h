@@ -5,7 +5,7 @@
 namespace plc::app {
 
 /// Saves each kind of file of a project in `folder` in two forms in turn, until it is killed; "ready" on the standard
-/// output when both forms of each lie in `folder`/expected. Returns 1 when a file can not be saved.
+/// output when both forms of each lie in `folder`/expected. Returns 1 when a file cannot be saved.
 int saveWithoutEnd(const QString& folder);
 
 } // namespace plc::app

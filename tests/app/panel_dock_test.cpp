@@ -46,7 +46,7 @@ TEST_F(PanelDockTest, TheAlarmHistoryOutlivesTheWindow) {
     runUntilRaised();
     EXPECT_EQ(occurrences(), 1u);
     EXPECT_TRUE(QFile::exists(folder.path() + "/.stepwise/alarms.sqlite"));
-    // Panels read anew while the controller runs: the watch finds everything again, the history keeps it once.
+    // Panels read again while the controller runs: the watch finds everything again, the history keeps it once.
     window->live().reloadPanels();
     ASSERT_TRUE(waitFor([&] { return player().alarms().present({}, hmi::AlarmOrder::Time).size() == 1; }));
     EXPECT_EQ(occurrences(), 1u);
@@ -100,7 +100,7 @@ TEST_F(PanelDockTest, ARecordingFromAFileIsShownInThePanelAndCanNotBeWritten) {
     window->live().slider().stepScans(-1);
     EXPECT_EQ(shown(), recorded - 1);
     window->live().reloadPanels();
-    EXPECT_EQ(shown(), recorded - 1) << "panels read anew still show the file";
+    EXPECT_EQ(shown(), recorded - 1) << "panels read again still show the file";
 
     window->live().closeRecording();
     ASSERT_TRUE(waitFor([&] { return shown() > recorded + 5; }));

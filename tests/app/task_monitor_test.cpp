@@ -71,7 +71,7 @@ TEST_F(StudioTest, PreparedValuesAreWrittenTogetherAndARefusedOneStays) {
     EXPECT_TRUE(waitFor([&] { return window->control().value("Main.done").text == "TRUE"; }));
     EXPECT_EQ(row(0)->text(3), "");
     EXPECT_EQ(row(1)->text(3), "");
-    EXPECT_EQ(row(2)->text(3), "no number") << "what was refused stays to be mended";
+    EXPECT_EQ(row(2)->text(3), "no number") << "what was refused stays to be fixed";
     EXPECT_FALSE(row(2)->toolTip(3).isEmpty()) << "and says why";
 }
 

@@ -184,7 +184,7 @@ TEST(FaceplateCheck, EachMistakeIsSaidWhereItIs) {
         {"good", kOne, kGate, ""},
         {"a block that extends the type", open + R"(, "arguments": {"gate": "Main.large"}})", kGate, ""},
         {"no panel", R"({"id": "g", "kind": "faceplate", "rect": [10, 10, 40, 60]})", kGate,
-         "hmi/main.panel.json: g.panel: error H1019: The faceplate does not say which panel it shows"},
+         "hmi/main.panel.json: g.panel: error H1019: The faceplate does not say which panel it shows; choose one"},
         {"no such panel", R"({"id": "g", "kind": "faceplate", "rect": [10, 10, 40, 60], "panel": "gone"})", kGate,
          "hmi/main.panel.json: g.panel: error H1013"},
         {"missing", open + "}", kGate,

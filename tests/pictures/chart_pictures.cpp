@@ -89,7 +89,7 @@ void save(editor::ChartView& view, const QString& folder, const Shot& shot, cons
     if (view.canvas().exportPng(path, 1.25))
         std::printf("%s\n", qPrintable(path));
     else
-        std::fprintf(stderr, "%s can not be written\n", qPrintable(path));
+        std::fprintf(stderr, "%s cannot be written\n", qPrintable(path));
 }
 
 bool take(const Shot& shot, const QString& folder) {

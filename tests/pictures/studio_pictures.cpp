@@ -59,7 +59,7 @@ void save(QWidget& window, const QString& name) {
     // The screen, so that lists and tips over the window are seen, too.
     const QPixmap picture = window.screen()->grabWindow(0, window.x(), window.y(), window.width(), window.height());
     if (!picture.save(file))
-        std::fprintf(stderr, "%s can not be written\n", qPrintable(file));
+        std::fprintf(stderr, "%s cannot be written\n", qPrintable(file));
     else
         std::printf("%s\n", qPrintable(file));
 }

@@ -1,5 +1,5 @@
 // Pictures of every window and dialog in every language, and what is cut in them. With STEPWISE_PICTURES=FOLDER a
-// picture of each is saved there (docs/pictures/languages.sh); STEPWISE_THEME=light|dark and
+// picture of each is saved there (docs/pictures/languages.sh); STEPWISE_THEME=light|dark|contrast and
 // STEPWISE_WINDOW=1024x700 say of what.
 #include "app/translation.h"
 #include "editor/kit/theme.h"
@@ -76,8 +76,10 @@ QSize windowSize() {
 class FitTest : public AllWindowsTest, public ::testing::WithParamInterface<const char*> {
 protected:
     void SetUp() override {
-        const bool isDark = qEnvironmentVariable("STEPWISE_THEME") == "dark";
-        kit::Theme::install(*qApp, isDark ? kit::ThemeChoice::Dark : kit::ThemeChoice::Light);
+        const QString theme = qEnvironmentVariable("STEPWISE_THEME");
+        kit::Theme::install(*qApp, theme == "dark"       ? kit::ThemeChoice::Dark
+                                   : theme == "contrast" ? kit::ThemeChoice::Contrast
+                                                         : kit::ThemeChoice::Light);
         installTranslation(*qApp, GetParam());
         open();
         window->resize(windowSize());

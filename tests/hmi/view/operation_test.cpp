@@ -1,4 +1,4 @@
-// Operating a panel with real mouse events: what is asked for, in which order, and what is painted anew.
+// Operating a panel with real mouse events: what is asked for, in which order, and what is repainted.
 #include "hmi/view/arrays.h"
 #include "hmi/view/panel_view.h"
 

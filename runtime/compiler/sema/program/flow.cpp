@@ -235,7 +235,7 @@ void checkRecursion(World& world) {
     }
     for (const std::vector<uint32_t>& component : components) {
         const auto isOwn = [&](uint32_t index) { return unitOfFunction[index] && !unitOfFunction[index]->isLibrary(); };
-        const auto own = std::find_if(component.begin(), component.end(), isOwn); // where its writer can mend it
+        const auto own = std::find_if(component.begin(), component.end(), isOwn); // where its writer can fix it
         const uint32_t first = own == component.end() ? component.front() : *own;
         const bool isCycle =
             component.size() > 1 || std::binary_search(edges[first].begin(), edges[first].end(), first);

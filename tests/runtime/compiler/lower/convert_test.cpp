@@ -33,7 +33,8 @@ TEST(Conversion, ShowsAListAsSt) {
               "result1 : INT;\nresult2 : INT;\n"
               "d := a AND (b OR NOT c);\nresult1 := i + 1;\ni := result1;\nIF result1 > 3 THEN\n    JMP "
               "out;\nEND_IF\nresult2 := LIMIT(i, 0, 9);\nj := result2;\nout:\nRETURN;\n");
-    EXPECT_EQ(asSt("LD w\nWeird\nST i"), "The type of Weird(w) is not known here");
+    EXPECT_EQ(asSt("LD w\nWeird\nST i"),
+              "The type of Weird(w) is not known here; correct the errors of the program first");
 }
 
 TEST(Conversion, ShowsStAsAList) {
