@@ -47,7 +47,10 @@ for target in x86_64 aarch64; do try stepwise build $example/pid_pt1 --target $t
 try /tmp/pid-x86_64 --for 3s --record /tmp/built.rec
 cmp "$root/tmp/run.rec" "$root/tmp/built.rec"
 echo "  good: the program built there records the same"
-try timeout -s INT 5 sh -c 'stepwise serve /usr/share/stepwise/examples/motor --port 0 --state /tmp/serve & sleep 3; kill -INT $!; wait $!'
+# By TERM: what a shell starts in the background ignores INT.
+try timeout 60 sh -c 'stepwise serve /usr/share/stepwise/examples/motor --port 0 --state /tmp/serve >/tmp/serve.txt & until grep -q serving /tmp/serve.txt; do sleep 0.1; done; sleep 1; kill -TERM $!; wait $!'
+test -s "$root/tmp/serve/access-code" && ls "$root"/tmp/serve/recording/*.rec >/dev/null
+echo "  good: it served, kept its recording and stopped"
 try sh -c 'QT_QPA_PLATFORM=offscreen timeout 5 stepwise /usr/share/stepwise/examples/motor; test $? = 124'
 rm -rf "$root/root/.config" "$root/root/.local" "$root/root/.cache" "$root/root/Stepwise" "$root/root/Documents"
 bare apt-get purge -y -q stepwise >>/tmp/bare-apt.log 2>&1

@@ -101,11 +101,14 @@ int watch(Attached& there, const Arguments& arguments, const Words& words) {
     return kGood;
 }
 
+/// A list of one pair; of braces alone nlohmann::json would make an object.
+Json oneValue(const Words& words) { return Json::array({Json::array({words[0], words[1]})}); }
+
 int write(Attached& there, const Words& words, bool) {
-    return finish(there.ask({{"do", "write"}, {"values", {{words[0], words[1]}}}}));
+    return finish(there.ask({{"do", "write"}, {"values", oneValue(words)}}));
 }
 int force(Attached& there, const Words& words, bool) {
-    return finish(there.ask({{"do", "force"}, {"values", {{words[0], words[1]}}}}));
+    return finish(there.ask({{"do", "force"}, {"values", oneValue(words)}}));
 }
 int release(Attached& there, const Words& words, bool) {
     return finish(words.empty() ? there.ask({{"do", "unforce_all"}})

@@ -140,28 +140,27 @@ void AttachedRun::adopt() {
 void AttachedRun::fetchProgram() {
     m_controller.ask({{"do", "program"}}, [this](const Result<Json>& answer) {
         if (!answer) return emit failed(answer.error().message);
-        const uint64_t version = remote::numberAt(*answer, "version");
+        const There there{remote::numberAt(*answer, "version"), remote::numberAt(*answer, "layout")};
         const auto sources = answer->find("sources");
         if (sources == answer->end()) return emit failed(errors::ProgramDiffers());
-        m_wanted = version;
-        const image::CompiledProgram* present = m_session ? m_session->program().get() : nullptr;
-        if (present && present->version == version) return built(nullptr, version);
-        m_builder = std::jthread([this, version, input = remote::readSources(*sources)] {
+        m_wanted = there.version;
+        if (m_session && m_present == there.version) return built(nullptr, there);
+        m_builder = std::jthread([this, there, input = remote::readSources(*sources)] {
             auto made = std::make_shared<driver::Built>(driver::build(input));
-            kit::post(this, [this, made, version] { built(made, version); });
+            kit::post(this, [this, made, there] { built(made, there); });
         });
     });
 }
 
-void AttachedRun::built(std::shared_ptr<driver::Built> made, uint64_t version) {
-    if (version != m_wanted) return; // another one has come meanwhile
-    if (made && (!made->program || made->program->version != version)) {
+void AttachedRun::built(std::shared_ptr<driver::Built> made, There there) {
+    if (there.version != m_wanted) return; // another one has come meanwhile
+    if (made && (!made->program || remote::layoutSum(*made->program) != there.layout)) {
         m_controller.detach();
         return emit failed(errors::ProgramDiffers());
     }
     const bool isFirst = m_session == nullptr;
     if (isFirst) {
-        if (!made) return;
+        if (!made) return adopt(); // it was let go meanwhile
         session::Settings settings;
         settings.historyBudget = m_historyBudget;
         m_made = session::Mirror::open(std::move(*made), settings, m_orders);
@@ -170,7 +169,7 @@ void AttachedRun::built(std::shared_ptr<driver::Built> made, uint64_t version) {
     } else if (made) {
         m_mirror->programChanged(std::move(*made));
     }
-    m_version = version;
+    m_version = m_present = there.version;
     m_reader = remote::ScanReader(m_session->program()->layout.dataEnd);
     m_controller.ask({{"do", "follow"}});
     if (isFirst) emit sessionReady();

@@ -33,7 +33,10 @@ private:
     class Orders;
     void adopt();
     void fetchProgram();
-    void built(std::shared_ptr<driver::Built> built, uint64_t version);
+    struct There {
+        uint64_t version = 0, layout = 0; // of the program that runs there, as it names them
+    };
+    void built(std::shared_ptr<driver::Built> built, There there);
     void hear(const remote::Json& event);
     void takeBytes(const QByteArray& bytes);
     void carry(session::Order order);
@@ -44,7 +47,8 @@ private:
     session::Session* m_session = nullptr;
     std::optional<session::Mirror> m_mirror;
     remote::ScanReader m_reader;
-    uint64_t m_version = 0, m_wanted = 0; // of the program that the mirror has, and of the one that runs there
+    uint64_t m_version = 0, m_wanted = 0; // what is followed, and the program that runs there
+    uint64_t m_present = 0;               // that the mirror's program is
     size_t m_historyBudget = size_t(256) << 20;
     std::jthread m_builder;
 };

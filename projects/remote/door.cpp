@@ -70,6 +70,7 @@ std::optional<Json> Door::answer(const Json& request) {
     if (wish == "program") {
         Json out = good(id);
         out["version"] = m_session.program()->version;
+        out["layout"] = layoutSum(*m_session.program());
         out["sources"] = sourcesJson(*m_session.built().input);
         return out;
     }

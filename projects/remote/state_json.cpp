@@ -242,4 +242,27 @@ driver::BuildInput readSources(const Json& json) {
     return session::recordedInput(sources);
 }
 
+uint64_t layoutSum(const image::CompiledProgram& program) {
+    uint64_t sum = 14695981039346656037ull;
+    const auto add = [&](std::string_view bytes) {
+        for (const char c : bytes) sum = (sum ^ static_cast<unsigned char>(c)) * 1099511628211ull;
+        sum = (sum ^ bytes.size()) * 1099511628211ull;
+    };
+    const auto number = [&](uint64_t value) { add(std::to_string(value)); };
+    const image::Layout& layout = program.layout;
+    number(layout.imageSize);
+    number(layout.dataEnd);
+    for (const image::Root& root : layout.roots) {
+        add(root.list);
+        add(root.name);
+        add((*layout.types)[root.type].name);
+        number(root.offset);
+    }
+    for (const image::FunctionInfo& function : program.functions) {
+        add(function.name);
+        number(function.frameSize);
+    }
+    return sum;
+}
+
 } // namespace plc::remote

@@ -18,6 +18,8 @@ using Json = nlohmann::ordered_json;
 /// What a program is built from, as recordings keep it (D19).
 [[nodiscard]] Json sourcesJson(const driver::BuildInput& input);
 [[nodiscard]] driver::BuildInput readSources(const Json& json);
+/// What images and frames of a program depend on: equal on both sides, an image from there can be read here.
+[[nodiscard]] uint64_t layoutSum(const image::CompiledProgram& program);
 /// Of a member, or nothing that was said.
 [[nodiscard]] std::string textAt(const Json& json, const char* key);
 [[nodiscard]] uint64_t numberAt(const Json& json, const char* key);

@@ -3,6 +3,8 @@
 #include "served.h"
 #include "service.h"
 
+#include "projects/session/versions.h"
+
 #include <QDir>
 #include <QFile>
 #include <QJsonDocument>
@@ -51,6 +53,18 @@ TEST(ServeCommand, RunsUntilItIsAskedToStopAndKeepsEverything) {
     EXPECT_EQ(code.permissions() & (QFile::ReadGroup | QFile::ReadOther), QFile::Permissions());
 }
 
+/// The number of the newest scan that a recording holds.
+double lastScanOf(const QString& path) {
+    driver::Built built;
+    const auto loaded = history::History::load(path.toStdString(), [&](const history::History::Sources& sources) {
+        built = driver::build(session::recordedInput(sources));
+        return built.program;
+    });
+    EXPECT_TRUE(loaded) << path.toStdString();
+    if (!loaded || (*loaded)->statistics().end == 0) return -1;
+    return static_cast<double>((*loaded)->stamp((*loaded)->statistics().end - 1)->scan);
+}
+
 TEST(ServeCommand, KilledAtAnyMomentItHasLostNoMoreThanASecond) {
     const Files files;
     const int kills = qEnvironmentVariableIsSet("STEPWISE_LONG") ? 100 : 3;
@@ -58,11 +72,18 @@ TEST(ServeCommand, KilledAtAnyMomentItHasLostNoMoreThanASecond) {
     for (int i = 0; i < kills; ++i) {
         Service service({files.program, "--state", files.state});
         EXPECT_TRUE(service.status()["retain_problem"].isNull());
-        const double want = 130 + 37 * (i % 5); // scans of 10 ms: past the first save
-        ASSERT_TRUE(waitUntil([&] { return service.status()["scans"].toDouble() >= want; }));
+        const double want = 330 + 37 * (i % 5); // scans of 10 ms: past some saves
+        double scans = 0;
+        ASSERT_TRUE(waitUntil([&] { return (scans = service.status()["scans"].toDouble()) >= want; }));
         service.process.kill();
         ASSERT_TRUE(service.process.waitForFinished());
-        atLeast += 20;
+        // A second, and as much again for a machine that does other things as well.
+        constexpr double kLost = 200;
+        atLeast += scans - kLost;
+        const QFileInfoList written =
+            QDir(files.state + "/recording").entryInfoList({"*.rec"}, QDir::Files, QDir::Name);
+        ASSERT_FALSE(written.isEmpty());
+        EXPECT_GE(lastScanOf(written.last().filePath()), scans - kLost) << "kill " << i;
     }
     // What was retained goes on from start to start.
     session::Settings settings;

@@ -30,7 +30,8 @@ driver::Built builtCounter() {
 
 uint64_t sizeOf(const QString& folder) {
     uint64_t bytes = 0;
-    for (const auto& entry : fs::directory_iterator(folder.toStdString())) bytes += entry.file_size();
+    for (const auto& entry : fs::directory_iterator(folder.toStdString()))
+        if (entry.is_regular_file()) bytes += entry.file_size();
     return bytes;
 }
 
@@ -85,6 +86,42 @@ TEST(RecordingRing, FilesFollowOneAnotherWithoutGapAndStayWithinTheirSize) {
         end = last;
     }
     EXPECT_EQ(end, session.history().statistics().end) << "the last scan is there";
+}
+
+/// A day of scans of 10 ms as fast as the machine makes them: memory and disk stay within what they may take, whatever
+/// is on disk opens, the newest scan is there.
+TEST(RecordingRing, ADayInTestTimeStaysWithinItsLimits) {
+    const QTemporaryDir folder;
+    driver::BuildInput input;
+    input.files.push_back({"main.st",
+                           "PROGRAM Main VAR RETAIN n : DINT; END_VAR n := n + 1; END_PROGRAM CONFIGURATION C "
+                           "RESOURCE R ON PLC TASK T(INTERVAL := T#10ms, PRIORITY := 1); PROGRAM Main WITH T "
+                           ": Main; END_RESOURCE END_CONFIGURATION"});
+    session::Settings settings;
+    settings.historyBudget = size_t(8) << 20;
+    settings.retainFile = (folder.path() + "/retained").toStdString();
+    const uint64_t limit = uint64_t(4) << 20;
+    const QString recording = folder.path() + "/recording";
+    fs::create_directories(recording.toStdString());
+    session::Session session(driver::build(input), settings);
+    constexpr uint64_t kDay = 24 * 3600 * 100;
+    {
+        RecordingRing ring(session, {recording.toStdString(), limit, limit / 8, std::chrono::milliseconds(50)});
+        session.startThread({session::Pace::Fastest});
+        ASSERT_TRUE(waitUntil([&] { return session.status().scans >= kDay; }, 600'000));
+        EXPECT_LE(session.history().statistics().bytes, settings.historyBudget * 5 / 4);
+        EXPECT_TRUE(ring.figures().problem.empty()) << ring.figures().problem;
+        session.end();
+    }
+    EXPECT_LE(sizeOf(recording), limit + (uint64_t(8) << 20)) << "the file that is written may be one whole memory";
+    history::Position end = 0;
+    for (const fs::path& file : recordings(recording)) end = std::max(end, scansOf(file).second);
+    EXPECT_EQ(end, session.history().statistics().end);
+    settings.record = false;
+    session::Session after(driver::build(input), settings);
+    const auto n = after.controller().read("Main.n");
+    ASSERT_TRUE(n);
+    EXPECT_EQ(static_cast<uint64_t>(std::get<int64_t>(n->data)), session.status().scans);
 }
 
 TEST(RecordingRing, ANewStartGoesOnWithTheNextNumber) {
