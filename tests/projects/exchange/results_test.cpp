@@ -95,10 +95,11 @@ TEST_P(Results, OfADiagramAndOfItsGeneratedTextAreEqual) {
     int changes = 0;
     std::string before;
     for (int scan = 0; scan < 1000; ++scan) {
-        for (const char* name : {"a", "b"})
+        for (const char* name : {"a", "b"}) {
             if (random() % 4 == 0)
                 ASSERT_TRUE(controller.write(
                     name, {types::TypeTable::of(types::TypeKind::Bool), static_cast<int64_t>(random() % 2)}));
+        }
         for (const char* name : {"m", "n"})
             ASSERT_TRUE(controller.write(
                 name, {types::TypeTable::of(types::TypeKind::Int), static_cast<int64_t>(random() % 2000) - 1000}));
