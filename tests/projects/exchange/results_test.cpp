@@ -96,9 +96,10 @@ TEST_P(Results, OfADiagramAndOfItsGeneratedTextAreEqual) {
     std::string before;
     for (int scan = 0; scan < 1000; ++scan) {
         for (const char* name : {"a", "b"}) {
-            if (random() % 4 == 0)
+            if (random() % 4 == 0) {
                 ASSERT_TRUE(controller.write(
                     name, {types::TypeTable::of(types::TypeKind::Bool), static_cast<int64_t>(random() % 2)}));
+            }
         }
         for (const char* name : {"m", "n"})
             ASSERT_TRUE(controller.write(
