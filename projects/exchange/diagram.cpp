@@ -1,5 +1,7 @@
 #include "projects/exchange/diagram.h"
 
+#include "projects/exchange/diagram_graph.h"
+#include "projects/exchange/diagram_types.h"
 #include "projects/exchange/flow.h"
 #include "projects/exchange/plcopen_types.h"
 #include "runtime/base/text.h"
@@ -13,29 +15,6 @@ namespace plc::exchange {
 namespace {
 
 constexpr size_t kLongest = 20000; // characters of one expression: a diagram with more repeats itself
-
-struct Operator {
-    std::string_view function, word;
-    int level;
-};
-constexpr Operator kOperators[] = {
-    {"AND", "AND", Flow::kAnd},   {"OR", "OR", Flow::kOr},        {"XOR", "XOR", Flow::kXor},
-    {"ADD", "+", Flow::kSum},     {"SUB", "-", Flow::kSum},       {"MUL", "*", Flow::kProduct},
-    {"DIV", "/", Flow::kProduct}, {"MOD", "MOD", Flow::kProduct}, {"EQ", "=", Flow::kEqual},
-    {"NE", "<>", Flow::kEqual},   {"GT", ">", Flow::kLess},       {"GE", ">=", Flow::kLess},
-    {"LT", "<", Flow::kLess},     {"LE", "<=", Flow::kLess},
-};
-
-const Operator* operatorOf(std::string_view function) {
-    for (const Operator& each : kOperators)
-        if (equalsIgnoringCase(each.function, function)) return &each;
-    return nullptr;
-}
-
-bool isComparison(const Operator& op) { return op.level == Flow::kEqual || op.level == Flow::kLess; }
-bool isOneOf(std::string_view word, std::initializer_list<std::string_view> words) {
-    return std::any_of(words.begin(), words.end(), [&](std::string_view w) { return equalsIgnoringCase(w, word); });
-}
 
 /// The names that a text begins with or mentions, folded: "a.b[i]" mentions a and i.
 std::set<std::string> namesIn(std::string_view text) {
@@ -70,15 +49,10 @@ bool endsExecution(std::string_view name) { return name == "jump" || name == "re
 
 } // namespace
 
-struct Diagram::State {
+struct Diagram::State : DiagramGraph {
     State(pugi::xml_node body, const XmlFile& file, std::string unitName, const DiagramNames& known, Report& sink)
-        : body(body), file(file), unit(std::move(unitName)), names(known), report(sink) {
-        for (const pugi::xml_node node : body.children()) {
-            if (const std::string id = attribute(node, "localId"); !id.empty()) nodes.emplace(id, node);
-            if (is(node, "connector")) connectors.emplace(attribute(node, "name"), node);
-        }
-        for (const pugi::xml_node node : body.children()) countUses(node);
-    }
+        : DiagramGraph(body), file(file), unit(std::move(unitName)), names(known), report(sink),
+          types(*this, names.variableTypes, names.resultTypes) {}
 
     struct Statement {
         std::string text;
@@ -90,25 +64,20 @@ struct Diagram::State {
         std::string temporary;
     };
 
-    pugi::xml_node body;
     const XmlFile& file;
     std::string unit;
     const DiagramNames names;
     Report& report;
-    std::map<std::string, pugi::xml_node> nodes, connectors;
-    std::map<std::string, int> uses; // of "id" and "id:pin"
+    const DiagramTypes types;
     std::map<std::string, Known> known;
     std::set<std::string> emitted, inProgress;
     std::vector<Statement> statements;
     std::vector<std::pair<std::string, std::string>> variables;
 
-    // ------------------------------------------------------------ the graph
-
     std::string place(pugi::xml_node node) const {
         const int line = file.lineOf(node); // none: the diagram was made of another form
         return file.place() + (line > 0 ? ":" + std::to_string(line) : "") + " (" + unit + ")";
     }
-    static std::string idOf(pugi::xml_node node) { return attribute(node, "localId"); }
     std::string shown(pugi::xml_node node) const {
         std::string name = attribute(node, "instanceName");
         if (name.empty()) name = attribute(node, "typeName");
@@ -116,27 +85,6 @@ struct Diagram::State {
         if (name.empty()) name = trimmed(exchange::textOf(childOf(node, "expression")));
         return name.empty() ? std::string(localName(node)) + " " + idOf(node) : name;
     }
-    void countUses(pugi::xml_node node) {
-        for (const pugi::xml_node child : node.children()) {
-            if (is(child, "connection"))
-                ++uses[attribute(child, "refLocalId") + ":" + attribute(child, "formalParameter")];
-            countUses(child);
-        }
-    }
-    pugi::xml_node find(const std::string& id) const {
-        const auto it = nodes.find(id);
-        return it == nodes.end() ? pugi::xml_node() : it->second;
-    }
-    static bool isBlockInstance(pugi::xml_node block) { return !attribute(block, "instanceName").empty(); }
-    static pugi::xml_node pin(pugi::xml_node block, const char* list, std::string_view name) {
-        for (const pugi::xml_node variable : childOf(block, list).children())
-            if (equalsIgnoringCase(attribute(variable, "formalParameter"), name)) return variable;
-        return {};
-    }
-    static bool isConnected(pugi::xml_node holder) {
-        return static_cast<bool>(childOf(childOf(holder, "connectionPointIn"), "connection"));
-    }
-
     // ------------------------------------------------------------ values
 
     void write(std::string text, std::set<std::string> writes = {}) {
@@ -205,7 +153,7 @@ struct Diagram::State {
     Flow again(pugi::xml_node node, const std::string& pinName, Known& value) {
         if (!value.temporary.empty()) return {value.temporary, Flow::kPrimary};
         if (!wasWrittenSince(value)) return value.flow;
-        const std::string type = typeOf(node, pinName);
+        const std::string type = types.of(node, pinName);
         if (type.empty()) {
             report.add(place(node), remarks::DiagramResultRepeated(shown(node)));
             return value.flow;
@@ -225,8 +173,8 @@ struct Diagram::State {
         if (kind == "leftPowerRail") return Flow::yes();
         if (kind == "inVariable" || kind == "inOutVariable") return variableValue(node);
         if (kind == "continuation") {
-            const auto it = connectors.find(attribute(node, "name"));
-            return it == connectors.end() ? std::nullopt : guarded(it->second, pinName);
+            const pugi::xml_node connector = connectorNamed(attribute(node, "name"));
+            return connector ? guarded(connector, pinName) : std::nullopt;
         }
         if (kind == "block" && isBlockInstance(node)) return instanceOutput(node, pinName); // it stores its outputs
         const std::string key = idOf(node) + ":" + foldCase(pinName);
@@ -388,7 +336,7 @@ struct Diagram::State {
         const Flow condition = enable(block);
         Flow value;
         if (const bool isStored = !condition.isTrue() || isUsedTwice(block, pinName); isStored) {
-            const std::string type = typeOf(block, pinName);
+            const std::string type = types.of(block, pinName);
             if (!type.empty()) {
                 const std::string name = declare("result", idOf(block), type);
                 if (emitted.insert(idOf(block)).second)
@@ -405,11 +353,6 @@ struct Diagram::State {
         pugi::xml_node out = pin(block, "outputVariables", pinName);
         return isTrue(out, "negated") ? value.negated() : value;
     }
-    bool isUsedTwice(pugi::xml_node block, const std::string& pinName) const {
-        const auto it = uses.find(idOf(block) + ":" + pinName);
-        return it != uses.end() && it->second > 1;
-    }
-
     /// A box whose result goes straight into one variable: IF en THEN y := f(x); END_IF.
     bool runIntoVariable(pugi::xml_node sink) {
         const pugi::xml_node connection = childOf(childOf(sink, "connectionPointIn"), "connection");
@@ -429,101 +372,12 @@ struct Diagram::State {
         return true;
     }
 
-    bool hasUsedOutput(pugi::xml_node block) const {
-        const std::string prefix = idOf(block) + ":";
-        const auto it = uses.lower_bound(prefix);
-        for (auto each = it; each != uses.end() && each->first.starts_with(prefix); ++each)
-            if (!equalsIgnoringCase(each->first.substr(prefix.size()), "ENO")) return true;
-        return false;
-    }
-
     /// A function box of its own: nothing reads its result.
     void runFunction(pugi::xml_node block) {
         if (hasUsedOutput(block) || !emitted.insert(idOf(block)).second) return;
         const Flow value = functionValue(block);
         if (value.level() == Flow::kPrimary && value.text().ends_with(")"))
             write(guardedStatement(enable(block), value.text() + ";"));
-    }
-
-    // ------------------------------------------------------------ types
-
-    std::string typeAtPoint(pugi::xml_node point, int depth) const {
-        const pugi::xml_node connection = childOf(point, "connection");
-        return connection ? typeOf(find(attribute(connection, "refLocalId")), attribute(connection, "formalParameter"),
-                                   depth + 1)
-                          : std::string();
-    }
-
-    /// The type of an output as far as it can be known without the checker; "" when it cannot.
-    std::string typeOf(pugi::xml_node node, const std::string& pinName, int depth = 0) const {
-        if (!node || depth > 50) return {};
-        const std::string_view kind = localName(node);
-        if (kind == "contact" || kind == "leftPowerRail" || kind == "coil") return "BOOL";
-        if (equalsIgnoringCase(pinName, "ENO")) return "BOOL";
-        if (kind == "inVariable" || kind == "inOutVariable")
-            return typeOfText(trimmed(exchange::textOf(childOf(node, "expression"))));
-        if (kind == "continuation") {
-            const auto it = connectors.find(attribute(node, "name"));
-            return it == connectors.end() ? std::string()
-                                          : typeAtPoint(childOf(it->second, "connectionPointIn"), depth);
-        }
-        if (kind != "block") return {};
-        if (isBlockInstance(node)) {
-            if (isOneOf(pinName, {"Q", "Q1", "QU", "QD"})) return "BOOL";
-            if (isOneOf(pinName, {"ET"})) return "TIME";
-            if (isOneOf(pinName, {"CDT"})) return "DT";
-            return {};
-        }
-        return typeOfFunction(node, depth);
-    }
-    std::string typeOfFunction(pugi::xml_node block, int depth) const {
-        const std::string type = attribute(block, "typeName");
-        if (const auto it = names.resultTypes.find(foldCase(type)); it != names.resultTypes.end()) return it->second;
-        if (const Operator* op = operatorOf(type); op && isComparison(*op)) return "BOOL";
-        const std::string upper = [&] {
-            std::string text = type;
-            for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-            return text;
-        }();
-        if (const size_t to = upper.find("_TO_"); to != std::string::npos) return upper.substr(to + 4);
-        if (upper.starts_with("TO_")) return upper.substr(3);
-        if (isOneOf(upper, {"LEN", "FIND"})) return "INT";
-        if (isOneOf(upper, {"TRUNC"})) return "DINT";
-        if (isOneOf(upper, {"CONCAT", "LEFT", "RIGHT", "MID", "INSERT", "DELETE", "REPLACE"})) return "STRING";
-        const bool isSelection = isOneOf(upper, {"SEL", "MUX"});
-        if (!isSelection && !operatorOf(upper) &&
-            !isOneOf(upper, {"MOVE", "NOT",  "ABS",  "SQRT", "LN",  "LOG",   "EXP", "SIN", "COS", "TAN", "ASIN",
-                             "ACOS", "ATAN", "EXPT", "MAX",  "MIN", "LIMIT", "SHL", "SHR", "ROL", "ROR"}))
-            return {};
-        std::vector<std::string> types; // of the operands, "" where it is not known
-        for (const pugi::xml_node variable : childOf(block, "inputVariables").children())
-            if (!equalsIgnoringCase(attribute(variable, "formalParameter"), "EN"))
-                types.push_back(typeAtPoint(childOf(variable, "connectionPointIn"), depth));
-        if (isSelection && !types.empty()) types.erase(types.begin());
-        if (isOneOf(upper, {"SUB", "ADD"}) && std::any_of(types.begin(), types.end(), isDate))
-            return typeOfDates(types);
-        for (std::string& each : types)
-            if (!each.empty()) return std::move(each);
-        return {};
-    }
-    static bool isDate(const std::string& type) {
-        return isOneOf(type, {"DT", "DATE_AND_TIME", "LDT", "DATE", "LDATE", "D", "TOD", "TIME_OF_DAY", "LTOD"});
-    }
-    /// Two dates are a time apart; a time before or behind a date is one.
-    static std::string typeOfDates(const std::vector<std::string>& types) {
-        if (types.size() != 2 || types[1].empty()) return {};
-        if (isDate(types[1])) return types[1].front() == 'L' ? "LTIME" : "TIME";
-        return types[0];
-    }
-    std::string typeOfText(const std::string& text) const {
-        if (isOneOf(text, {"TRUE", "FALSE"})) return "BOOL";
-        if (const size_t hash = text.find('#');
-            hash != std::string::npos && std::isalpha(static_cast<unsigned char>(text[0]))) {
-            const std::string prefix = foldCase(text.substr(0, hash));
-            return prefix == "t" ? "TIME" : prefix == "lt" ? "LTIME" : text.substr(0, hash);
-        }
-        const auto it = names.variableTypes.find(foldCase(text));
-        return it == names.variableTypes.end() ? std::string() : it->second;
     }
 
     // ------------------------------------------------------------ statements
@@ -572,31 +426,6 @@ struct Diagram::State {
         if (isEmptyOperand(target)) return;
         if (!value) return report.add(place(node), remarks::DiagramNotConnected(target));
         assign(node, target, *value);
-    }
-
-    /// The order of execution: by number where the file gives one, else from top to bottom and left to right; tools
-    /// that store no positions store the networks in their order.
-    std::vector<pugi::xml_node> inOrder() const {
-        struct Row {
-            pugi::xml_node node;
-            int order, y, x;
-        };
-        std::vector<Row> rows;
-        for (const pugi::xml_node node : body.children()) {
-            const std::string_view kind = localName(node);
-            if (!isOneOf(kind, {"block", "outVariable", "inOutVariable", "coil", "label", "comment", "jump", "return"}))
-                continue;
-            const pugi::xml_node position = childOf(node, "position");
-            const int order = std::atoi(attribute(node, "executionOrderId").c_str());
-            rows.push_back({node, order > 0 ? order : INT32_MAX, position.attribute("y").as_int() / 10,
-                            position.attribute("x").as_int()});
-        }
-        std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
-            return std::tie(a.order, a.y, a.x) < std::tie(b.order, b.y, b.x);
-        });
-        std::vector<pugi::xml_node> out;
-        for (const Row& row : rows) out.push_back(row.node);
-        return out;
     }
 };
 

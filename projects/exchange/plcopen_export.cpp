@@ -3,6 +3,7 @@
 #include "projects/exchange/addresses.h"
 #include "projects/exchange/chart_export.h"
 #include "projects/exchange/imported.h"
+#include "projects/exchange/plcopen_export_parts.h"
 #include "projects/exchange/xml.h"
 #include "projects/storage/project_file.h"
 #include "runtime/base/messages.h"
@@ -38,12 +39,6 @@ Json sideFileOf(const projects::Project& project) {
 const Json& at(const Json& json, const std::string& name) {
     static const Json kNothing = Json::object();
     return json.is_object() && json.contains(name) ? json[name] : kNothing;
-}
-
-/// The same unit has the same id in every export.
-std::string idOf(const std::string& name) {
-    const std::string a = hashOf(name), b = hashOf("stepwise " + name);
-    return a.substr(0, 8) + "-" + a.substr(8, 4) + "-" + a.substr(12, 4) + "-" + b.substr(0, 4) + "-" + b.substr(4, 12);
 }
 
 class Exporter {
@@ -156,7 +151,7 @@ private:
                 gatherGlobals(file, *decl, isSameList);
                 break;
             case DeclKind::Configuration:
-                writeConfiguration(file, *decl->configuration);
+                writeConfiguration(m_configurations, *decl->configuration, writerOf(file));
                 break;
             case DeclKind::Namespace:
                 m_out.report.add(file.path, remarks::NamespaceNotExported());
@@ -275,7 +270,7 @@ private:
         switch (body.language) {
         case BodyLanguage::Sfc:
             ++m_out.report.bodies["SFC"];
-            noteChartComments(*body.chart, writer, unit);
+            noteCommentsOutside(*body.chart, writer, unit);
             return writeChart(holder.append_child("SFC"), *body.chart, at(at(at(m_side, "units"), unit), "positions"),
                               writer);
         case BodyLanguage::Il:
@@ -285,27 +280,6 @@ private:
         case BodyLanguage::None:
             if (!text.empty()) ++m_out.report.bodies["ST"];
             return writer.text(holder.append_child("ST"), text);
-        }
-    }
-
-    /// Comments above steps and transitions and in actions are kept; others of a chart have no place.
-    void noteChartComments(const syntax::SfcBody& chart, const XmlWriter& writer, const std::string& unit) {
-        std::vector<SourceRange> kept;
-        for (const syntax::StepDecl* each : chart.steps)
-            kept.push_back({each->range.file, each->extent.begin, each->range.begin});
-        for (const syntax::TransitionDecl* each : chart.transitions) {
-            kept.push_back({each->range.file, each->extent.begin, each->range.begin});
-            if (each->condition) kept.push_back(each->condition->range);
-        }
-        for (const syntax::ActionDecl* each : chart.actions) kept.push_back(each->extent);
-        for (const lex::Comment& comment : writer.source().comments()) {
-            if (comment.begin < chart.range.begin || comment.end > chart.range.end) continue;
-            const bool isKept = std::any_of(kept.begin(), kept.end(), [&](SourceRange range) {
-                return comment.begin >= range.begin && comment.end <= range.end;
-            });
-            if (isKept) continue;
-            const std::string text(writer.source().all().substr(comment.begin, comment.end - comment.begin));
-            writer.lose(remarks::CommentLost(unit + ": " + text.substr(0, text.find('\n'))));
         }
     }
 
@@ -385,37 +359,8 @@ private:
             if (type.spec && type.spec->extends) writer.lose(remarks::InheritanceNotInEdition(name));
             return writer.documentation(node, type.comment);
         }
-        writer.plainText(node, typeText(file, type));
+        writer.plainText(node, textOfType(*file.tree, *file.view, type));
         identify(node, &file, name);
-    }
-
-    /// TYPE … END_TYPE of one declaration, with what stands above the block in front of its first.
-    static std::string typeText(const File& file, const syntax::TypeDecl& type) {
-        const auto& tokens = file.tree->tokens.tokens;
-        const SourceView& view = *file.view;
-        auto first = std::lower_bound(tokens.begin(), tokens.end(), type.range.begin,
-                                      [](const lex::Token& token, uint32_t at) { return token.begin < at; });
-        while (first != tokens.begin() && (first - 1)->kind == lex::TokenKind::Pragma) --first;
-        std::string above;
-        uint32_t begin = view.leadingBegin(type.range.begin);
-        std::string word = "TYPE";
-        auto opening = first; // TYPE, TYPE PUBLIC
-        while (opening != tokens.begin() && (opening - 1)->kind == lex::TokenKind::Identifier) --opening;
-        if (opening != tokens.begin() && (opening - 1)->kind == lex::TokenKind::TypeWord) {
-            --opening;
-            const uint32_t top = view.leadingBegin(opening->begin);
-            above = std::string(view.all().substr(top, opening->begin - top));
-            word = trimmed(view.all().substr(opening->begin, begin - opening->begin));
-            if (word.empty()) word = "TYPE";
-        }
-        auto behind = std::lower_bound(tokens.begin(), tokens.end(), type.range.end,
-                                       [](const lex::Token& token, uint32_t at) { return token.begin < at; });
-        uint32_t end = view.trailingEnd(type.range.end);
-        if (behind != tokens.end() && behind->kind == lex::TokenKind::EndType) end = std::max(end, behind->begin);
-        const bool sameLine =
-            view.all().substr(opening->begin, begin - opening->begin).find('\n') == std::string_view::npos;
-        std::string body = trimmedLines(view.all().substr(begin, end - begin));
-        return above + word + (sameLine ? " " + trimmed(body) : "\n" + body) + "\nEND_TYPE";
     }
 
     // ------------------------------------------------------------ globals
@@ -453,15 +398,6 @@ private:
         if (section.persistent && !node.attribute("persistent")) node.append_attribute("persistent") = true;
         writer.variables(node, section.declarations);
     }
-    /// {gvl NAME} is the list's name in the file.
-    static std::string withoutListName(std::string text) {
-        const size_t at = text.find("{gvl");
-        if (at == std::string::npos) return text;
-        const size_t end = text.find('}', at);
-        if (end == std::string::npos || text.find("VAR_GLOBAL") < at) return text;
-        text.erase(at, end + 1 - at);
-        return trimmedLines(text);
-    }
     /// 0201 has globals in configurations and resources only.
     pugi::xml_node plainGlobals() {
         pugi::xml_node configuration = m_configurations.child("configuration");
@@ -473,75 +409,7 @@ private:
         return configuration;
     }
 
-    // ------------------------------------------------------------ configuration
-
-    void writeConfiguration(const File& file, const syntax::ConfigurationDecl& decl) {
-        const XmlWriter writer = writerOf(file);
-        pugi::xml_node node = m_configurations.append_child("configuration");
-        node.append_attribute("name") = std::string(decl.name.text).c_str();
-        for (const syntax::ResourceDecl* resource : decl.resources) writeResource(node, *resource, writer);
-        for (const syntax::VarSection* section : decl.sections) writer.section(node, *section);
-        const SourceView& view = *file.view;
-        const uint32_t begin = view.leadingBegin(decl.range.begin);
-        writer.plainText(node, trimmedLines(view.all().substr(begin, decl.range.end - begin)));
-    }
-
-    void writeResource(pugi::xml_node configuration, const syntax::ResourceDecl& decl, const XmlWriter& writer) {
-        pugi::xml_node node = configuration.append_child("resource");
-        node.append_attribute("name") = decl.name.isValid() ? std::string(decl.name.text).c_str() : "Resource1";
-        for (const syntax::TaskDecl* task : decl.tasks) {
-            pugi::xml_node each = writeTask(node, *task, writer);
-            for (const syntax::ProgramInstance* program : decl.programs)
-                if (equalsIgnoringCase(program->task.text, task->name.text)) writeInstance(each, *program, writer);
-        }
-        for (const syntax::VarSection* section : decl.sections) writer.section(node, *section);
-        for (const syntax::ProgramInstance* program : decl.programs)
-            if (!program->task.isValid()) writeInstance(node, *program, writer);
-    }
-
-    pugi::xml_node writeTask(pugi::xml_node resource, const syntax::TaskDecl& task, const XmlWriter& writer) {
-        pugi::xml_node node = resource.append_child("task");
-        node.append_attribute("name") = std::string(task.name.text).c_str();
-        const SourceView& view = writer.source();
-        if (task.single) node.append_attribute("single") = view.text(task.single).c_str();
-        if (task.interval) node.append_attribute("interval") = view.text(task.interval).c_str();
-        node.append_attribute("priority") = task.priority ? view.text(task.priority).c_str() : "0";
-        if (isPlain() && !task.others.empty())
-            writer.lose(remarks::TaskSettingNotInEdition(task.others.front().name.text));
-        return node;
-    }
-
-    void writeInstance(pugi::xml_node parent, const syntax::ProgramInstance& program, const XmlWriter& writer) {
-        pugi::xml_node node = parent.append_child("pouInstance");
-        node.append_attribute("name") = std::string(program.name.text).c_str();
-        std::string type;
-        for (const syntax::Name& part : program.type) type += (type.empty() ? "" : ".") + std::string(part.text);
-        node.append_attribute("typeName") = type.c_str();
-        if (isPlain() && !(program.connections.empty() && program.blockTasks.empty()))
-            writer.lose(remarks::ConnectionsNotInEdition(program.name.text));
-    }
-
     // ------------------------------------------------------------ the project
-
-    static void addFolder(pugi::xml_node structure, const std::string& folder, const std::vector<std::string>& units) {
-        pugi::xml_node node = structure;
-        for (size_t at = 0; at < folder.size();) {
-            const size_t end = std::min(folder.find('/', at), folder.size());
-            const std::string name = folder.substr(at, end - at);
-            pugi::xml_node next = node.find_child_by_attribute("Folder", "Name", name.c_str());
-            if (!next) {
-                next = node.append_child("Folder");
-                next.append_attribute("Name") = name.c_str();
-            }
-            node = next;
-            at = end + 1;
-        }
-        for (const std::string& unit : units) {
-            pugi::xml_node object = node.append_child("Object");
-            object.append_attribute("Name") = unit.c_str();
-            object.append_attribute("ObjectId") = idOf(unit).c_str();
-        }
-    }
 
     void writeProjectData() {
         if (!m_project.panels.empty()) m_out.report.add("hmi", remarks::PanelsNotExported());

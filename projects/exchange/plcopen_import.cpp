@@ -5,6 +5,7 @@
 #include "projects/exchange/plcopen_configuration.h"
 #include "projects/exchange/plcopen_interface.h"
 #include "projects/exchange/plcopen_types.h"
+#include "projects/exchange/text_import.h"
 #include "runtime/base/text.h"
 
 #include <algorithm>
@@ -75,6 +76,9 @@ private:
         m_product = attribute(header, "productName");
         Json& source = m_out.side["source"];
         source["format"] = isEdition0201(project) ? "PLCopen XML 0201" : "PLCopen XML 0200";
+        // Beremiz and OpenPLC write the name that the project has, "Unnamed" as a rule; nobody else writes 0201
+        if (const bool isNamed = !m_product.empty() && m_product != "Unnamed"; !isNamed && isEdition0201(project))
+            m_product = "Beremiz or OpenPLC,";
         if (!m_product.empty()) source["product"] = m_product + " " + attribute(header, "productVersion");
         if (const std::string company = attribute(header, "companyName"); !company.empty()) source["company"] = company;
     }
@@ -310,9 +314,11 @@ private:
             if (!language) continue;
             const std::string name(localName(language));
             std::string text;
-            if (name == "ST" || name == "IL")
+            if (name == "ST" || name == "IL") {
                 text = trimmedLines(exchange::textOf(language));
-            else if (name == "SFC")
+                if (isEdition0201(m_file.root()) && commentOutC(text))
+                    m_out.report.add(place(language), remarks::CodeSkipped());
+            } else if (name == "SFC")
                 text = readChart(language, element, piece, path);
             else
                 text = readDiagram(language, element, piece, path);

@@ -10,7 +10,7 @@ void importCodesys2Text(const std::string& text, const std::string& place, Impor
 /// One file stays one file.
 void importLooseText(const std::string& text, const std::string& place, const std::string& folder,
                      const std::string& name, Imported& imported);
-/// C code between {{ and }} becomes a comment; true when there was some.
+/// C code between {{ and }}, and in pragmas as MATIEC has it, becomes a comment; true when there was some.
 bool commentOutC(std::string& text);
 
 } // namespace plc::exchange

@@ -31,6 +31,40 @@ std::optional<std::string> panelType(std::string_view name) {
     return known == std::end(kElementary) ? std::nullopt : std::optional(std::string(*known));
 }
 
+struct ToolBlock {
+    std::string_view name, needs, text;
+};
+
+/// Blocks of Beremiz that reach out of the controller: with their connections, so that programs which use them can be
+/// checked and run; they do nothing here.
+constexpr ToolBlock kBeremizBlocks[] = {
+    {"LOGGER", "LOGLEVEL",
+     "FUNCTION_BLOCK LOGGER\nVAR_INPUT\n    TRIG : BOOL;\n    MSG : STRING;\n    LEVEL : LOGLEVEL := INFO;\n"
+     "END_VAR\nEND_FUNCTION_BLOCK\n"},
+    {"LOGLEVEL", "", "TYPE LOGLEVEL : (CRITICAL, WARNING, INFO, DEBUG) := INFO;\nEND_TYPE\n"},
+    {"python_eval", "",
+     "FUNCTION_BLOCK python_eval\nVAR_INPUT\n    TRIG : BOOL;\n    CODE : STRING;\nEND_VAR\nVAR_OUTPUT\n    ACK : "
+     "BOOL;\n"
+     "    RESULT : STRING;\nEND_VAR\nEND_FUNCTION_BLOCK\n"},
+    {"python_poll", "",
+     "FUNCTION_BLOCK python_poll\nVAR_INPUT\n    TRIG : BOOL;\n    CODE : STRING;\nEND_VAR\nVAR_OUTPUT\n    ACK : "
+     "BOOL;\n"
+     "    RESULT : STRING;\nEND_VAR\nEND_FUNCTION_BLOCK\n"},
+    {"python_gear", "",
+     "FUNCTION_BLOCK python_gear\nVAR_INPUT\n    N : UINT;\n    TRIG : BOOL;\n    CODE : STRING;\nEND_VAR\nVAR_OUTPUT\n"
+     "    ACK : BOOL;\n    RESULT : STRING;\nEND_VAR\nEND_FUNCTION_BLOCK\n"}};
+
+/// Writes each block that is used and that nothing declares; one of them may need another.
+void addToolBlocks(Imported& imported, std::set<std::string> used, const std::set<std::string>& declared) {
+    for (const ToolBlock& block : kBeremizBlocks)
+        if (used.count(foldCase(block.name)) && !block.needs.empty()) used.insert(foldCase(block.needs));
+    for (const ToolBlock& block : kBeremizBlocks) {
+        if (!used.count(foldCase(block.name)) || declared.count(foldCase(block.name))) continue;
+        addFile(imported, "", std::string(block.name), std::string(block.text));
+        imported.report.add(imported.files.back().path, remarks::ToolBlockEmpty(block.name));
+    }
+}
+
 std::optional<std::string> twinCatType(std::string_view name) {
     for (const ToolType& each : kTwinCat)
         if (equalsIgnoringCase(name, each.name)) return std::string(each.type);
@@ -50,7 +84,8 @@ void gather(std::string_view text, std::map<std::string, std::string>& used, std
                             equalsIgnoringCase(text.substr(before.begin, before.end - before.begin), "TO");
         if (isType)
             used.emplace(foldCase(name), name);
-        else if (i + 1 < list.tokens.size() && list.tokens[i + 1].kind == TokenKind::Colon)
+        else if (before.kind == TokenKind::FunctionBlock ||
+                 (i + 1 < list.tokens.size() && list.tokens[i + 1].kind == TokenKind::Colon))
             declared.insert(foldCase(name));
     }
 }
@@ -70,6 +105,11 @@ void addToolTypes(Imported& imported) {
     std::map<std::string, std::string> used;
     std::set<std::string> declared;
     for (const ImportedFile& file : imported.files) gather(file.text, used, declared);
+    if (isBeremiz) {
+        std::set<std::string> names;
+        for (const auto& [folded, name] : used) names.insert(folded);
+        addToolBlocks(imported, std::move(names), declared);
+    }
     std::string text;
     for (const auto& [folded, name] : used)
         if (const auto type = isBeremiz ? panelType(name) : twinCatType(name); type && !declared.count(folded))

@@ -137,6 +137,7 @@ Interpreter::Flow Interpreter::statement(const Stmt& at) {
     case StmtKind::Block:
         return block(at.body);
     case StmtKind::Call:
+    case StmtKind::Try:
     case StmtKind::Jump:
     case StmtKind::Il:
         break;

@@ -14,8 +14,12 @@ class FaultExit {
 public:
     /// Runs body(argument); false when it left through a fault (code, site and detail are in the context).
     [[nodiscard]] bool run(void (*body)(void*), void* argument);
-    /// Jumps back to the innermost run().
+    /// Jumps back to run().
     [[noreturn]] void leave();
+    /// Runs a protected part of a function; a fault inside that can be caught comes back here, not to run().
+    uint32_t protect(image::RuntimeContext& context, std::byte* self, int64_t frame, image::ProtectedPart part);
+    /// A fault: back to the innermost protected part, or to run() when nothing protects or the fault cannot be caught.
+    [[noreturn]] void raise(image::RuntimeContext& context);
 
     void* self = nullptr;               // handed to the callbacks
     std::function<bool()> wantsToLeave; // asked before each refill; may be empty
@@ -28,7 +32,14 @@ public:
     bool (*atSite)(void* self, uint32_t site, uint32_t instance, uint32_t frame) = nullptr;
 
 private:
+    /// A protected part that is being run, on the stack of the scan.
+    struct Protected {
+        std::jmp_buf entry;
+        Protected* outer;
+        uint32_t depth;
+    };
     std::jmp_buf m_entry;
+    Protected* m_innermost = nullptr;
 };
 
 } // namespace plc::controller

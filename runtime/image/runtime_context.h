@@ -60,6 +60,10 @@ struct RuntimeContext {
     uint64_t stackLimit = 0; // set by each entry: recursive functions do not go below it on the thread's own stack
 };
 
+/// How a protected part of a function ends when no fault leaves it; exception codes are greater.
+enum class Leaving : uint32_t { End, Exit, Continue, Return };
+using ProtectedPart = uint32_t (*)(RuntimeContext*, std::byte* image, std::byte* self, int64_t frame);
+
 /// Entry of a program, function block body or task part: runs to its end or leaves through plcFault.
 using Entry = void (*)(RuntimeContext*, std::byte* image, uint32_t instance);
 
@@ -75,5 +79,8 @@ struct RuntimeSymbols {
     void (*budgetUsedUp)(RuntimeContext*) = nullptr;
     /// The statement at `site` is about to run (only called where siteFlags[site] != 0).
     void (*atSite)(RuntimeContext*, uint32_t site, uint32_t instance, uint32_t frame) = nullptr;
+    /// Runs a protected part of a function (__TRY) on the same THIS and frame. How it was left: a Leaving, or the
+    /// exception code of the fault that left it (the fault itself is in the context).
+    uint32_t (*protect)(RuntimeContext*, std::byte* image, std::byte* self, int64_t frame, ProtectedPart) = nullptr;
 };
 } // namespace plc::image

@@ -40,6 +40,7 @@ void Recorder::receive(image::RuntimeContext* context, const void* node, WatchKi
 void Recorder::report(image::RuntimeContext& context, const void* node, WatchKind kind, uint64_t where, uint64_t a,
                       uint64_t b) {
     if (kind == WatchKind::Begin) begin(where, static_cast<uint32_t>(a), context.depth);
+    while (!m_running.empty() && m_running.back().depth > context.depth) m_running.pop_back(); // left by a caught fault
     if (m_running.empty()) return;
     if (kind == WatchKind::Pass) pass(*static_cast<const tree::Stmt*>(node));
     if (kind == WatchKind::Load) return load(context, *static_cast<const tree::Expr*>(node), where, a, b);

@@ -42,6 +42,10 @@ void plc_budget_used_up(RuntimeContext* context) { plc::controller::runtimeSymbo
 void plc_at_site(RuntimeContext* context, uint32_t site, uint32_t instance, uint32_t frame) {
     plc::controller::runtimeSymbols().atSite(context, site, instance, frame);
 }
+uint32_t plc_protect(RuntimeContext* context, std::byte* image, std::byte* self, int64_t frame,
+                     plc::image::ProtectedPart part) {
+    return plc::controller::runtimeSymbols().protect(context, image, self, frame, part);
+}
 
 /// The libraries' functions that generated code may call by itself: here they get into the runner.
 #define PLC_OWN1(Name)                                                                                                 \

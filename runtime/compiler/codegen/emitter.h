@@ -82,6 +82,7 @@ public:
     enum class Effects : uint8_t { None, ReadsArguments, WritesArguments, Context, Fault, Any };
     llvm::FunctionCallee helper(const char* name, llvm::Type* result, llvm::ArrayRef<llvm::Type*> parameters,
                                 Effects effects);
+    void addAttributes(llvm::Function& function);
     llvm::Function* raise(); // stores code, site and details, leaves
     llvm::Function* watchFunction();
     llvm::Function* siteCheck(); // quick tier: notes the statement, stops when flagged
@@ -131,7 +132,6 @@ private:
     void limitInlining();
     void resolvePatches();
     uint64_t need(uint32_t function);
-    void addAttributes(llvm::Function& function);
     struct SizePatch {
         llvm::Instruction* instruction;
         unsigned operand;
@@ -165,7 +165,9 @@ private:
     using Block = llvm::BasicBlock;
 
     // function_emitter.cpp
+    Block* emitEntry(); // what every part of a function begins with; returns the block behind it
     void emitPrologue();
+    void closeBlocks();
     void emitEpilogue();
     void guardStack();
     void initialiseLocal(uint32_t local);
@@ -305,6 +307,19 @@ private:
     std::vector<Value*> callArguments(const tree::Call& call);
     void popCall(Value* depth);
     Value* resolveTarget(const tree::Call& call, Value* self64, Value*& functionId);
+
+    // protected.cpp: __TRY
+    FunctionEmitter(const FunctionEmitter& outer, llvm::Function* part);
+    void protectedStatement(const tree::Stmt& stmt);
+    void catchFault(const tree::Stmt& stmt, llvm::AllocaInst* left);
+    void finish(const std::vector<tree::Stmt*>& statements, llvm::AllocaInst* left);
+    Value* protectedPart(const std::vector<tree::Stmt*>& statements);
+    void emitPart(const std::vector<tree::Stmt*>& statements);
+    void loadInOuts();
+    void leave(image::Leaving how);
+    void goOnLeaving(Value* how);
+    Value* isFault(Value* left);
+    llvm::AllocaInst* m_leaving = nullptr; // in a protected part: how it is left
 
     // statements.cpp, loops.cpp
     void body(const std::vector<tree::Stmt*>& statements);

@@ -109,7 +109,7 @@ void FunctionEmitter::setSite(const tree::Stmt& stmt) {
     b.CreateCall(m.siteCheck(), {m_context, int32(site)});
 }
 
-void FunctionEmitter::emitPrologue() {
+FunctionEmitter::Block* FunctionEmitter::emitEntry() {
     Block* entry = newBlock("entry");
     Block* start = newBlock("start");
     m_return = newBlock("return");
@@ -127,7 +127,6 @@ void FunctionEmitter::emitPrologue() {
     auto* next = llvm::BinaryOperator::CreateAdd(m_frame64, int64(0), "next", m_entryEnd->getIterator());
     m_nextFrame = next;
     m.patchFrameSize(next, 1, m_index);
-    m_temporaryTop = m_frameSize = m_facts.frame.size;
     m_labels.assign(m_tree.labelCount + 1, nullptr);
     m_labelPlaced.assign(m_tree.labelCount + 1, false);
     m_locals.assign(m_tree.locals.size(), nullptr);
@@ -143,8 +142,13 @@ void FunctionEmitter::emitPrologue() {
             m_locals[i] = newSlot(m.memoryType(local.type), "local");
         }
     }
-    if (!m.isQuick() && m_facts.hasLoop) m_budget = newSlot(m.i64, "budget");
-    enter(start);
+    if (!m.isQuick() && m_facts.hasLoop && !m_facts.hasTry) m_budget = newSlot(m.i64, "budget");
+    return start;
+}
+
+void FunctionEmitter::emitPrologue() {
+    m_temporaryTop = m_frameSize = m_facts.frame.size;
+    enter(emitEntry());
     reloadBudget();
     for (const tree::Stmt* stmt : m_tree.body)
         if (const uint32_t site = m.facts.sites().siteOf(*stmt)) {
@@ -186,15 +190,16 @@ void FunctionEmitter::emitPrologue() {
             b.CreateStore(given, m_locals[i]);
             Address slot;
             slot.base = m_framePointer;
-            slot.constant = m.isQuick() ? m_facts.frame.offsets[i] : 0;
+            const bool isInFrame = m_facts.frame.offsets[i] != kNoFrame;
+            slot.constant = isInFrame ? m_facts.frame.offsets[i] : 0;
             // quick code leaves it in the frame too, where a halted program is looked at
-            if (m.isQuick()) b.CreateAlignedStore(given, pointer(slot), llvm::Align(1));
+            if (isInFrame) b.CreateAlignedStore(given, pointer(slot), llvm::Align(1));
             for (auto& [low, high] : m_localBounds[i])
                 for (llvm::AllocaInst* bound : {low, high}) {
                     Value* value = m_function->getArg(argument++);
                     b.CreateStore(value, bound);
                     slot.constant += 8;
-                    if (m.isQuick()) b.CreateAlignedStore(value, pointer(slot), llvm::Align(1));
+                    if (isInFrame) b.CreateAlignedStore(value, pointer(slot), llvm::Align(1));
                 }
         }
     }
@@ -304,10 +309,14 @@ void FunctionEmitter::emitEpilogue() {
             b.CreateRet(all);
         }
     }
-    // Blocks left open (dead code behind EXIT, RETURN, JMP) end nowhere.
+    closeBlocks();
+    m.frameSizes[m_index] = (m_frameSize + 15) / 16 * 16;
+}
+
+/// Blocks left open (dead code behind EXIT, RETURN, JMP) end nowhere.
+void FunctionEmitter::closeBlocks() {
     for (Block& block : *m_function)
         if (!block.getTerminator()) new llvm::UnreachableInst(m.context, &block);
-    m.frameSizes[m_index] = (m_frameSize + 15) / 16 * 16;
 }
 
 /// Beyond the greatest frame the offset means nothing: then the function is refused.

@@ -209,7 +209,7 @@ void FunctionEmitter::forLoop(const Stmt& stmt) {
     storeCounter(loop, loop.first);
     // A label makes it possible to jump into the body: then nothing may be known that only the way through the head
     // makes true.
-    if (m_tree.labelCount > 0 || mayChange(*stmt.place, stmt.body))
+    if (m_tree.labelCount > 0 || m_facts.hasTry || mayChange(*stmt.place, stmt.body))
         steppedLoop(loop);
     else
         countedLoop(loop);

@@ -76,16 +76,17 @@ void FunctionEmitter::plainStatement(const Stmt& stmt) {
     case StmtKind::For:
         forLoop(stmt);
         break;
+    case StmtKind::Try:
+        protectedStatement(stmt);
+        break;
     case StmtKind::Exit:
+        leave(image::Leaving::Exit);
+        break;
     case StmtKind::Continue:
-        if (!m_loops.empty()) {
-            b.CreateBr(stmt.kind == StmtKind::Exit ? m_loops.back().exit : m_loops.back().next);
-            enter(newBlock("dead"));
-        }
+        leave(image::Leaving::Continue);
         break;
     case StmtKind::Return:
-        b.CreateBr(m_return);
-        enter(newBlock("dead"));
+        leave(image::Leaving::Return);
         break;
     case StmtKind::Label: {
         Block* block = labelBlock(stmt.label);

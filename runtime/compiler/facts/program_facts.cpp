@@ -33,6 +33,9 @@ protected:
         case StmtKind::Jump:
             m_out.hasLoop = m_out.charges = m_out.canFault = true;
             break;
+        case StmtKind::Try:
+            m_out.hasTry = m_out.canFault = true;
+            break;
         case StmtKind::Assign:
             if (mayLeaveRange(*m_program.types, *stmt.a, stmt.place->type)) m_out.canFault = true;
             break;
@@ -235,7 +238,7 @@ void ProgramFacts::collect(uint32_t index) {
     scan.walkFunction(function);
     for (size_t i = 0; i < function.locals.size(); ++i) {
         if (function.locals[i].isInOut) inMemory[i] = false;
-        if (m_tier == Tier::Quick) inMemory[i] = true;
+        if (m_tier == Tier::Quick || facts.hasTry) inMemory[i] = true; // protected parts are functions of their own
     }
     facts.frame = layFrameOut(types, function, inMemory);
 }

@@ -19,6 +19,7 @@ struct FunctionFacts {
     bool charges = false;     // touches the budget of work, itself or through callees
     bool hasLoop = false;     // itself
     bool hasSlots = false;    // follows IN_OUT slots of its instance
+    bool hasTry = false;      // itself
     bool inCycle = false;     // of calls
     bool isUnbounded = false; // reaches a cycle: frames are checked as they come
     WriteSummary writes;

@@ -76,6 +76,9 @@ private:
         case StmtKind::Label:
         case StmtKind::Jump:
             return 1 + place(stmt.place) + place(stmt.target) + expression(stmt.a);
+        case StmtKind::Try:
+            return kCallNodes + body(stmt.body) + body(stmt.elseBody) +
+                   (stmt.arms.empty() ? 0 : body(stmt.arms[0].body));
         case StmtKind::Block:
             return body(stmt.body);
         }

@@ -326,6 +326,23 @@ void Structure::statement(const Stmt& stmt) {
         block(stmt.body);
         break;
     }
+    case StmtKind::Try: {
+        const auto part = [&](uint32_t from, uint32_t end, const Block& statements) {
+            region(from, tokenBehind(end));
+            block(statements);
+        };
+        for (const IfBranch& branch : stmt.branches)
+            part(branch.condition ? headerEnd(branch.condition->range.end, TokenKind::RightParen, stmt.range.end)
+                                  : m_tokens[tokenAt(branch.range.begin)].end,
+                 branch.range.end, branch.body);
+        if (stmt.hasElse) {
+            size_t at = tokenAt(stmt.branches.back().range.end);
+            while (at < m_tokens.size() && m_tokens[at].kind != TokenKind::Finally) ++at;
+            if (at < m_tokens.size()) region(m_tokens[at].end, m_tokens[lastTokenOf(stmt.range)].begin);
+            block(stmt.elseBody);
+        }
+        break;
+    }
     case StmtKind::Label:
         labelColonBehind(stmt.name.range.end);
         break;

@@ -120,6 +120,7 @@ llvm::orc::SymbolMap runtimeSymbols(llvm::orc::LLJIT& jit) {
     add("plc_fault", addressOf(g_symbols.fault));
     add("plc_budget_used_up", addressOf(g_symbols.budgetUsedUp));
     add("plc_at_site", addressOf(g_symbols.atSite));
+    add("plc_protect", addressOf(g_symbols.protect));
     add("memcpy", addressOf<void*(void*, const void*, size_t)>(&std::memcpy));
     add("memmove", addressOf<void*(void*, const void*, size_t)>(&std::memmove));
     add("memset", addressOf<void*(void*, int, size_t)>(&std::memset));

@@ -415,6 +415,7 @@ private:
         case StmtKind::For:
             return count(s);
         case StmtKind::Il:
+        case StmtKind::Try:
         case StmtKind::Run:
         case StmtKind::Assert:
         case StmtKind::Force:

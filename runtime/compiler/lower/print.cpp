@@ -85,6 +85,18 @@ private:
             block(s.body, indent + 4);
             line(indent, "UNTIL " + print(*s.value));
             return line(indent, "END_REPEAT");
+        case StmtKind::Try:
+            line(indent, "__TRY");
+            block(s.branches.front().body, indent + 4);
+            for (size_t i = 1; i < s.branches.size(); ++i) {
+                line(indent, "__CATCH(" + print(*s.branches[i].condition) + ")");
+                block(s.branches[i].body, indent + 4);
+            }
+            if (s.hasElse) {
+                line(indent, "__FINALLY");
+                block(s.elseBody, indent + 4);
+            }
+            return line(indent, "__ENDTRY");
         case StmtKind::Exit:
             return line(indent, "EXIT;");
         case StmtKind::Continue:

@@ -327,7 +327,8 @@ Expr* Parser::parseMember(Expr* base, bool& isNamed) {
         e->kind = ExprKind::Bit;
         e->text = textOf(member);
         advance();
-    } else if ((member.kind == TokenKind::Identifier && !member.afterNewline) ||
+    } else if ((member.kind == TokenKind::Identifier &&
+                (!member.afterNewline || (base->kind == ExprKind::Call && kind(1) == TokenKind::LeftParen))) ||
                (adjacent && (lex::isKeyword(member.kind) || member.kind == TokenKind::WstringLiteral))) {
         e->kind = ExprKind::Member;
         e->name = nameOf(member);

@@ -291,6 +291,7 @@ private:
     Stmt* parseFor();
     Stmt* parseWhile();
     Stmt* parseRepeat();
+    Stmt* parseTry();
     Stmt* parseSimple();
     bool atCaseLabel() const;
     void parseCaseLabels(CaseArm& arm);

@@ -75,6 +75,9 @@ bool Parser::atStatementEnd() const {
     case TokenKind::EndConfiguration:
     case TokenKind::EndResource:
     case TokenKind::EndTest:
+    case TokenKind::Catch:
+    case TokenKind::Finally:
+    case TokenKind::EndTry:
         return true;
     default:
         return false;
@@ -101,11 +104,14 @@ Block Parser::parseStatements(BodyContext context) {
                 if (endIsOpen(TokenKind::EndIf) || (at(TokenKind::Else) && endIsOpen(TokenKind::EndCase))) return out;
             } else if (at(TokenKind::Until)) {
                 if (endIsOpen(TokenKind::EndRepeat)) return out;
+            } else if (atAny({TokenKind::Catch, TokenKind::Finally})) {
+                if (endIsOpen(TokenKind::EndTry)) return out;
             } else if (endIsOpen(kind())) {
                 return out;
             } else if (context != BodyContext::Fragment &&
                        !atAny({TokenKind::EndCase, TokenKind::EndFor, TokenKind::EndIf, TokenKind::EndRepeat,
-                               TokenKind::EndWhile, TokenKind::EndVar, TokenKind::EndStruct})) {
+                               TokenKind::EndWhile, TokenKind::EndVar, TokenKind::EndStruct, TokenKind::EndTry,
+                               TokenKind::Catch, TokenKind::Finally})) {
                 return out; // the end of another unit: the caller says what is missing
             }
             report(rangeOf(peek()), findings::UnexpectedToken(shown(peek())));
@@ -165,6 +171,9 @@ Stmt* Parser::parseStatement() {
         break;
     case TokenKind::Repeat:
         stmt = parseRepeat();
+        break;
+    case TokenKind::Try:
+        stmt = parseTry();
         break;
     case TokenKind::Exit:
     case TokenKind::Continue:
@@ -538,6 +547,39 @@ Stmt* Parser::parseRepeat() {
         stmt->value = errorExpr();
     }
     if (expectEnd(TokenKind::EndRepeat, opening)) take(TokenKind::Semicolon);
+    return stmt;
+}
+
+/// __TRY … __CATCH(code) … __FINALLY … __ENDTRY (CODESYS): at least one of the two parts behind.
+Stmt* Parser::parseTry() {
+    Stmt* stmt = makeStmt(StmtKind::Try);
+    const Token opening = peek();
+    const auto part = [&](bool isCatch) {
+        IfBranch branch;
+        const size_t first = mark();
+        advance();
+        if (isCatch) {
+            expect(TokenKind::LeftParen);
+            branch.condition = parsePlace();
+            expect(TokenKind::RightParen);
+        }
+        branch.body = parseBlock(TokenKind::EndTry);
+        branch.range = rangeFrom(first);
+        return branch;
+    };
+    stmt->branches.push_back(part(false));
+    if (at(TokenKind::Catch)) stmt->branches.push_back(part(true));
+    if (at(TokenKind::Finally)) {
+        stmt->hasElse = true;
+        stmt->elseBody = part(false).body;
+    }
+    if (stmt->branches.size() < 2 && !stmt->hasElse) expected(Verbatim("__CATCH"));
+    while (atAny({TokenKind::Catch, TokenKind::Finally})) {
+        report(rangeOf(peek()), findings::UnexpectedToken(shown(peek())));
+        const Block rest = part(at(TokenKind::Catch)).body;
+        stmt->elseBody.insert(stmt->elseBody.end(), rest.begin(), rest.end());
+    }
+    if (expectEnd(TokenKind::EndTry, opening)) take(TokenKind::Semicolon);
     return stmt;
 }
 

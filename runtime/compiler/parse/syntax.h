@@ -163,6 +163,7 @@ enum class StmtKind : uint8_t {
     For,
     While,
     Repeat,
+    Try, // branches: the protected part; then __CATCH, its condition the variable; hasElse, elseBody: __FINALLY
     Exit,
     Continue,
     Return,   // value: RETURN expr (CODESYS conditional RETURN(cond) of FBD is not ST)
@@ -222,8 +223,8 @@ struct Stmt {
     Block body;               // loops; Block
     std::vector<IfBranch> branches;
     std::vector<CaseArm> arms;
-    bool hasElse = false; // Case
-    Block elseBody;       // Case
+    bool hasElse = false; // Case, Try
+    Block elseBody;       // Case, Try
     IlInstruction* il = nullptr;
     bool isAssociation = false; // lowering: a BOOL variable follows the control block of a chart's action
     Stmt* origin = nullptr;     // lowering: the statement of the source it stands for

@@ -1,51 +1,12 @@
 // LD and FBD in: each picture of the table of docs/ladder.md gives its statement, in the order of execution, and values
 // that are written in between are stored.
+#include "drawn.h"
 #include "fixture.h"
 
 #include "projects/session/session.h"
 
 namespace plc::exchange {
 namespace {
-
-std::string in(const std::string& id, const std::string& pin = {}) {
-    return "<connectionPointIn><connection refLocalId=\"" + id + "\"" +
-           (pin.empty() ? "" : " formalParameter=\"" + pin + "\"") + "/></connectionPointIn>";
-}
-std::string at(int y, int x = 0) {
-    return "<position x=\"" + std::to_string(x) + "\" y=\"" + std::to_string(y) + "\"/>";
-}
-std::string contact(const std::string& id, const std::string& name, const std::string& from,
-                    const std::string& more = {}) {
-    return "<contact localId=\"" + id + "\" " + more + ">" + at(0) + in(from) + "<connectionPointOut/><variable>" +
-           name + "</variable></contact>";
-}
-std::string coil(const std::string& id, const std::string& name, const std::string& connection, int y,
-                 const std::string& more = {}) {
-    return "<coil localId=\"" + id + "\" " + more + ">" + at(y) + connection + "<connectionPointOut/><variable>" +
-           name + "</variable></coil>";
-}
-std::string value(const std::string& id, const std::string& text, const std::string& more = {}) {
-    return "<inVariable localId=\"" + id + "\" " + more + ">" + at(0) + "<connectionPointOut/><expression>" + text +
-           "</expression></inVariable>";
-}
-std::string target(const std::string& id, const std::string& text, const std::string& connection, int y = 100) {
-    return "<outVariable localId=\"" + id + "\">" + at(y) + connection + "<expression>" + text +
-           "</expression></outVariable>";
-}
-std::string input(const std::string& pin, const std::string& from, const std::string& more = {}) {
-    return "<variable formalParameter=\"" + pin + "\" " + more + ">" + from + "</variable>";
-}
-std::string block(const std::string& id, const std::string& type, const std::string& instance,
-                  const std::string& inputs, std::initializer_list<const char*> outputs, int y = 0) {
-    std::string out = "<block localId=\"" + id + "\" typeName=\"" + type + "\"" +
-                      (instance.empty() ? "" : " instanceName=\"" + instance + "\"") + ">" + at(y) +
-                      "<inputVariables>" + inputs + "</inputVariables><inOutVariables/><outputVariables>";
-    for (const char* each : outputs)
-        out += "<variable formalParameter=\"" + std::string(each) + "\"><connectionPointOut/></variable>";
-    return out + "</outputVariables></block>";
-}
-const std::string kRail = "<leftPowerRail localId=\"1\"><position x=\"0\" y=\"0\"/><connectionPointOut "
-                          "formalParameter=\"\"/></leftPowerRail>";
 
 class DiagramImport : public ExchangeTest {
 protected:

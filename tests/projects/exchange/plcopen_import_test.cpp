@@ -133,6 +133,21 @@ TEST_F(PlcopenImport, ParagraphsOfBeremizBecomeLines) {
     EXPECT_EQ(toProject(imported).buildInput().addressing, image::Addressing::Words);
 }
 
+TEST_F(PlcopenImport, ProjectsOfBeremizAreKnownByTheirVersionWhenTheyHaveNoName) {
+    const Imported imported = import(
+        "<project xmlns=\"http://www.plcopen.org/xml/tc6_0201\"><fileHeader companyName=\"Unknown\" "
+        "productName=\"Unnamed\" productVersion=\"1\"/><contentHeader name=\"B\"/><types><dataTypes/><pous>" +
+        pou("M", "program",
+            "<localVars>" + variable("n", "<derived name=\"HMI_INT\"/>") +
+                variable("log", "<derived name=\"LOGGER\"/>") + "</localVars>",
+            st("{if (ready()) __SET_VAR(data__-&gt;,N, 2)}\nlog(TRIG := n &gt; 3, LEVEL := DEBUG); n := %MW1;")) +
+        "</pous></types><instances><configurations/></instances></project>");
+    EXPECT_EQ(errorsOf(imported), "");
+    EXPECT_EQ(imported.addressing, image::Addressing::Words);
+    EXPECT_NE(fileOf(imported, "src/M.st").find("(* C:if (ready()) __SET_VAR(data__->,N, 2)*)"), std::string::npos);
+    EXPECT_EQ(imported.report.losses(), 3u); // the code in C, LOGGER and its levels
+}
+
 TEST_F(PlcopenImport, TypesForPanelsOfBeremizAreDeclared) {
     const Imported imported = import(document(pou("M", "program",
                                                   "<localVars>" + variable("n", "<derived name=\"HMI_INT\"/>") +

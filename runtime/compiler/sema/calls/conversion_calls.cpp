@@ -102,6 +102,22 @@ Operand bcdConversion(Context& context, Operand operand, const library::Conversi
     return intrinsic(context, toBcd ? library::Intrinsic::ToBcd : library::Intrinsic::BcdTo, to, {operand}, range);
 }
 
+/// CODESYS converts the number; other compilers take the bits as they are. Said where the program is the user's.
+///   advice: r := DWORD_TO_REAL(bits);  (P2047)
+void sayWhatIsConverted(Context& context, const Operand& operand, TypeId to, std::string_view name,
+                        const syntax::Expr& e) {
+    const auto isWide = [&](TypeId type) {
+        const TypeKind kind = context.types.storageKind(type);
+        return kind == TypeKind::Dword || kind == TypeKind::Lword;
+    };
+    const auto isReal = [&](TypeId type) { return context.types.family(type) == Family::Real; };
+    const TypeId from = operand.type();
+    const bool isBetween = (isWide(from) && isReal(to)) || (isReal(from) && isWide(to));
+    const bool isUsers = !context.isExpression && context.scope.unit && !context.scope.unit->isLibrary();
+    if (isBetween && isUsers && !operand.isFlexible)
+        context.emit(e.base ? e.base->range : e.range, findings::ConvertsTheNumber(name));
+}
+
 } // namespace
 
 ///   ok:    INT_TO_REAL(i)      wrong: INT_TO_REAL(s)  with s : STRING (P2003)
@@ -129,6 +145,7 @@ Operand conversionCall(Context& context, const library::Conversion& conversion, 
     Operand out;
     switch (conversion.how) {
     case How::Convert:
+        sayWhatIsConverted(context, operand, to, name, e);
         if (const auto named = nameOfValue(context, operand, to, e.range))
             out = *named;
         else

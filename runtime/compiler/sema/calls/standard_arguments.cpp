@@ -91,6 +91,7 @@ private:
     }
     bool addPositional(const syntax::Argument& argument) {
         const size_t count = m_signature.parameters.size();
+        while (m_next < m_out.inputs.size() && m_out.inputs[m_next]) ++m_next; // FIND(STR1 := a, b)
         if (m_next >= count && !m_signature.isExtensible) {
             m_context.emit(argument.range, findings::TooManyArguments(m_signature.name, count));
             m_out.isGood = false;

@@ -84,6 +84,11 @@ void declareConfigurations(World& world) {
     forEachResource(world, [&](const Configuration& configuration, const syntax::ResourceDecl& resource) {
         const bool isShared = isInAnother(world, configuration, resource, false, namesOf(world, resource, false));
         sections(resource.sections, configuration, isShared ? resource.name.text : std::string_view());
+        if (isShared || !isInAnother(world, configuration, resource, true, namesOf(world, resource, true))) return;
+        auto* none = world.arena.make<syntax::GlobalList>(); // R1.A names an instance, also where R1 has no globals
+        none->section = world.arena.make<syntax::VarSection>();
+        none->section->kind = SectionKind::Global;
+        declareGlobals(world, *none, *configuration.space, *configuration.file, resource.name.text);
     });
 
     const auto addInstance = [&](Unit& unit, std::string name, const syntax::ProgramInstance* declaration,

@@ -8,6 +8,7 @@
 #include "runtime/compiler/sema/names/lookup.h"
 #include "runtime/compiler/sema/names/names.h"
 #include "runtime/compiler/sema/names/places.h"
+#include "runtime/compiler/sema/names/unknown_base.h"
 #include "runtime/compiler/sema/program/analyze.h"
 #include "runtime/compiler/sema/statements/statements.h"
 #include "runtime/compiler/sema/types/conversions.h"
@@ -93,7 +94,7 @@ void initialise(World& world, InitialValue& out, TypeId type, uint32_t offset, i
     }
     const auto fields = [&](const std::vector<syntax::Argument>& arguments) {
         for (const syntax::Argument& argument : arguments) {
-            if (!argument.value) continue;
+            if (!argument.value || hasUnknownBase(world.unitOf(type))) continue;
             if (!argument.name.isValid()) {
                 world.emit(argument.range,
                            findings::Expected(phrases::AMembersName(), world.textOf(argument.value->range)));

@@ -8,6 +8,7 @@
 #include "runtime/compiler/sema/names/lookup.h"
 #include "runtime/compiler/sema/names/names.h"
 #include "runtime/compiler/sema/names/places.h"
+#include "runtime/compiler/sema/names/unknown_base.h"
 #include "runtime/compiler/sema/program/oop.h"
 #include "runtime/compiler/sema/types/type_specs.h"
 #include "runtime/compiler/sema/values/constants.h"
@@ -39,6 +40,7 @@ syntax::Access accessOf(const syntax::VarSection* section) {
 }
 
 Denoted unknownMember(Context& context, TypeId type, const syntax::Name& name) {
+    if (hasUnknownBase(context.world.unitOf(type))) return {};
     suggest(context, context.emit(name.range, findings::UnknownMember(context.nameOf(type), name.text)), name.range,
             name.text, memberNames(context.world, type));
     return {};
@@ -262,7 +264,7 @@ Denoted memberOfUnit(Context& context, const Denoted& from, const syntax::Expr& 
     }
     if (unit.kind == UnitKind::Program)
         context.emit(base.range, findings::NoValue(unit.name));
-    else
+    else if (!hasUnknownBase(&unit))
         suggest(context, context.emit(e.name.range, findings::UnknownMember(unit.name, e.name.text)), e.name.range,
                 e.name.text, memberNames(context.world, unit.type));
     return {};

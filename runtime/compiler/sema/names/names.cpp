@@ -8,6 +8,7 @@
 #include "runtime/compiler/sema/names/lookup.h"
 #include "runtime/compiler/sema/names/members.h"
 #include "runtime/compiler/sema/names/places.h"
+#include "runtime/compiler/sema/names/unknown_base.h"
 #include "runtime/compiler/sema/program/oop.h"
 #include "runtime/compiler/sema/types/type_specs.h"
 #include "runtime/compiler/sema/values/constants.h"
@@ -84,6 +85,7 @@ Denoted denote(Context& context, const syntax::Expr& e, Access access, TypeId hi
     case ExprKind::This:
     case ExprKind::Super: {
         Unit* self = context.scope.unit ? context.scope.unit->self() : nullptr;
+        if (e.kind == ExprKind::Super && hasUnknownBase(self)) return {};
         if (!self || (e.kind == ExprKind::Super && !self->base)) {
             context.emit(e.range, findings::NotAllowedHere(Verbatim(e.kind == ExprKind::Super ? "SUPER" : "THIS"),
                                                            self ? phrases::In(self->name) : phrases::Here()));
@@ -178,6 +180,7 @@ static Denoted foundEnumerator(Context& context, const Found& result, const synt
 
 static Denoted refuseUnknown(Context& context, const syntax::Name& name) {
     if (context.isTest && isAccessName(context.world, name.text)) return {};
+    if (context.scope.unit && hasUnknownBase(context.scope.unit->self())) return {};
     const bool isInstruction =
         context.scope.unit && context.scope.unit->pou && isOperatorOf(*context.scope.unit->pou, name.range);
     std::vector<std::string> candidates;

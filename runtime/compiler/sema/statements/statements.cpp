@@ -15,6 +15,7 @@
 #include "runtime/compiler/sema/program/analyze.h"
 #include "runtime/compiler/sema/statements/case_statement.h"
 #include "runtime/compiler/sema/statements/loops.h"
+#include "runtime/compiler/sema/statements/protected.h"
 #include "runtime/compiler/sema/types/conversions.h"
 #include "runtime/compiler/sema/types/type_specs.h"
 #include "runtime/compiler/sema/values/expressions.h"
@@ -85,6 +86,8 @@ void statement(Context& context, const syntax::Stmt& stmt, std::vector<tree::Stm
         return whileStatement(context, stmt, out);
     case StmtKind::Repeat:
         return repeatStatement(context, stmt, out);
+    case StmtKind::Try:
+        return tryStatement(context, stmt, out);
     case StmtKind::Exit:
     case StmtKind::Continue:
         if (context.loops.empty()) {

@@ -71,6 +71,12 @@ std::string statement(const Stmt& s) {
         return "WHILE " + outline(s.value) + " {" + outline(s.body) + "}";
     case StmtKind::Repeat:
         return "REPEAT {" + outline(s.body) + "} " + outline(s.value);
+    case StmtKind::Try: {
+        std::string out = "TRY {" + outline(s.branches.front().body) + "}";
+        for (size_t i = 1; i < s.branches.size(); ++i)
+            out += " catch " + outline(s.branches[i].condition) + " {" + outline(s.branches[i].body) + "}";
+        return out + (s.hasElse ? " finally {" + outline(s.elseBody) + "}" : "");
+    }
     case StmtKind::Exit:
         return "EXIT";
     case StmtKind::Continue:
