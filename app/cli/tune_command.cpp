@@ -5,6 +5,7 @@
 #include "app/cli/run_output.h"
 #include "app/cli/tune_output.h"
 
+#include "editor/plot/page_pdf.h"
 #include "projects/session/session.h"
 #include "projects/storage/project_file.h"
 
@@ -125,9 +126,16 @@ Result<void> writeText(const std::string& path, const std::string& text) {
     return {};
 }
 
+/// As its ending says: .pdf, else HTML.
+Result<void> writeReport(const TuneReport& report, const std::string& path) {
+    if (std::filesystem::path(path).extension() != ".pdf") return writeText(path, pageOf(report));
+    needApplication();
+    return plot::exportPage(pageOf(report), report.name, path);
+}
+
 /// Without a step there is no model, but how the loop is doing can be said.
 int reportHealth(const TuneReport& report, const std::string& path) {
-    if (auto written = writeText(path, pageOf(report)); !written) return wrongUse(written.error());
+    if (auto written = writeReport(report, path); !written) return wrongUse(written.error());
     std::cout << healthText(report);
     return kGood;
 }
@@ -170,7 +178,7 @@ int answer(const Arguments& arguments, const Question& question, TuneReport& rep
             return wrongUse(written.error());
     if (page) {
         report.health = tuning::healthOf(report.series, limitsOf(report, settings));
-        if (auto written = writeText(*page, pageOf(report)); !written) return wrongUse(written.error());
+        if (auto written = writeReport(report, *page); !written) return wrongUse(written.error());
     }
     std::cout << (arguments.wantsJson() ? jsonOf(report) : textOf(report));
     return report.answer() ? kGood : kProgramWrong;
@@ -270,7 +278,8 @@ Command tuneCommand() {
           {"--cycle", "100ms", "interval of the calls (default: as the program says, or that of the samples)"},
           {"--step", "3", "use this step for the model (repeatable; default: the clearest ones)"},
           {"--picture", "out.svg", "draw data and model, the responses and the Bode plot"},
-          {"--report", "out.html", "write a page on how the loop is doing, with charts, model and settings"},
+          {"--report", "out.html",
+           "write a page on how the loop is doing, with charts, model and settings (.html or .pdf)"},
           {"--dark", "", "draw on a dark ground"},
           {"--for", "60s", "PLC time to run a project (default 60s)"},
           {"--set", "PATH=VALUE[@TIME]", "write before the first scan at or after TIME (repeatable)"},

@@ -394,14 +394,19 @@ void TuningView::showCharts() {
     const tuning::Study& study = m_finding->study;
     const auto index = std::min(static_cast<size_t>(std::max(m_model->currentIndex(), 0)), study.models.size() - 1);
     waveform::Chart data{tr("Recorded and modelled").toStdString(), tr("time [s]").toStdString(), {}, {}, false};
+    waveform::Chart residual{tr("What the model leaves").toStdString(), tr("time [s]").toStdString(), {}, {}, false};
     for (size_t i = 0; i < study.used.size(); ++i) {
         const auto times = timesOf(m_finding->series, study.steps[study.used[i]], study.excerpts[i]);
         const auto name = [&](const QString& what) { return i == 0 ? what.toStdString() : std::string(); };
         data.curves.push_back({name(tr("recorded")), times, study.excerpts[i].output, 2, waveform::CurveStyle::Dots});
         data.curves.push_back(
             {name(tr("model")), times, study.models[index].simulated[i], 0, waveform::CurveStyle::Line});
+        waveform::Curve left{name(tr("recorded less model")), times, {}, 1, waveform::CurveStyle::Line};
+        for (size_t s = 0; s < std::min(study.excerpts[i].output.size(), study.models[index].simulated[i].size()); ++s)
+            left.y.push_back(study.excerpts[i].output[s] - study.models[index].simulated[i][s]);
+        residual.curves.push_back(std::move(left));
     }
-    m_data->setChart(std::move(data));
+    m_data->setFigure({{std::move(data), std::move(residual)}, {}});
     const auto response = [&](const QString& title, tuning::Trajectory tuning::Assessment::*which) {
         waveform::Chart chart{title.toStdString(), tr("time [s]").toStdString(), {}, {}, false};
         if (m_now && m_now->figures.isStable) chart.curves.push_back(curveOf((*m_now).*which, tr("now"), 3));

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-using namespace plc::kit;
 using namespace plc::plot;
 
 namespace {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 using namespace plc::trace;
-namespace kit = plc::kit;
+namespace plot = plc::plot;
 namespace history = plc::history;
 
 namespace {

@@ -20,6 +20,7 @@
 #include <numbers>
 
 using namespace plc::trace;
+namespace history = plc::history;
 
 namespace {
 

@@ -27,6 +27,7 @@
 
 using namespace plc::trace;
 namespace kit = plc::kit;
+namespace plot = plc::plot;
 namespace history = plc::history;
 
 namespace {
