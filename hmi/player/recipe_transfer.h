@@ -3,6 +3,7 @@
 #pragma once
 #include "hmi/recipes/recipe_file.h"
 #include "projects/session/run.h"
+#include "runtime/compiler/driver/driver.h"
 
 namespace plc::hmi {
 
