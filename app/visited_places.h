@@ -1,4 +1,5 @@
-// The places that were left in the texts, back and forward as in a browser. A value; any thread.
+// The places that were left in the texts, back and forward as in a browser. Knows no editors: who goes somewhere says
+// where from. A value, owned by the tabs; GUI thread.
 #pragma once
 #include <QString>
 

@@ -1,4 +1,5 @@
-// Which instances of a POU a program has, and the one whose values its text shows. Owned by RunControl; GUI thread.
+// Which instances of a POU a program has, and the one whose values its text shows. What was found is kept until another
+// program is asked about. Owned by RunControl; GUI thread.
 #pragma once
 #include "runtime/image/program.h"
 

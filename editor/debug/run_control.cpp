@@ -123,7 +123,7 @@ void RunControl::adopt(std::shared_ptr<driver::Built> built, bool changeRunning)
             breakpointsFor(*built->program));
         return;
     }
-    m_shown.clear();
+    (void)m_shown.view(std::nullopt);
     session::Settings settings;
     settings.historyBudget = m_historyBudget;
     if (!retainFile().isEmpty()) {

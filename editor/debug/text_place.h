@@ -1,4 +1,5 @@
-// Where a place of the program that runs is in the text as it is written now. A value; any thread.
+// Where a place of the program that runs is in the text as it is written now: lines that were added or removed above it
+// move it. A value; the thread that may read the text.
 #pragma once
 #include "runtime/base/source.h"
 #include "runtime/image/program.h"

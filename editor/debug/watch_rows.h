@@ -1,4 +1,5 @@
-// What a row of the watch keeps in its first column beside the text. For the sources of WatchView; GUI thread.
+// What a row of the watch keeps in its first column beside the text, by role of the item. For the sources of WatchView,
+// which owns the rows; GUI thread.
 #pragma once
 #include <Qt>
 
