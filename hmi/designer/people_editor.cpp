@@ -13,7 +13,6 @@
 #include <QHeaderView>
 #include <QInputDialog>
 #include <QLabel>
-#include <QScrollArea>
 #include <QSpinBox>
 #include <QSplitter>
 #include <QTableWidget>
@@ -76,19 +75,11 @@ PeopleEditor::PeopleEditor(DesignContext& context, QWidget* parent)
     splitter->addWidget(boxed(tr("Roles"), m_roles));
     splitter->setStretchFactor(0, 3);
     splitter->setStretchFactor(1, 2);
-    // In a low window both tables keep their heads and a row, and the page is scrolled.
-    constexpr int kLeast = 110;
-    for (int i = 0; i < splitter->count(); ++i) splitter->widget(i)->setMinimumHeight(kLeast);
-    splitter->setChildrenCollapsible(false);
-    auto* page = new QScrollArea;
-    page->setFrameShape(QFrame::NoFrame);
-    page->setWidgetResizable(true);
-    page->setWidget(splitter);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(bar);
-    layout->addWidget(page, 1);
+    layout->addWidget(splitter, 1);
     layout->addWidget(m_problem);
 
     connect(m_users, &QTableWidget::cellChanged, this,

@@ -51,8 +51,7 @@ RecipeEditor::RecipeEditor(DesignContext& context, QWidget* parent)
         if (path || !m_context.picker()) addVariable(path.value_or(QString()));
     });
     bar->addAction(kit::icon(kit::Icon::Table), tr("Add a Set"), this, &RecipeEditor::addSet);
-    m_remove =
-        bar->addAction(kit::icon(kit::Icon::Remove), tr("Remove Row or Set"), this, &RecipeEditor::removeSelected);
+    bar->addAction(kit::icon(kit::Icon::Remove), tr("Remove Row or Set"), this, &RecipeEditor::removeSelected);
     bar->addAction(kit::icon(kit::Icon::Delete), tr("Remove Recipe"), this, &RecipeEditor::removeRecipe);
     bar->addSeparator();
     const QString filter = tr("Tables (*.csv)");
@@ -89,7 +88,6 @@ RecipeEditor::RecipeEditor(DesignContext& context, QWidget* parent)
             [this](QListWidgetItem* item) { renameRecipe(m_list->row(item), item->text()); });
     connect(m_table, &QTableWidget::cellChanged, this,
             [this](int row, int column) { commit(row, column, m_table->item(row, column)->text()); });
-    connect(m_table, &QTableWidget::currentCellChanged, this, &RecipeEditor::nameRemoval);
     connect(m_table->horizontalHeader(), &QHeaderView::sectionDoubleClicked, this, &RecipeEditor::askForSetName);
     connect(&m_context, &DesignContext::recipesTaken, &m_undo, &QUndoStack::clear); // its steps are of another file
     connect(&m_context, &DesignContext::recipesChanged, this, &RecipeEditor::rebuild);
@@ -266,10 +264,9 @@ void RecipeEditor::rebuild() {
     if (!recipe) {
         m_table->setRowCount(0);
         m_table->setColumnCount(0);
-        return nameRemoval();
+        return;
     }
     fillTable(*recipe);
-    nameRemoval();
     showProblems(*recipe);
 }
 
@@ -292,28 +289,8 @@ void RecipeEditor::fillTable(const Recipe& recipe) {
             m_table->item(i, k)->setIcon({});
         }
     }
-    for (int column = FirstSet; column < m_table->columnCount(); ++column)
-        m_table->horizontalHeaderItem(column)->setToolTip(tr("A double click renames the set"));
-    putSetsFirst();
     m_table->resizeColumnsToContents();
     if (row >= 0 && row < m_table->rowCount()) m_table->setCurrentCell(row, std::max(0, column));
-}
-
-void RecipeEditor::putSetsFirst() {
-    QHeaderView& header = *m_table->horizontalHeader();
-    const int sets = m_table->columnCount() - FirstSet;
-    for (int i = 0; i < sets; ++i) header.moveSection(header.visualIndex(FirstSet + i), Variable + 1 + i);
-    for (int column = Title; column < FirstSet; ++column) header.moveSection(header.visualIndex(column), sets + column);
-}
-
-void RecipeEditor::nameRemoval() {
-    const int row = m_table->currentRow(), column = m_table->currentColumn();
-    const QTableWidgetItem* head = column >= FirstSet ? m_table->horizontalHeaderItem(column) : nullptr;
-    const QTableWidgetItem* name = column < FirstSet ? m_table->item(row, Variable) : nullptr;
-    m_remove->setEnabled(head || name);
-    m_remove->setText(head   ? tr("Remove the Set %1").arg(head->text())
-                      : name ? tr("Remove the Row %1").arg(name->text())
-                             : tr("Remove Row or Set"));
 }
 
 /// What the check says, in the cells that it is about.

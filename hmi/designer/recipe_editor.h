@@ -44,17 +44,12 @@ private:
     void showProblems(const Recipe& recipe);
     void tell(const Message& problem);
     void askForSetName(int column);
-    /// What is removed depends on the cell: the button says which row or set.
-    void nameRemoval();
-    /// The values beside their variables; what describes these (title, unit, limits) behind the sets.
-    void putSetsFirst();
 
     DesignContext& m_context;
     QUndoStack m_undo;
     QListWidget* m_list;
     QTableWidget* m_table;
     QLabel* m_problems;
-    QAction* m_remove;
     QString m_current;
 };
 

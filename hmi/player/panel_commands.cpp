@@ -44,6 +44,7 @@ QImage renderPanel(const PanelProject& project, session::Session* session, const
     scene.setThemes(project.themes);
     scene.setTheme(project.theme);
     scene.setRecipes(&project.recipes);
+    scene.setCurrentPanel(name); // its key of a navigation bar is lit
     scene.setPanel(panel);
     scene.setValues(values.get());
     return scene.picture(scale);

@@ -1,6 +1,7 @@
 #include "hmi/player/panel_project.h"
 
 #include "hmi/model/errors.h"
+#include "hmi/model/layout.h"
 #include "projects/storage/project_file.h"
 
 #include <QDir>
@@ -26,6 +27,7 @@ NamedPanel* PanelProject::find(const QString& name) {
 CheckInput PanelProject::checkInput() const {
     CheckInput input;
     input.panels = panels;
+    for (NamedPanel& one : input.panels) one.panel = laidOut(one.panel, one.panel.size()); // a file may leave places out
     input.texts = texts;
     input.alarms = alarms;
     input.hasAlarms = hasAlarms;

@@ -100,23 +100,6 @@ TEST_F(DiskChangeTest, TextsChangedOnDiskAreNotOverwrittenUnknowingly) {
     EXPECT_EQ(window->live().panels().texts.table().text("start", "de"), "Start");
 }
 
-TEST_F(DiskChangeTest, WhatTheOperatorSavesIsAskedAboutWhereTheRecipeEditorHasChanges) {
-    write("hmi/recipes.json", R"({"recipes": [{"name": "dough", "variables": [{"variable": "Main.limit"}],
-                               "sets": [{"name": "rye", "values": {"Main.limit": "5"}}]}]})");
-    ASSERT_TRUE(waitFor([&] { return window->live().panels().recipes.find("dough") != nullptr; }));
-    ASSERT_NE(window->live().player(), nullptr);
-    ASSERT_TRUE(waitFor([&] { return window->live().player()->recipes().find("dough") != nullptr; }));
-    hmi::RecipeFile mine = window->live().panels().recipes;
-    mine.find("dough")->title = "mine";
-    window->live().design()->setRecipes(mine);
-    ASSERT_TRUE(window->panelFiles().isChanged("recipes"));
-    answerNext("loadFromDisk");
-    window->live().player()->scene().request(
-        hmi::RecipeRequest{{}, hmi::RecipeRequestKind::Add, "dough", "rye", {}}); // a key of the operator's list
-    ASSERT_TRUE(waitFor([&] { return window->live().panels().recipes.find("dough")->sets.size() == 2; }));
-    EXPECT_FALSE(window->panelFiles().isChanged("recipes"));
-}
-
 TEST_F(DiskChangeTest, SavingAsksFirstWhenTheFileIsNewer) {
     edit("here");
     answerNext("keepMine");

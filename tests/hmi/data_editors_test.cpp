@@ -6,7 +6,6 @@
 #include "hmi/people/password.h"
 #include "projects/storage/project_file.h"
 
-#include <QHeaderView>
 #include <QListWidget>
 #include <QSpinBox>
 #include <QTableWidget>
@@ -40,25 +39,6 @@ struct Recipes : testing::Test {
     const Recipe& only() const { return studio.project.recipes.recipes().front(); }
     std::string bytes() const { return studio.project.recipes.write(); }
 };
-
-TEST_F(Recipes, ValuesAreBesideTheirVariablesAndTheButtonSaysWhatItRemoves) {
-    editor.addRecipe();
-    editor.addVariable(QStringLiteral("Main.level"));
-    editor.addSet();
-    const QHeaderView& header = *editor.table().horizontalHeader();
-    EXPECT_EQ(header.visualIndex(RecipeEditor::FirstSet), 1);
-    EXPECT_EQ(header.visualIndex(RecipeEditor::FirstSet + 1), 2);
-    EXPECT_EQ(header.visualIndex(RecipeEditor::Maximum), header.count() - 1);
-    const auto removes = [&](const QString& name) {
-        for (const QAction* action : editor.findChildren<QAction*>())
-            if (action->text().contains(name)) return action->isEnabled();
-        return false;
-    };
-    editor.table().setCurrentCell(0, RecipeEditor::FirstSet + 1);
-    EXPECT_TRUE(removes(editor.table().horizontalHeaderItem(RecipeEditor::FirstSet + 1)->text()));
-    editor.table().setCurrentCell(0, RecipeEditor::Unit);
-    EXPECT_TRUE(removes(QStringLiteral("Main.level")));
-}
 
 TEST_F(Recipes, ARecipeIsMadeInTheTableAndUndoneByteForByte) {
     const std::string before = bytes();

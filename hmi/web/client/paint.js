@@ -72,8 +72,6 @@ class Painter {
     this.allDirty = true;
     this.scale = 1;
     this.ground = '#fff';
-    this.now = {}; // what the context has been told
-    this.times = {decode: 0, paint: 0, frames: 0}; // in ms, for measurements
   }
 
   resize(width, height, scale, ground) {
@@ -86,7 +84,7 @@ class Painter {
 
   /// Takes a frame in; returns its number. What changed is painted by paint().
   take(buffer) {
-    const from = new Reader(buffer), began = performance.now(), number = from.count();
+    const from = new Reader(buffer), number = from.count();
     while (!from.isAtEnd) {
       switch (from.byte()) {
       case 1: this.glyphs[from.count()] = from.path().shape; break;
@@ -96,7 +94,6 @@ class Painter {
       default: throw new Error('section');
       }
     }
-    this.times.decode += performance.now() - began;
     return number;
   }
 
@@ -119,7 +116,6 @@ class Painter {
     const first = from.count(), removed = from.count(), commands = [];
     for (let left = from.count(); left > 0; --left) commands.push(this.command(from));
     element.commands.splice(first, removed, ...commands);
-    element.isClipped = element.commands.some(command => command.isClip);
   }
 
   /// One command as a function of the state it is drawn in.
@@ -130,13 +126,9 @@ class Painter {
     case 3: { const pen = this.pen(from); return s => s.pen = pen; }
     case 4: { const brush = this.brush(from); return s => s.brush = brush; }
     case 5: { const opacity = from.byte() / 255; return s => s.opacity = opacity; }
-    case 6: {
-      const path = from.byte() ? from.path() : null, clip = (s, c) => this.clip(s, c, path);
-      clip.isClip = true;
-      return clip;
-    }
+    case 6: { const path = from.byte() ? from.path() : null; return (s, c) => this.clip(s, c, path); }
     case 7: { const crisp = from.byte() ? 0.5 : 0; return s => s.crisp = crisp; }
-    case 8: return this.rectangle(from.rect());
+    case 8: { const [x, y, w, h] = from.rect(), shape = new Path2D(); shape.rect(x, y, w, h); return this.drawn(shape); }
     case 9: {
       const [x, y, w, h] = from.rect(), shape = new Path2D();
       shape.ellipse(x + w / 2, y + h / 2, Math.abs(w / 2), Math.abs(h / 2), 0, 0, 2 * Math.PI);
@@ -221,9 +213,8 @@ class Painter {
       if (!s.pen) return;
       const [a, b, d, e, toX, toY] = s.transform, k = this.scale;
       c.setTransform(a * k, b * k, d * k, e * k, (toX + a * firstX + d * firstY) * k, (toY + b * firstX + e * firstY) * k);
-      this.now.transform = null;
-      if (this.now.opacity !== s.opacity) c.globalAlpha = this.now.opacity = s.opacity;
-      this.fillWith(s.pen.paint, c);
+      c.globalAlpha = s.opacity;
+      c.fillStyle = s.pen.paint;
       c.fill(this.outline(key, runs), 'nonzero');
     };
   }
@@ -238,37 +229,17 @@ class Painter {
     return whole;
   }
 
-  // The context is told only what is another than what it has: of 1,000 elements most are drawn alike.
   enter(s, c) {
-    const now = this.now;
-    if (now.transform !== s.transform) {
-      const [a, b, d, e, x, y] = now.transform = s.transform, k = this.scale;
-      c.setTransform(a * k, b * k, d * k, e * k, x * k, y * k);
-    }
-    if (now.opacity !== s.opacity) c.globalAlpha = now.opacity = s.opacity;
-  }
-
-  fillWith(paint, c) {
-    if (this.now.fill !== paint) c.fillStyle = this.now.fill = paint;
-  }
-
-  /// Most of what is drawn are rectangles: without a path they are much quicker.
-  rectangle([x, y, w, h]) {
-    return (s, c) => {
-      if (s.brush) {
-        this.enter(s, c);
-        this.fillWith(s.brush, c);
-        c.fillRect(x, y, w, h);
-      }
-      if (s.pen) this.strokeWith(s, c, () => c.strokeRect(x, y, w, h));
-    };
+    const [a, b, d, e, x, y] = s.transform, k = this.scale;
+    c.setTransform(a * k, b * k, d * k, e * k, x * k, y * k);
+    c.globalAlpha = s.opacity;
   }
 
   drawn(shape, rule = 'evenodd') {
     return (s, c) => {
       if (s.brush) {
         this.enter(s, c);
-        this.fillWith(s.brush, c);
+        c.fillStyle = s.brush;
         c.fill(shape, rule);
       }
       this.stroke(s, c, shape);
@@ -276,31 +247,20 @@ class Painter {
   }
 
   stroke(s, c, shape) {
-    if (s.pen) this.strokeWith(s, c, () => c.stroke(shape));
-  }
-
-  strokeWith(s, c, draw) {
-    const pen = s.pen, now = this.now;
+    const pen = s.pen;
+    if (!pen) return;
     this.enter(s, c);
     // Without smoothing, Qt's lines fill whole pixels.
-    if (s.crisp) {
-      c.translate(0.5, 0.5);
-      now.transform = null;
-    }
+    if (s.crisp) c.translate(0.5, 0.5);
     const [a, b] = s.transform, shrink = pen.isCosmetic ? 1 / Math.max(1e-6, Math.hypot(a, b)) : 1;
-    if (now.stroke !== pen.paint) c.strokeStyle = now.stroke = pen.paint;
-    if (now.pen !== pen || now.shrink !== shrink) {
-      c.lineWidth = pen.width * shrink;
-      c.lineCap = pen.cap;
-      c.lineJoin = pen.join;
-      c.miterLimit = pen.miter;
-      if (pen.dashes.length || now.isDashed) c.setLineDash(pen.dashes.map(dash => dash * shrink));
-      c.lineDashOffset = pen.offset * shrink;
-      now.isDashed = pen.dashes.length > 0;
-      now.pen = pen;
-      now.shrink = shrink;
-    }
-    draw();
+    c.strokeStyle = pen.paint;
+    c.lineWidth = pen.width * shrink;
+    c.lineCap = pen.cap;
+    c.lineJoin = pen.join;
+    c.miterLimit = pen.miter;
+    c.setLineDash(pen.dashes.map(dash => dash * shrink));
+    c.lineDashOffset = pen.offset * shrink;
+    c.stroke(shape);
   }
 
   picture(s, c, id, [x, y, w, h], [fromX, fromY, fromW, fromH]) {
@@ -314,7 +274,6 @@ class Painter {
   clip(s, c, path) {
     c.restore();
     c.save();
-    this.now = {};
     if (!path) return;
     c.setTransform(this.scale, 0, 0, this.scale, 0, 0);
     c.clip(path.shape, path.rule);
@@ -324,44 +283,34 @@ class Painter {
   paint() {
     const dirty = this.dirty, k = this.scale;
     if (!this.allDirty && dirty.length === 0) return false;
-    const began = performance.now(), width = this.canvas.width, height = this.canvas.height;
+    const width = this.canvas.width, height = this.canvas.height;
     let areas = [[0, 0, width, height]];
     if (!this.allDirty) {
       areas = dirty.map(([x, y, w, h]) => {
         const left = Math.floor(x * k) - 1, top = Math.floor(y * k) - 1;
         return [left, top, Math.ceil((x + w) * k) + 1 - left, Math.ceil((y + h) * k) + 1 - top];
       });
-      const covered = areas.reduce((sum, area) => sum + area[2] * area[3], 0);
-      if (areas.length > 256 || covered > width * height / 2) areas = [[0, 0, width, height]];
+      if (areas.length > 256) areas = [[0, 0, width, height]];
     }
     this.dirty = [];
     this.allDirty = false;
     const c = this.context;
-    const isWhole = areas.length === 1 && areas[0][2] >= width && areas[0][3] >= height;
     c.save();
-    this.now = {};
     c.setTransform(1, 0, 0, 1, 0, 0);
-    if (!isWhole) {
-      c.beginPath();
-      for (const [x, y, w, h] of areas) c.rect(x, y, w, h);
-      c.clip();
-    }
+    c.beginPath();
+    for (const [x, y, w, h] of areas) c.rect(x, y, w, h);
+    c.clip();
     c.globalAlpha = 1;
     c.fillStyle = this.ground;
     c.fillRect(0, 0, width, height);
-    const none = [1, 0, 0, 1, 0, 0];
     for (const element of this.elements) {
-      if (!element || !element.isShown || !(isWhole || this.touches(element.bounds, areas))) continue;
-      const state = {transform: none, pen: null, brush: null, opacity: 1, crisp: 0};
-      // Only a clip must be taken back.
-      if (element.isClipped) { c.save(); this.now = {}; }
+      if (!element || !element.isShown || !this.touches(element.bounds, areas)) continue;
+      const state = {transform: [1, 0, 0, 1, 0, 0], pen: null, brush: null, opacity: 1, crisp: 0};
+      c.save();
       for (const command of element.commands) command(state, c);
-      if (element.isClipped) { c.restore(); this.now = {}; }
+      c.restore();
     }
     c.restore();
-    this.now = {};
-    this.times.paint += performance.now() - began;
-    ++this.times.frames;
     return true;
   }
 

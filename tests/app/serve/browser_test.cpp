@@ -5,10 +5,6 @@
 #include "tests/hmi/running.h"
 
 #include <QDir>
-#include <QElapsedTimer>
-
-#include <array>
-#include <ctime>
 
 namespace plc::serve {
 namespace {
@@ -130,67 +126,6 @@ TEST_F(Browser, AButtonPressedThereMovesThePlantOnceSomebodyLoggedIn) {
     EXPECT_TRUE(waitUntil([&] { return served.number("Main.presses") == 1; }));
     EXPECT_TRUE(waitUntil([&] { return served.number("Main.start") == 0; })) << "the button came up again";
 }
-
-/// Bars, lamps, numbers and switches, 1,000 of them, all of which change from scan to scan.
-std::string thousandElements() {
-    constexpr std::array kKinds = {"number", "lamp", "bar", "number", "progress", "switch", "numberEntry", "tankLevel"};
-    std::string out;
-    for (size_t i = 0; i < 1000; ++i) {
-        const std::string kind = kKinds[i % kKinds.size()], at = std::to_string(i);
-        const bool isBool = kind == "lamp" || kind == "switch", isTarget = kind == "switch" || kind == "numberEntry";
-        out += (i ? "," : "") + std::string(R"({"id":"e)") + at + R"(","kind":")" + kind + R"(","rect":[)" +
-               std::to_string(4 + i % 40 * 48) + "," + std::to_string(4 + i / 40 * 43) + R"(,44,39],")" +
-               (isTarget ? "target" : "value") + R"(":"Main.)" + (isBool ? "b[" : "r[") + at + R"(]")" +
-               (kind == "number" || kind == "numberEntry" ? R"(,"fontSize":11)" : "") + "}";
-    }
-    return out;
-}
-
-/// Prints what a design asks for: frames a second of `count` browsers. Only that they all go on is certain anywhere.
-void measureBrowsers(Chromium& chromium, size_t count) {
-    Served served;
-    served.panels = hmi::machineProject();
-    auto panel =
-        hmi::Panel::parse(R"({"size": [1920, 1080], "elements": [)" + thousandElements() + "]}", QStringLiteral("p"));
-    ASSERT_TRUE(panel) << panel.error().english();
-    served.panels.panels.push_back({QStringLiteral("main"), std::move(*panel)});
-    served.panels.startPanel = QStringLiteral("main");
-    driver::BuildInput input;
-    input.files.push_back(
-        {"main.st",
-         "PROGRAM Main VAR b : ARRAY[0..999] OF BOOL; r : ARRAY[0..999] OF REAL; i, n : DINT; END_VAR\n"
-         "n := n + 1; FOR i := 0 TO 999 DO r[i] := 50.0 + 45.0 * SIN(DINT_TO_REAL(n) * 0.1 + DINT_TO_REAL(i)); "
-         "b[i] := (n / 10 + i) MOD 2 = 0; END_FOR;\nEND_PROGRAM\nCONFIGURATION C RESOURCE R ON PLC "
-         "TASK T(INTERVAL := T#20ms, PRIORITY := 1); PROGRAM Main WITH T : Main; END_RESOURCE END_CONFIGURATION\n"});
-    served.build(input);
-    if (testing::Test::HasFatalFailure()) return;
-    served.machine->startThread({session::Pace::Real});
-    std::vector<std::unique_ptr<Page>> pages;
-    for (size_t i = 0; i < count; ++i)
-        pages.push_back(chromium.open(served.url("panel/main?bare&scale=0.5"), {960, 540}));
-    for (const auto& page : pages) ASSERT_TRUE(page->waitFor(QStringLiteral("stepwise.shown > 3"), 60'000));
-    const auto read = [&](const char* what) {
-        double sum = 0;
-        for (const auto& page : pages) sum += page->evaluate(QLatin1String(what)).toDouble();
-        return sum / static_cast<double>(pages.size());
-    };
-    const double before = read("stepwise.shown"), decodeBefore = read("stepwise.painter.times.decode"),
-                 paintBefore = read("stepwise.painter.times.paint");
-    QElapsedTimer clock;
-    clock.start();
-    const double cpuBefore = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-    EXPECT_TRUE(waitUntil([&] { return clock.elapsed() > 3000 && read("stepwise.shown") > before + 2; }, 60'000));
-    const double seconds = static_cast<double>(clock.elapsed()) / 1000, frames = read("stepwise.shown") - before;
-    std::printf(
-        "%zu browsers, 1,000 changing elements: %.1f frames a second each; in the page %.1f ms to decode, %.1f ms "
-        "to draw; server and controller %.2f of a core\n",
-        count, frames / seconds, (read("stepwise.painter.times.decode") - decodeBefore) / frames,
-        (read("stepwise.painter.times.paint") - paintBefore) / frames,
-        (static_cast<double>(std::clock()) / CLOCKS_PER_SEC - cpuBefore) / seconds);
-}
-
-TEST_F(Browser, AThousandChangingElementsInOneBrowser) { measureBrowsers(*s_chromium, 1); }
-TEST_F(Browser, AThousandChangingElementsInTenBrowsers) { measureBrowsers(*s_chromium, 10); }
 
 TEST_F(Browser, ANumberIsTypedOnTheKeypadAndItsLimitsHold) {
     Served served;
