@@ -29,6 +29,7 @@ WhatIfDialog::WhatIfDialog(const editor::RunControl& control, const QStringList&
     m_input = new kit::ExpressionEdit(this);
     m_input->setObjectName("whatIfVariable");
     m_input->setPlaceholderText(tr("A variable, such as Main.level"));
+    m_input->setAccessibleName(tr("Variable"));
     m_input->setCompletionSource(std::move(complete));
     m_input->setEndsWithCompletion(true);
     auto* add = new QPushButton(tr("Add"), this);

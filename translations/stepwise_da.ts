@@ -2902,6 +2902,10 @@
         <source>{0} reaches out of the controller; it is declared here with its inputs and outputs and does nothing</source>
         <translation>{0} rækker ud over styringen; den er erklæret her med sine indgange og udgange og gør intet</translation>
     </message>
+    <message>
+        <source>The library {0} is part of this import; its names are written without {0} in front</source>
+        <translation>Biblioteket {0} er en del af denne import; dets navne skrives uden {0} foran</translation>
+    </message>
 </context>
 <context>
     <name>Fixes</name>
@@ -10419,6 +10423,18 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Maximum</source>
         <translation>Maksimum</translation>
+    </message>
+    <message>
+        <source>A double click renames the set</source>
+        <translation>Et dobbeltklik omdøber sættet</translation>
+    </message>
+    <message>
+        <source>Remove the Set %1</source>
+        <translation>Fjern sættet %1</translation>
+    </message>
+    <message>
+        <source>Remove the Row %1</source>
+        <translation>Fjern rækken %1</translation>
     </message>
 </context>
 <context>

@@ -2902,6 +2902,10 @@
         <source>{0} reaches out of the controller; it is declared here with its inputs and outputs and does nothing</source>
         <translation>{0} greift über die Steuerung hinaus; hier ist er mit seinen Ein- und Ausgängen deklariert und tut nichts</translation>
     </message>
+    <message>
+        <source>The library {0} is part of this import; its names are written without {0} in front</source>
+        <translation>Die Bibliothek {0} ist Teil dieses Imports; ihre Namen werden ohne vorangestelltes {0} geschrieben</translation>
+    </message>
 </context>
 <context>
     <name>Fixes</name>
@@ -10419,6 +10423,18 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Maximum</source>
         <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>A double click renames the set</source>
+        <translation>Ein Doppelklick dient zum Umbenennen des Datensatzes</translation>
+    </message>
+    <message>
+        <source>Remove the Set %1</source>
+        <translation>Datensatz %1 entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the Row %1</source>
+        <translation>Zeile %1 entfernen</translation>
     </message>
 </context>
 <context>

@@ -2902,6 +2902,10 @@
         <source>{0} reaches out of the controller; it is declared here with its inputs and outputs and does nothing</source>
         <translation>{0} actúa fuera del controlador; se declara aquí con sus entradas y salidas y no hace nada</translation>
     </message>
+    <message>
+        <source>The library {0} is part of this import; its names are written without {0} in front</source>
+        <translation>La biblioteca {0} forma parte de esta importación; sus nombres se escriben sin {0} delante</translation>
+    </message>
 </context>
 <context>
     <name>Fixes</name>
@@ -10419,6 +10423,18 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>Maximum</source>
         <translation>Máximo</translation>
+    </message>
+    <message>
+        <source>A double click renames the set</source>
+        <translation>Un doble clic renombra el juego de valores</translation>
+    </message>
+    <message>
+        <source>Remove the Set %1</source>
+        <translation>Quitar el juego de valores %1</translation>
+    </message>
+    <message>
+        <source>Remove the Row %1</source>
+        <translation>Quitar la fila %1</translation>
     </message>
 </context>
 <context>

@@ -2902,6 +2902,10 @@
         <source>{0} reaches out of the controller; it is declared here with its inputs and outputs and does nothing</source>
         <translation>{0} agit hors de l’automate&#x202f;; il est déclaré ici avec ses entrées et sorties et ne fait rien</translation>
     </message>
+    <message>
+        <source>The library {0} is part of this import; its names are written without {0} in front</source>
+        <translation>La bibliothèque {0} fait partie de cette importation&#x202f;; ses noms sont écrits sans {0} devant</translation>
+    </message>
 </context>
 <context>
     <name>Fixes</name>
@@ -10419,6 +10423,18 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <message>
         <source>Maximum</source>
         <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>A double click renames the set</source>
+        <translation>Un double-clic renomme le jeu de valeurs</translation>
+    </message>
+    <message>
+        <source>Remove the Set %1</source>
+        <translation>Supprimer le jeu de valeurs %1</translation>
+    </message>
+    <message>
+        <source>Remove the Row %1</source>
+        <translation>Supprimer la ligne %1</translation>
     </message>
 </context>
 <context>

@@ -2902,6 +2902,10 @@
         <source>{0} reaches out of the controller; it is declared here with its inputs and outputs and does nothing</source>
         <translation>{0} 涉及控制器之外；此处只声明其输入和输出，不执行任何操作</translation>
     </message>
+    <message>
+        <source>The library {0} is part of this import; its names are written without {0} in front</source>
+        <translation>库 {0} 是此次导入的一部分；其名称前不写 {0}</translation>
+    </message>
 </context>
 <context>
     <name>Fixes</name>
@@ -10403,6 +10407,18 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Maximum</source>
         <translation>最大值</translation>
+    </message>
+    <message>
+        <source>A double click renames the set</source>
+        <translation>双击可重命名该组数据</translation>
+    </message>
+    <message>
+        <source>Remove the Set %1</source>
+        <translation>移除数据组 %1</translation>
+    </message>
+    <message>
+        <source>Remove the Row %1</source>
+        <translation>移除行 %1</translation>
     </message>
 </context>
 <context>
