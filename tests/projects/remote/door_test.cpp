@@ -1,0 +1,290 @@
+// What an attached studio may ask of a controller, and the session that mirrors it, without a socket between them.
+#include "projects/remote/door.h"
+
+#include "projects/remote/errors.h"
+#include "runtime/compiler/jit/jit.h"
+#include "runtime/controller/controller.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <random>
+#include <thread>
+
+namespace plc::remote {
+namespace {
+
+constexpr const char* kPlant = R"(PROGRAM Main
+VAR RETAIN n : DINT; END_VAR
+VAR speed : REAL := 1.5; lamp : BOOL; text : STRING(20) := 'idle'; END_VAR
+n := n + 1;
+lamp := n MOD 2 = 0;
+END_PROGRAM
+CONFIGURATION C RESOURCE R ON PLC
+    TASK T(INTERVAL := T#5ms, PRIORITY := 1);
+    PROGRAM Main WITH T : Main;
+END_RESOURCE END_CONFIGURATION
+)";
+
+struct Sink final : session::Outlet {
+    std::vector<session::Order> all;
+    void post(session::Order order) override { all.push_back(std::move(order)); }
+    Error whyNotBack() const override { return {errors::NotPutBack(), {}}; }
+};
+
+/// As it comes out of the wire.
+Json sent(const Json& json) { return Json::parse(json.dump()); }
+
+/// Of braces alone nlohmann::json would make an object.
+Json pairs(const std::vector<std::array<const char*, 2>>& all) {
+    Json out = Json::array();
+    for (const auto& [path, text] : all) out.push_back(Json::array({path, text}));
+    return out;
+}
+
+bool eventually(const std::function<bool()>& condition) {
+    for (const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+         std::chrono::steady_clock::now() < end; std::this_thread::sleep_for(std::chrono::milliseconds(1)))
+        if (condition()) return true;
+    return false;
+}
+
+class DoorTest : public ::testing::Test {
+protected:
+    void SetUp() override { open({.mayHalt = true}); }
+    void open(Rights rights) {
+        jit::setRuntimeSymbols(controller::runtimeSymbols());
+        driver::BuildInput input;
+        input.files.push_back({"main.st", kPlant});
+        door.reset();
+        plant = std::make_unique<session::Session>(driver::build(input));
+        plant->startThread({session::Pace::Real});
+        door = std::make_unique<Door>(*plant, "test", rights);
+    }
+    /// The answer, at once or later; news are kept.
+    Json ask(Json request) {
+        request["id"] = 5u;
+        if (const auto answer = door->answer(sent(request))) return sent(*answer);
+        Json out;
+        EXPECT_TRUE(eventually([&] {
+            for (Json& each : door->due()) {
+                if (each.contains("id"))
+                    out = sent(each);
+                else
+                    news.push_back(sent(each));
+            }
+            return !out.is_null();
+        })) << request.dump();
+        return out;
+    }
+    bool isGood(const Json& request) { return ask(request)["ok"] == true; }
+    /// Builds the mirror and follows.
+    void mirrorIt() {
+        const Json program = ask({{"do", "program"}});
+        driver::Built built = driver::build(readSources(program["sources"]));
+        ASSERT_TRUE(built.program);
+        ASSERT_EQ(layoutSum(*built.program), numberAt(program, "layout"));
+        version = numberAt(program, "version");
+        if (mirror)
+            session::Mirror(*mirror).programChanged(std::move(built));
+        else
+            mirror = session::Mirror::open(std::move(built), {}, sink);
+        reader = ScanReader(mirror->program()->layout.dataEnd);
+        ASSERT_TRUE(isGood({{"do", "follow"}}));
+    }
+    /// What has come since, into the mirror.
+    void feed() {
+        session::Mirror into(*mirror);
+        for (const Json& each : door->due()) news.push_back(sent(each));
+        for (const Json& each : std::exchange(news, {})) {
+            if (textAt(each, "event") == "state") into.told(readState(each["state"], mirror->built()));
+            if (textAt(each, "event") == "happened") into.happened(readEvent(each["what"]));
+        }
+        const std::string bytes = door->bytes(1 << 18);
+        if (bytes.empty()) return;
+        std::string_view view = std::string_view(bytes).substr(1);
+        uint64_t of = 0, isHalted = 0;
+        ASSERT_TRUE(takeNumber(view, of));
+        if (of != version) return;
+        if (static_cast<Piece>(bytes[0]) == Piece::Standing) {
+            ASSERT_TRUE(takeNumber(view, isHalted));
+            return into.stands(std::as_bytes(std::span(view)), isHalted != 0);
+        }
+        ASSERT_TRUE(
+            reader.read(view, [&](const StreamedScan& scan) { into.scanned(scan.image, scan.scan, scan.time); }));
+    }
+    bool fedUntil(const std::function<bool()>& condition) {
+        return eventually([&] {
+            feed();
+            return condition();
+        });
+    }
+    double mirrored(const char* path) {
+        session::Snapshot now;
+        mirror->latest(now);
+        const auto expression = mirror->expression(path);
+        if (!expression || now.image.empty()) return 0;
+        const expression::Outcome outcome = expression->evaluate(now.image);
+        return outcome.hasValue() ? outcome.value.real() : 0;
+    }
+    std::unique_ptr<session::Session> plant, mirror;
+    std::unique_ptr<Door> door;
+    std::shared_ptr<Sink> sink = std::make_shared<Sink>();
+    std::vector<Json> news;
+    ScanReader reader;
+    uint64_t version = 0;
+};
+
+TEST_F(DoorTest, ReadsWritesForcesAndReleases) {
+    EXPECT_EQ(ask({{"do", "list"}, {"filter", "SPEED"}})["variables"].dump(), R"([["Main.speed","REAL"]])");
+    EXPECT_TRUE(isGood({{"do", "write"}, {"values", pairs({{"Main.speed", "2.25"}, {"Main.text", "'on'"}})}}));
+    const Json values = ask({{"do", "read"}, {"watch", {"Main.speed * 2", "Main.text", "Main.none"}}})["values"];
+    EXPECT_EQ(values[0]["value"], "4.5");
+    EXPECT_EQ(values[1]["value"], "'on'");
+    EXPECT_TRUE(values[2].contains("reason"));
+    EXPECT_TRUE(isGood({{"do", "force"}, {"values", pairs({{"Main.lamp", "TRUE"}})}}));
+    EXPECT_TRUE(eventually([&] { return plant->forces().size() == 1; }));
+    EXPECT_NE(ask({{"do", "write"}, {"values", pairs({{"Main.lamp", "FALSE"}})}})["error"].dump().find("is forced"),
+              std::string::npos);
+    EXPECT_TRUE(isGood({{"do", "unforce"}, {"path", "main.LAMP"}}));
+    EXPECT_TRUE(eventually([&] { return plant->forces().empty(); }));
+}
+
+TEST_F(DoorTest, WhatIsWrongIsAnsweredAndChangesNothing) {
+    for (const Json& wrong :
+         {Json{{"do", "write"}, {"values", pairs({{"Main.speed", "many"}})}},
+          Json{{"do", "write"}, {"values", pairs({{"Main.none", "1"}})}}, Json{{"do", "write"}},
+          Json{{"do", "force"}, {"values", 7}}, Json{{"do", "press"}, {"values", Json::array()}},
+          Json{{"do", "unforce"}, {"path", "Main.speed"}}, Json{{"do", "reset"}, {"kind", "sideways"}},
+          Json{{"do", "breakpoints"}, {"places", Json::array({Json{{"file", "none.st"}}})}}, Json{{"do", "dance"}},
+          Json{{"do", 7}}, Json::object()}) {
+        const Json answer = ask(wrong);
+        EXPECT_EQ(answer["ok"], false) << wrong.dump();
+        EXPECT_FALSE(textAt(answer, "error").empty()) << wrong.dump();
+    }
+    EXPECT_TRUE(plant->forces().empty());
+    EXPECT_EQ(plant->status().state, controller::State::Running);
+}
+
+TEST_F(DoorTest, TheMirrorRecordsTheSameScansBitForBit) {
+    mirrorIt();
+    ASSERT_TRUE(fedUntil([&] { return mirror->history().statistics().scans > 100; }));
+    const history::Statistics here = mirror->history().statistics();
+    for (history::Position at = here.first; at < here.end; ++at) {
+        const auto stamp = mirror->history().stamp(at);
+        const auto there = plant->history().positionOfScan(stamp->scan);
+        ASSERT_TRUE(there);
+        EXPECT_EQ(plant->history().seek(*there), mirror->history().seek(at)) << "scan " << stamp->scan;
+        EXPECT_EQ(plant->history().stamp(*there)->time, stamp->time);
+    }
+    EXPECT_EQ(mirror->status().state, controller::State::Running);
+    EXPECT_FALSE(mirror->taskStatistics().empty());
+}
+
+TEST_F(DoorTest, WhatIsWrittenWhileItStandsIsSeen) {
+    mirrorIt();
+    EXPECT_TRUE(isGood({{"do", "stop"}}));
+    EXPECT_TRUE(fedUntil([&] { return mirror->status().state == controller::State::Stopped; }));
+    EXPECT_TRUE(isGood({{"do", "write"}, {"values", pairs({{"Main.speed", "9"}})}}));
+    EXPECT_TRUE(fedUntil([&] { return mirrored("Main.speed") == 9; }));
+    EXPECT_TRUE(isGood({{"do", "start"}}));
+    EXPECT_TRUE(fedUntil([&] { return mirror->status().state == controller::State::Running; }));
+}
+
+TEST_F(DoorTest, BreakpointsShowFramesAndLocalsAndNeverOutliveTheDoor) {
+    mirrorIt();
+    EXPECT_TRUE(isGood({{"do", "breakpoints"}, {"places", Json::array({Json{{"file", "main.st"}, {"line", 4u}}})}}));
+    ASSERT_TRUE(fedUntil([&] { return mirror->status().state == controller::State::Halted; }));
+    ASSERT_TRUE(fedUntil([&] { return !mirror->haltFrames().empty(); }));
+    EXPECT_EQ(mirror->haltFrames().front().function, "Main");
+    EXPECT_TRUE(fedUntil([&] { return !mirror->frameVariables(0).empty(); })) << "the image with its frames came";
+    EXPECT_TRUE(isGood({{"do", "go"}, {"how", "over"}}));
+    EXPECT_TRUE(fedUntil([&] { return mirror->status().halts >= 2; }));
+    door.reset(); // the line is cut
+    const uint64_t scans = plant->status().scans;
+    EXPECT_TRUE(eventually([&] { return plant->status().scans > scans + 20; })) << "no breakpoint is left";
+}
+
+TEST_F(DoorTest, BreakpointsAreRefusedWhereTheyAreNotAllowed) {
+    open({.mayHalt = false});
+    for (const Json& request :
+         {Json{{"do", "breakpoints"}, {"places", Json::array()}}, Json{{"do", "go"}, {"how", "in"}}})
+        EXPECT_NE(textAt(ask(request), "error").find("--allow-breakpoints"), std::string::npos);
+}
+
+TEST_F(DoorTest, AnotherProgramEntersAndTheMirrorFollows) {
+    mirrorIt();
+    driver::BuildInput next = *mirror->built().input;
+    const size_t at = next.files[0].text.find("n := n + 1;");
+    next.files[0].text.replace(at, 11, "n := n + 1000;");
+    const Json changed = ask({{"do", "change"}, {"sources", sourcesJson(next)}});
+    EXPECT_EQ(changed["ok"], true) << changed.dump();
+    EXPECT_GT(numberAt(changed, "kept"), 0u);
+    next.files[0].text += "nonsense";
+    EXPECT_NE(textAt(ask({{"do", "change"}, {"sources", sourcesJson(next)}}), "error").find("1 error"),
+              std::string::npos);
+    EXPECT_NE(plant->program()->version, version);
+    mirrorIt();
+    const history::Position end = mirror->history().statistics().end;
+    EXPECT_TRUE(fedUntil([&] { return mirror->history().statistics().end > end + 20; }));
+}
+
+TEST_F(DoorTest, OrdersToTheMirrorGoOutAndNothingRunsHere) {
+    mirrorIt();
+    EXPECT_TRUE(mirror->isMirror());
+    mirror->write("Main.speed", types::Value{}, "x");
+    mirror->stop();
+    mirror->unforceAll();
+    mirror->startThread({session::Pace::Real});
+    ASSERT_EQ(sink->all.size(), 4u);
+    EXPECT_EQ(sink->all[0].kind, session::OrderKind::Write);
+    EXPECT_EQ(sink->all[1].kind, session::OrderKind::Stop);
+    EXPECT_EQ(sink->all[3].kind, session::OrderKind::Start);
+    EXPECT_FALSE(mirror->resumeFrom(0)) << "a plant is not put back in time";
+}
+
+TEST_F(DoorTest, TheRecordingComesInPiecesAndWhole) {
+    const uint64_t size = numberAt(ask({{"do", "recording"}}), "bytes");
+    ASSERT_GT(size, 0u);
+    uint64_t got = 0;
+    while (got < size) {
+        const std::string piece = door->bytes(1000);
+        ASSERT_FALSE(piece.empty());
+        EXPECT_EQ(static_cast<Piece>(piece[0]), Piece::Recording);
+        got += piece.size() - 1;
+    }
+    EXPECT_EQ(got, size);
+}
+
+TEST(ScanStream, WhatIsWrittenIsReadAndNonsenseIsRefused) {
+    std::mt19937 random(7);
+    std::vector<std::byte> image(1000);
+    ScanWriter writer;
+    std::vector<std::vector<std::byte>> all;
+    std::string bytes;
+    for (uint64_t scan = 0; scan < 200; ++scan) {
+        for (int i = 0; i < 5; ++i) image[random() % image.size()] = std::byte(random());
+        all.push_back(image);
+        writer.write(bytes, {scan, std::chrono::nanoseconds(scan * 1000), image});
+    }
+    ScanReader reader(image.size());
+    size_t count = 0;
+    EXPECT_TRUE(reader.read(bytes, [&](const StreamedScan& scan) {
+        EXPECT_EQ(scan.scan, count);
+        EXPECT_TRUE(std::equal(scan.image.begin(), scan.image.end(), all[count].begin(), all[count].end()));
+        ++count;
+    }));
+    EXPECT_EQ(count, all.size());
+    for (int round = 0; round < 20'000; ++round) { // no byte outside is touched: the sanitizers watch
+        std::string bad = bytes.substr(0, random() % 400);
+        for (int i = 0; i < 4 && !bad.empty(); ++i) bad[random() % bad.size()] = static_cast<char>(random());
+        ScanReader other(image.size());
+        (void)other.read(bad, [](const StreamedScan&) {});
+    }
+    ScanReader smaller(100);
+    EXPECT_FALSE(smaller.read(bytes, [](const StreamedScan&) {}));
+}
+
+} // namespace
+} // namespace plc::remote
