@@ -2,7 +2,7 @@
 
 #include "editor/kit/theme.h"
 #include "editor/plot/plot_scale.h"
-#include "editor/plot/plot_text.h"
+#include "editor/plot/ruler_mark.h"
 
 #include <QApplication>
 #include <QPainter>
@@ -219,29 +219,8 @@ void paintRuler(QPainter& painter, const FigureRuler& ruler, const std::vector<F
                 const QFont& font) {
     if (ruler.from.chart >= frames.size()) return;
     const FigureFrame& frame = frames[ruler.from.chart];
-    const kit::ThemeColors& colors = kit::colors();
-    const QPointF from(frame.xOf(ruler.from.x), frame.yOf(ruler.from.y)),
-        to(frame.xOf(ruler.to.x), frame.yOf(ruler.to.y));
-    painter.save();
-    painter.setClipRect(frame.area);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(colors.plotCursor, 1, Qt::DotLine));
-    painter.drawPolyline(QPolygonF({from, QPointF(to.x(), from.y()), to}));
-    painter.setPen(QPen(colors.plotCursor, 1.6));
-    painter.drawLine(from, to);
-    painter.setBrush(colors.plotCursor);
-    painter.drawEllipse(from, 3, 3);
-    painter.drawEllipse(to, 3, 3);
-    const QFontMetricsF metrics(font);
-    const QString what = rulerText(ruler);
-    QRectF tag(to.x() + 8, to.y() - metrics.height() - 6, metrics.horizontalAdvance(what) + 14, metrics.height() + 4);
-    if (tag.right() > frame.area.right()) tag.moveRight(std::max(to.x() - 8, frame.area.left() + tag.width()));
-    if (tag.top() < frame.area.top()) tag.moveTop(to.y() + 8);
-    painter.setPen(Qt::NoPen);
-    painter.drawRoundedRect(tag, 3, 3);
-    painter.setPen(colors.plotGround);
-    painter.drawText(tag, Qt::AlignCenter, what);
-    painter.restore();
+    paintRulerMark(painter, {frame.xOf(ruler.from.x), frame.yOf(ruler.from.y)},
+                   {frame.xOf(ruler.to.x), frame.yOf(ruler.to.y)}, rulerText(ruler), frame.area, font);
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "editor/kit/theme.h"
 #include "editor/plot/plot_renderer.h"
 #include "editor/plot/plot_scale.h"
+#include "editor/plot/ruler_mark.h"
 
 #include <QPainter>
 
@@ -21,15 +22,6 @@ const PlotPane* paneOf(const std::vector<PlotPane>& panes, int chart) {
 size_t axisIndex(const PlotPane& pane, int axis) {
     const auto at = std::find(pane.axes.begin(), pane.axes.end(), axis);
     return at == pane.axes.end() ? 0 : static_cast<size_t>(at - pane.axes.begin());
-}
-
-/// Beside its anchor, above it where there is room, and inside the area.
-QRectF tagRect(const QPointF& anchor, const QSizeF& size, const QRectF& area) {
-    QRectF tag(QPointF(anchor.x() + 12, anchor.y() - size.height() - 14), size);
-    if (tag.right() > area.right() - 2) tag.moveRight(std::max(anchor.x() - 12, area.left() + size.width()));
-    if (tag.top() < area.top() + 2) tag.moveTop(anchor.y() + 14);
-    if (tag.bottom() > area.bottom() - 2) tag.moveBottom(area.bottom() - 2);
-    return tag;
 }
 
 } // namespace
@@ -81,29 +73,9 @@ void PlotRenderer::paintRuler(QPainter& painter, const PlotModel& model) {
     const PlotRuler& ruler = *model.ruler;
     const PlotPane* pane = paneOf(m_panes, ruler.chart);
     if (!pane) return;
-    const kit::ThemeColors& c = kit::colors();
     const PlotMapping map = mapping(model, *pane, axisIndex(*pane, ruler.axis));
-    const QPointF from(map.xOf(ruler.fromTime), map.yOf(ruler.fromValue));
-    const QPointF to(map.xOf(ruler.toTime), map.yOf(ruler.toValue));
-    painter.save();
-    painter.setClipRect(pane->area);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(c.plotCursor, 1, Qt::DotLine));
-    painter.drawPolyline(QPolygonF({from, QPointF(to.x(), from.y()), to}));
-    painter.setPen(QPen(c.plotCursor, 1.6));
-    painter.drawLine(from, to);
-    painter.setBrush(c.plotCursor);
-    painter.drawEllipse(from, 3, 3);
-    painter.drawEllipse(to, 3, 3);
-    const QFontMetricsF metrics(m_font);
-    const QString text = rulerText(ruler);
-    const QRectF tag = tagRect(to, {metrics.horizontalAdvance(text) + 14, metrics.height() + 4}, pane->area);
-    painter.setPen(Qt::NoPen);
-    painter.drawRoundedRect(tag, 3, 3);
-    painter.setPen(c.plotGround);
-    painter.setFont(m_font);
-    painter.drawText(tag, Qt::AlignCenter, text);
-    painter.restore();
+    paintRulerMark(painter, {map.xOf(ruler.fromTime), map.yOf(ruler.fromValue)},
+                   {map.xOf(ruler.toTime), map.yOf(ruler.toValue)}, rulerText(ruler), pane->area, m_font);
 }
 
 PlotRuler PlotRenderer::rulerAt(const PlotModel& model, const QPointF& point, double reach) const {

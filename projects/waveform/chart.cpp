@@ -1,6 +1,5 @@
 #include "projects/waveform/chart.h"
 
-#include "projects/tuning/process_model.h"
 #include "runtime/base/xml_text.h"
 
 #include <algorithm>

@@ -33,9 +33,10 @@ const std::string kLoop = plc::sourceDir() + "/projects/examples/pid_pt1";
 std::string tableIn(const QTemporaryDir& folder) {
     const std::string path = folder.filePath("bench.csv").toStdString();
     std::ofstream out(path);
+    out.precision(15);
     out << "time_s,Force [N],Way [mm]\n";
-    for (int i = 0; i < 4000; ++i) {
-        const double t = i * 0.005, turn = 2 * std::numbers::pi * 3 * t;
+    for (int i = 0; i < 4096; ++i) { // 3 Hz is a line of the spectrum
+        const double t = i / 256.0, turn = 2 * std::numbers::pi * 3 * t;
         out << t << ',' << 4 * std::sin(turn) << ',' << -2 * std::cos(turn) << '\n';
     }
     return path;
@@ -60,7 +61,7 @@ TEST(TraceFigures, AnXyPlotGoesIntoATable) {
     QFile file(csv);
     ASSERT_TRUE(file.open(QIODevice::ReadOnly));
     const auto lines = file.readAll().trimmed().split('\n');
-    ASSERT_EQ(lines.size(), 4001);
+    ASSERT_EQ(lines.size(), 4097);
     for (qsizetype i = 1; i < lines.size(); i += 97) {
         const auto cells = lines[i].split(',');
         EXPECT_NEAR(std::pow(cells[2].toDouble() / 4, 2) + std::pow(cells[3].toDouble() / 2, 2), 1, 1e-3);

@@ -115,6 +115,19 @@ TEST_F(TuneCommand, AReportSaysHowTheLoopIsDoing) {
     EXPECT_NE(read("quiet.html").find("How it is doing"), std::string::npos);
 }
 
+TEST_F(TuneCommand, AReportEndingInPdfIsOne) {
+    ASSERT_EQ(command({"tune", example("loop_tuning"), "--for", "180s", "--set", "Main.SetPoint=45@60s", "--report",
+                       path("loop.pdf")}),
+              cli::kGood)
+        << err;
+    const std::string page = read("loop.pdf");
+    EXPECT_TRUE(page.starts_with("%PDF-")) << page.substr(0, 20);
+    EXPECT_NE(page.find("/Image"), std::string::npos) << "the charts are in it";
+    EXPECT_NE(command({"tune", example("loop_tuning"), "--for", "180s", "--set", "Main.SetPoint=45@60s", "--report",
+                       "/no/such/folder/loop.pdf"}),
+              cli::kGood);
+}
+
 TEST_F(TuneCommand, SaysWhatIsWrong) {
     write("valve.csv", table());
     write("flat.csv", [] {
