@@ -318,7 +318,7 @@ void constructArray(World& world, Context& checker, tree::Place* place,
                     const std::vector<syntax::Argument>* constructor, std::vector<tree::Stmt*>& out) {
     const types::Type& type = world.types[place->type];
     const TypeId lint = types::TypeTable::of(TypeKind::Lint);
-    tree::Place* element = world.arena.make<tree::Place>();
+    tree::Place* element = checker.arena.make<tree::Place>();
     element->kind = tree::PlaceKind::Index;
     element->type = type.element;
     element->range = place->range;
@@ -407,11 +407,11 @@ void construct(World& world, Context& checker, tree::Place* place, const std::ve
         return constructArray(world, checker, place, constructor, out);
     takeAddress(checker, place);
     if (const tree::FunctionId init = initialiserOf(world, place->type); init.isValid()) {
-        tree::Expr* call = world.arena.make<tree::Expr>();
+        tree::Expr* call = checker.arena.make<tree::Expr>();
         call->kind = tree::ExprKind::Call;
         call->type = types::TypeTable::of(TypeKind::Void);
         call->range = place->range;
-        call->call = world.arena.make<tree::Call>();
+        call->call = checker.arena.make<tree::Call>();
         call->call->callee = init;
         call->call->instance = place;
         tree::Stmt* evaluate = newStmt(checker, tree::StmtKind::Evaluate, {});
