@@ -59,16 +59,24 @@ void RunControl::buildAside(std::function<void(std::shared_ptr<driver::Built>)> 
     emit buildStarted();
     emit workBegan(tr("Building"), m_building);
     if (m_builder.joinable()) m_builder.join();
-    m_builder = std::thread([this, progress = m_building, input = m_workspace.buildInput(), then = std::move(then)] {
-        auto built = std::make_shared<driver::Built>(driver::build(input, progress.get()));
-        const auto finish = [this, progress, built, then] {
-            m_building = nullptr;
-            emit workEnded(progress);
-            if (progress->isCancelled()) return emit buildCancelled();
-            then(built);
-        };
-        kit::post(this, [this, finish] { m_hold.expired() ? finish() : m_afterHold.push_back(finish); });
-    });
+    // not what the editor checked: that holds the tests as well, and would have another layout
+    if (!m_built) m_built = std::make_shared<driver::KeptFiles>();
+    m_builder = std::thread(
+        [this, progress = m_building, kept = m_built, input = m_workspace.buildInput(), then = std::move(then)] {
+            QElapsedTimer clock;
+            clock.start();
+            const driver::Checked checked = driver::check(input, *kept);
+            const auto checkMs = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
+            auto built = std::make_shared<driver::Built>(driver::build(checked, input, progress.get()));
+            built->checkMs = checkMs;
+            const auto finish = [this, progress, built, then] {
+                m_building = nullptr;
+                emit workEnded(progress);
+                if (progress->isCancelled()) return emit buildCancelled();
+                then(built);
+            };
+            kit::post(this, [this, finish] { m_hold.expired() ? finish() : m_afterHold.push_back(finish); });
+        });
 }
 
 void RunControl::build(std::function<void(bool)> then) {

@@ -188,6 +188,7 @@ private:
     bool m_isEnding = false;
     bool m_pausedToLook = false; // it ran until one looked back
     std::thread m_builder;
+    std::shared_ptr<driver::KeptFiles> m_built; // of the builder: Run checks what changed since the last Run
 };
 
 } // namespace plc::editor

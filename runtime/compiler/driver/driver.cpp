@@ -7,6 +7,7 @@
 #include "runtime/compiler/driver/keeps_analysis.h"
 #include "runtime/compiler/facts/debug_map.h"
 #include "runtime/compiler/jit/jit.h"
+#include "runtime/compiler/sema/kept_bodies.h"
 #include "runtime/image/portable_program.h"
 #include "runtime/library/sources.h"
 
@@ -62,6 +63,8 @@ std::shared_ptr<image::CompiledProgram> assemble(const Checked& checked, facts::
     const tree::Program& tree = *checked.analysis->program;
     const std::shared_ptr<image::CompiledProgram> program(new image::CompiledProgram, KeepsAnalysis{checked.analysis});
     program->layout = tree.layout;
+    // its own: references are named by the program (nameReferences), and several may be made of what was checked once
+    program->layout.types = std::make_shared<types::TypeTable>(*tree.layout.types);
     program->initialImage = tree.initialImage;
     program->initialImage.resize(program->layout.imageSize);
     program->initializer = tree.initializer.isValid() ? tree.initializer.value : 0;
@@ -118,7 +121,8 @@ namespace {
 constexpr double kChecked = 0.3;
 
 /// Nothing when it was cancelled.
-std::optional<Checked> checkWatched(const BuildInput& input, KeptFiles& kept, Progress* progress) {
+std::optional<Checked> checkWatched(const BuildInput& input, KeptFiles& kept, sema::KeptBodies* bodies,
+                                    Progress* progress) {
     std::optional<ReadFiles> read = kept.read(input, progress);
     if (!read) return {};
     Checked checked;
@@ -128,7 +132,8 @@ std::optional<Checked> checkWatched(const BuildInput& input, KeptFiles& kept, Pr
     options.addressing = input.addressing;
     options.memoryForNew = input.memoryForNew;
     for (const std::string& text : input.companions) gatherNames(text, options.usedElsewhere);
-    checked.analysis = sema::analyze(*read->sources, std::move(read->trees), std::move(read->diagnostics), options);
+    checked.analysis =
+        sema::analyze(*read->sources, std::move(read->trees), std::move(read->diagnostics), options, bodies);
     if (!goesOn(progress, kChecked)) return {};
     return checked;
 }
@@ -137,21 +142,31 @@ std::optional<Checked> checkWatched(const BuildInput& input, KeptFiles& kept, Pr
 
 Checked check(const BuildInput& input) {
     KeptFiles kept;
-    return check(input, kept);
+    return *checkWatched(input, kept, nullptr, nullptr);
 }
 
-Checked check(const BuildInput& input, KeptFiles& kept) { return *checkWatched(input, kept, nullptr); }
+Checked check(const BuildInput& input, KeptFiles& kept) { return *checkWatched(input, kept, &kept.bodies(), nullptr); }
 
 Built build(const BuildInput& input, Progress* progress) {
-    Built built;
     const auto begin = std::chrono::steady_clock::now();
     KeptFiles kept;
-    std::optional<Checked> checked = checkWatched(input, kept, progress);
-    built.isCancelled = !checked;
-    if (!checked) return built;
-    built.checked = std::move(*checked);
-    built.checkMs = millisecondsSince(begin);
-    if (built.checked.analysis->hasErrors || !built.checked.analysis->program) return built;
+    const std::optional<Checked> checked = checkWatched(input, kept, nullptr, progress);
+    if (!checked) {
+        Built built;
+        built.isCancelled = true;
+        return built;
+    }
+    const double checkMs = millisecondsSince(begin);
+    Built built = build(*checked, input, progress);
+    built.checkMs = checkMs;
+    return built;
+}
+
+Built build(const Checked& checked, const BuildInput& input, Progress* progress) {
+    Built built;
+    built.checked = checked;
+    if (checked.analysis->hasErrors || !checked.analysis->program) return built;
+    built.checked.analysis = sema::withTreesInPlace(checked.analysis);
     const auto codeBegin = std::chrono::steady_clock::now();
     const tree::Program& tree = *built.checked.analysis->program;
     codegen::Options options;

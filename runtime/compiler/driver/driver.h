@@ -59,6 +59,9 @@ struct Built {
     double checkMs = 0, codeMs = 0;
     std::shared_ptr<const BuildInput> input; // what it was built from (recordings keep it)
 };
+/// Compiles what was checked with the quick tier; it is not changed, others may read it meanwhile. `input`: what it was
+/// checked from. Its trees are moved where they were kept from an earlier text.
+[[nodiscard]] Built build(const Checked& checked, const BuildInput& input, Progress* progress = nullptr);
 /// Checks and compiles with the quick tier. `progress` may cancel it between files, functions and parts of the code.
 [[nodiscard]] Built build(const BuildInput& input, Progress* progress = nullptr);
 /// Compiles the optimised tier and publishes it in `program`; call from a worker thread. Cancelled, it is

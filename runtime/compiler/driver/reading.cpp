@@ -6,6 +6,7 @@
 #include "runtime/compiler/driver/dynamic_memory.h"
 #include "runtime/compiler/lower/lower.h"
 #include "runtime/compiler/parse/parser.h"
+#include "runtime/compiler/sema/kept_bodies.h"
 #include "runtime/library/sources.h"
 
 #include <algorithm>
@@ -41,6 +42,10 @@ struct KeptFiles::Reading {
     diagnostics::Sink sink;
 };
 
+KeptFiles::KeptFiles() : m_bodies(std::make_shared<sema::KeptBodies>()) {}
+
+size_t KeptFiles::checkedLast() const { return m_bodies->checkedLast(); }
+
 bool KeptFiles::isKept(size_t index, const Reading& wanted) const {
     if (index >= m_files.size()) return false;
     const File& file = m_files[index];
@@ -51,7 +56,10 @@ bool KeptFiles::isKept(size_t index, const Reading& wanted) const {
 
 std::optional<ReadFiles> KeptFiles::read(const BuildInput& input, Progress* progress) {
     constexpr double kShare = 0.1; // of a build
-    if (m_defines != input.defines || m_keepsEveryResult != input.keepsEveryResult) m_files.clear();
+    if (m_defines != input.defines || m_keepsEveryResult != input.keepsEveryResult) {
+        m_files.clear();
+        *m_bodies = {}; // the same text declares something else
+    }
     m_defines = input.defines;
     m_keepsEveryResult = input.keepsEveryResult;
     const std::vector<LibraryText> libraries = libraryTextsOf(input);

@@ -12,6 +12,10 @@
 #include <string>
 #include <vector>
 
+namespace plc::sema {
+class KeptBodies;
+}
+
 namespace plc::driver {
 
 struct BuildInput;
@@ -30,12 +34,17 @@ struct ReadFiles {
     std::vector<diagnostics::Diagnostic> diagnostics;             // of lexer, parser and lowering
 };
 
+/// What one check leaves to the next: files as they were read, bodies as they were checked.
 class KeptFiles {
 public:
+    KeptFiles();
     /// Reads what is not the same as the last time; nothing when it was cancelled.
     [[nodiscard]] std::optional<ReadFiles> read(const BuildInput& input, Progress* progress = nullptr);
     /// How many files the last call had to read.
     [[nodiscard]] size_t readLast() const { return m_readLast; }
+    /// How many bodies the last check had to check.
+    [[nodiscard]] size_t checkedLast() const;
+    [[nodiscard]] sema::KeptBodies& bodies() { return *m_bodies; }
 
 private:
     struct File {
@@ -51,6 +60,7 @@ private:
     std::vector<std::string> m_defines;
     bool m_keepsEveryResult = true;
     size_t m_readLast = 0;
+    std::shared_ptr<sema::KeptBodies> m_bodies;
 };
 
 } // namespace plc::driver

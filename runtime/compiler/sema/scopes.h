@@ -81,6 +81,7 @@ struct Variable {
     Unit* program = nullptr;    // of a program instance
     SymbolId symbol;
     uint32_t reads = 0, writes = 0;
+    uint32_t number = Id<int>::kNone; // World::numbered
     [[nodiscard]] bool isInOut() const { return kind == syntax::SectionKind::InOut; }
 };
 

@@ -78,6 +78,14 @@ struct Located { // an open address that VAR_CONFIG completes, copied at the sca
     bool isCompleted = false;
 };
 
+/// That a body reads or writes a variable.
+struct VariableUse {
+    uint32_t variable = 0; // World::numbered
+    bool isRead = false, isWrite = false;
+    bool operator==(const VariableUse&) const = default;
+};
+struct LastCheck;
+
 struct Copy {
     image::Place data, address;
     bool isInput = false;
@@ -85,6 +93,13 @@ struct Copy {
 };
 
 struct World {
+    /// Where all counting goes through: what a body uses is kept for the next check.
+    void count(Variable& variable, bool isRead, bool isWrite) {
+        if (isRead) ++variable.reads;
+        if (isWrite) ++variable.writes;
+        uses.push_back({variable.number, isRead, isWrite});
+    }
+
     World(const SourceSet& sources, const Options& options);
 
     [[nodiscard]] NameId key(std::string_view spelling) { return names.intern(spelling); }
@@ -142,6 +157,10 @@ struct World {
     std::vector<Symbol> symbols;
     std::vector<Reference> references;
     std::vector<Call> calls;
+    std::vector<Variable*> numbered; // all variables, by Variable::number, from before the bodies on
+    std::vector<VariableUse> uses;   // by the body being checked
+    size_t completions = 0;          // of anything shared, whoever needed it first
+    std::shared_ptr<const LastCheck> check;
 
     std::vector<Configuration> configurations;
     std::vector<Instance> instances;

@@ -113,107 +113,131 @@ void callStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree:
     out.push_back(evaluate);
 }
 
-/// inst(in := a, io := b, out => c): a Block of assignments, bindings, the call of the body, and assignments from the
-/// outputs.
-///   wrong: b();  for VAR_IN_OUT x (P2010); b();  of FUNCTION_BLOCK ABSTRACT B (P2025)
-void instanceCall(Context& context, tree::Place* instance, Unit& unit, const syntax::Expr& e, const Denoted& callee,
-                  std::vector<tree::Stmt*>& out, SourceRange range) {
-    completeUnit(context.world, unit, e.range);
-    if (unit.isAbstract && callee.isExact) context.emit(e.base->range, findings::AbstractInstance(unit.name));
-    const Matched matched = match(context, e, unit.name, unit.parameters);
-    if (!matched.isGood) {
-        for (const Match& each : matched.matches)
-            if (each.argument && each.argument->value) {
-                if (each.argument->kind == ArgumentKind::Output)
-                    denote(context, *each.argument->value, Access::Write);
-                else
-                    expression(context, *each.argument->value, typeOf(context.world, *each.parameter));
-            }
-        return;
+namespace {
+
+/// The call of a block: inputs are assigned and in-outs bound before it, outputs assigned after it, and references to
+/// what ends with the caller are taken back last.
+class InstanceCall {
+public:
+    InstanceCall(Context& context, tree::Place* instance, Unit& unit, const syntax::Expr& e)
+        : m_context(context), m_instance(instance), m_unit(unit), m_e(e) {}
+
+    void pass(const Match& match) {
+        Variable& parameter = *match.parameter;
+        const syntax::Argument* argument = match.argument && match.argument->value ? match.argument : nullptr;
+        const TypeId type = typeOf(m_context.world, parameter);
+        tree::Place* field = fieldOfParameter(parameter, type, argument);
+        if (parameter.isInOut()) return bind(parameter, field, argument);
+        if (!argument) return; // keeps its last value
+        if (parameter.kind == SectionKind::Output) return output(field, *argument);
+        input(parameter, type, field, *argument);
     }
-    tree::Stmt* block = newStmt(context, tree::StmtKind::Block, range);
-    std::vector<tree::Stmt*> before, after, outputs;
-    for (const Match& each : matched.matches) {
-        Variable& parameter = *each.parameter;
-        const TypeId type = typeOf(context.world, parameter);
-        const syntax::Argument* argument = each.argument;
-        tree::Place* field = nullptr;
+
+    tree::Stmt* block(const Denoted& callee, SourceRange range) {
+        tree::Expr* made = m_context.arena.make<tree::Expr>();
+        made->kind = tree::ExprKind::Call;
+        made->type = m_context.elementary(TypeKind::Void);
+        made->range = m_e.range;
+        made->call = m_context.arena.make<tree::Call>();
+        Denoted body = callee;
+        body.kind = Denoted::Kind::Unit;
+        body.unit = &m_unit;
+        body.instance = m_instance;
+        body.interface = nullptr;
+        prepareCall(m_context, *made->call, body, m_e.range);
+        tree::Stmt* evaluate = newStmt(m_context, tree::StmtKind::Evaluate, range);
+        evaluate->a = made;
+        m_block->body = std::move(m_inputs);
+        m_block->body.push_back(evaluate);
+        m_block->body.insert(m_block->body.end(), m_outputs.begin(), m_outputs.end());
+        m_block->body.insert(m_block->body.end(), m_after.begin(), m_after.end());
+        return m_block;
+    }
+
+    void begin(SourceRange range) { m_block = newStmt(m_context, tree::StmtKind::Block, range); }
+
+private:
+    tree::Place* fieldOfParameter(const Variable& parameter, TypeId type, const syntax::Argument* argument) {
         if (parameter.storage == Storage::Absolute)
-            field = absolutePlace(context, parameter.offset, type, parameter.bit, {});
-        else if (parameter.isInOut()) {
-            field = context.arena.make<tree::Place>();
-            field->kind = tree::PlaceKind::InOutSlot;
-            field->type = type;
-            field->base = instance;
-            field->offset = parameter.offset;
-            field->range = e.range;
-        } else {
-            field = fieldPlace(context, instance, parameter.offset, type, -1,
-                               argument && argument->value ? argument->value->range : e.range);
-        }
-        if (parameter.isInOut()) {
-            if (!argument || !argument->value) {
-                context.emit(e.base->range, findings::MissingArgument(parameter.name, unit.name));
-                continue;
-            }
-            tree::Place* target = inOutTarget(context, parameter, *argument, before, after);
-            if (!target) continue;
-            tree::Stmt* bind = newStmt(context, tree::StmtKind::Bind, {});
-            bind->place = field;
-            bind->target = target;
-            before.push_back(bind);
-            if (context.function && isInFrame(*target, *context.function)) {
-                tree::Stmt* unbind = newStmt(context, tree::StmtKind::Bind, {});
-                unbind->place = field;
-                after.push_back(unbind);
-            }
-            continue;
-        }
-        if (!argument || !argument->value) continue; // keeps its last value
-        if (parameter.kind == SectionKind::Output) {
-            const Denoted target = sema::target(context, *argument->value);
-            if (target.kind == Denoted::Kind::Nothing) continue;
-            Operand value = load(context, field, argument->value->range);
-            if (argument->negated) value = inverted(context, value, argument->value->range);
-            assignTo(context, target, value, {}, outputs, true);
-            continue;
-        }
-        if (context.isKind(type, TypeKind::Reference)) {
-            bindReference(context, field, *argument->value, {}, before);
-            continue;
-        }
-        if (context.types.isAggregate(type) && (argument->value->kind == syntax::ExprKind::ArrayInit ||
-                                                argument->value->kind == syntax::ExprKind::StructInit)) {
-            assignAggregate(context, field, *argument->value, {}, before);
-            continue;
-        }
-        Operand value = isAnyInput(context.world, parameter)
-                            ? anyArgument(context, parameter, *argument->value)
-                            : converted(context, expression(context, *argument->value, type), type);
-        if (argument->negated) value = inverted(context, value, argument->value->range);
-        if (!value.isUnknown()) before.push_back(assignStmt(context, field, value.expr, {}));
+            return absolutePlace(m_context, parameter.offset, type, parameter.bit, {});
+        if (!parameter.isInOut())
+            return fieldPlace(m_context, m_instance, parameter.offset, type, -1,
+                              argument ? argument->value->range : m_e.range);
+        tree::Place* slot = m_context.arena.make<tree::Place>();
+        slot->kind = tree::PlaceKind::InOutSlot;
+        slot->type = type;
+        slot->base = m_instance;
+        slot->offset = parameter.offset;
+        slot->range = m_e.range;
+        return slot;
     }
-    tree::Expr* made = context.arena.make<tree::Expr>();
-    made->kind = tree::ExprKind::Call;
-    made->type = context.elementary(TypeKind::Void);
-    made->range = e.range;
-    made->call = context.arena.make<tree::Call>();
-    Denoted body = callee;
-    body.kind = Denoted::Kind::Unit;
-    body.unit = &unit;
-    body.instance = instance;
-    body.interface = nullptr;
-    prepareCall(context, *made->call, body, e.range);
-    tree::Stmt* evaluate = newStmt(context, tree::StmtKind::Evaluate, range);
-    evaluate->a = made;
-    block->body = std::move(before);
-    block->body.push_back(evaluate);
-    block->body.insert(block->body.end(), outputs.begin(), outputs.end());
-    block->body.insert(block->body.end(), after.begin(), after.end());
-    if (!matched.en && !matched.eno) {
-        out.push_back(block);
-        return;
+
+    void bind(Variable& parameter, tree::Place* slot, const syntax::Argument* argument) {
+        if (!argument) {
+            m_context.emit(m_e.base->range, findings::MissingArgument(parameter.name, m_unit.name));
+            return;
+        }
+        tree::Place* target = inOutTarget(m_context, parameter, *argument, m_inputs, m_after);
+        if (!target) return;
+        tree::Stmt* bind = newStmt(m_context, tree::StmtKind::Bind, {});
+        bind->place = slot;
+        bind->target = target;
+        m_inputs.push_back(bind);
+        if (!m_context.function || !isInFrame(*target, *m_context.function)) return;
+        // the instance outlives the local that it refers to
+        tree::Stmt* unbind = newStmt(m_context, tree::StmtKind::Bind, {});
+        unbind->place = slot;
+        m_after.push_back(unbind);
     }
+
+    void output(tree::Place* field, const syntax::Argument& argument) {
+        const Denoted target = sema::target(m_context, *argument.value);
+        if (target.kind == Denoted::Kind::Nothing) return;
+        Operand value = load(m_context, field, argument.value->range);
+        if (argument.negated) value = inverted(m_context, value, argument.value->range);
+        assignTo(m_context, target, value, {}, m_outputs, true);
+    }
+
+    void input(Variable& parameter, TypeId type, tree::Place* field, const syntax::Argument& argument) {
+        const syntax::Expr& given = *argument.value;
+        if (m_context.isKind(type, TypeKind::Reference)) {
+            bindReference(m_context, field, given, {}, m_inputs);
+            return;
+        }
+        const bool isList = given.kind == syntax::ExprKind::ArrayInit || given.kind == syntax::ExprKind::StructInit;
+        if (isList && m_context.types.isAggregate(type)) {
+            assignAggregate(m_context, field, given, {}, m_inputs);
+            return;
+        }
+        Operand value = isAnyInput(m_context.world, parameter)
+                            ? anyArgument(m_context, parameter, given)
+                            : converted(m_context, expression(m_context, given, type), type);
+        if (argument.negated) value = inverted(m_context, value, given.range);
+        if (!value.isUnknown()) m_inputs.push_back(assignStmt(m_context, field, value.expr, {}));
+    }
+
+    Context& m_context;
+    tree::Place* m_instance;
+    Unit& m_unit;
+    const syntax::Expr& m_e;
+    tree::Stmt* m_block = nullptr;
+    std::vector<tree::Stmt*> m_inputs, m_outputs, m_after;
+};
+
+/// Arguments of a call that is wrong: what they name is used all the same.
+void lookAtArguments(Context& context, const Matched& matched) {
+    for (const Match& each : matched.matches) {
+        if (!each.argument || !each.argument->value) continue;
+        if (each.argument->kind == ArgumentKind::Output)
+            denote(context, *each.argument->value, Access::Write);
+        else
+            expression(context, *each.argument->value, typeOf(context.world, *each.parameter));
+    }
+}
+
+/// EN and ENO: the block runs only if EN is TRUE, and ENO says whether it did.
+tree::Stmt* withEnable(Context& context, const Matched& matched, tree::Stmt* block, SourceRange call,
+                       SourceRange range) {
     const TypeId boolean = context.elementary(TypeKind::Bool);
     tree::Place* eno = nullptr;
     if (matched.eno && matched.eno->value) {
@@ -222,16 +246,32 @@ void instanceCall(Context& context, tree::Place* instance, Unit& unit, const syn
             eno = denoted.place;
     }
     tree::Expr* en = matched.en && matched.en->value ? condition(context, *matched.en->value)
-                                                     : constant(context, {boolean, int64_t(1)}, e.range).expr;
+                                                     : constant(context, {boolean, int64_t(1)}, call).expr;
     tree::Stmt* choice = newStmt(context, tree::StmtKind::If, range);
     choice->a = en;
     choice->body.push_back(block);
-    if (eno) {
-        choice->body.push_back(assignStmt(context, eno, constant(context, {boolean, int64_t(1)}, e.range).expr, {}));
-        choice->elseBody.push_back(
-            assignStmt(context, eno, constant(context, {boolean, int64_t(0)}, e.range).expr, {}));
-    }
-    out.push_back(choice);
+    if (!eno) return choice;
+    choice->body.push_back(assignStmt(context, eno, constant(context, {boolean, int64_t(1)}, call).expr, {}));
+    choice->elseBody.push_back(assignStmt(context, eno, constant(context, {boolean, int64_t(0)}, call).expr, {}));
+    return choice;
+}
+
+} // namespace
+
+/// inst(in := a, io := b, out => c): a Block of assignments, bindings, the call of the body, and assignments from the
+/// outputs.
+///   wrong: b();  for VAR_IN_OUT x (P2010); b();  of FUNCTION_BLOCK ABSTRACT B (P2025)
+void instanceCall(Context& context, tree::Place* instance, Unit& unit, const syntax::Expr& e, const Denoted& callee,
+                  std::vector<tree::Stmt*>& out, SourceRange range) {
+    completeUnit(context.world, unit, e.range);
+    if (unit.isAbstract && callee.isExact) context.emit(e.base->range, findings::AbstractInstance(unit.name));
+    const Matched matched = match(context, e, unit.name, unit.parameters);
+    if (!matched.isGood) return lookAtArguments(context, matched);
+    InstanceCall call(context, instance, unit, e);
+    call.begin(range);
+    for (const Match& each : matched.matches) call.pass(each);
+    tree::Stmt* block = call.block(callee, range);
+    out.push_back(matched.en || matched.eno ? withEnable(context, matched, block, e.range, range) : block);
 }
 
 } // namespace plc::sema

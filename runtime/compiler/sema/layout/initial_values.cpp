@@ -74,164 +74,211 @@ void writeConstant(World& world, InitialValue& out, TypeId type, uint32_t offset
     types::writeValue(world.types, type, value, std::span(out.bytes).subspan(offset, size), bit);
 }
 
+namespace {
+
+/// An initial value written at one place of an image, which has a type. What is wrong is reported, the rest is written.
+class Writing {
+public:
+    Writing(World& world, InitialValue& out, TypeId type, uint32_t offset, const Scope& scope)
+        : m_world(world), m_out(out), m_type(type), m_kind(world.types.kind(type)), m_offset(offset), m_scope(scope) {}
+
+    /// FB_Init and what code must do for every instance come before what is written for this one.
+    void construct(const std::vector<syntax::Argument>* constructor) {
+        const bool hasInit = constructor && initMethodOf(m_world, m_type);
+        if (hasInit || needsConstruction(m_world, m_type)) {
+            DynamicInit dynamic = dynamicHere();
+            dynamic.isConstruction = true;
+            dynamic.constructor = hasInit ? constructor : nullptr;
+            m_out.dynamics.push_back(dynamic);
+        }
+        if (!constructor || hasInit) return;
+        if (hasMembers())
+            members(*constructor);
+        else if (!constructor->empty())
+            m_world.emit(constructor->front().range,
+                         findings::NotAllowedHere(Verbatim("(…)"), phrases::In(m_world.nameOf(m_type))));
+    }
+
+    void value(const syntax::Expr& value, int16_t bit) {
+        if (value.kind == ExprKind::StructInit) {
+            if (hasMembers()) return members(value.arguments);
+            m_world.emit(value.range, findings::TypeMismatch(Verbatim("(… := …)"), m_world.nameOf(m_type)));
+        } else if (m_kind == TypeKind::Array && (value.kind == ExprKind::ArrayInit || value.kind == ExprKind::Repeat)) {
+            elements(value);
+        } else {
+            expressionHere(value, bit);
+        }
+    }
+
+private:
+    [[nodiscard]] bool hasMembers() const {
+        return m_kind == TypeKind::Block || m_kind == TypeKind::Struct || m_kind == TypeKind::Union;
+    }
+
+    [[nodiscard]] DynamicInit dynamicHere() const {
+        DynamicInit dynamic;
+        dynamic.offset = m_offset;
+        dynamic.type = m_type;
+        dynamic.scope = m_scope;
+        return dynamic;
+    }
+
+    void members(const std::vector<syntax::Argument>& arguments) {
+        if (hasUnknownBase(m_world.unitOf(m_type))) return; // its members are not known
+        for (const syntax::Argument& argument : arguments)
+            if (argument.value) member(argument);
+    }
+
+    void member(const syntax::Argument& argument) {
+        if (!argument.name.isValid()) {
+            m_world.emit(argument.range,
+                         findings::Expected(phrases::AMembersName(), m_world.textOf(argument.value->range)));
+            return;
+        }
+        const SourceRange range = argument.name.range;
+        const types::Field* known = fieldOf(m_world, m_type, argument.name.text);
+        if (!known) {
+            auto& diagnostic = m_world.emit(range, findings::UnknownMember(m_world.nameOf(m_type), argument.name.text));
+            return suggest(m_world, diagnostic, range, argument.name.text, memberNames(m_world, m_type));
+        }
+        if (Unit* unit = m_world.unitOf(m_type))
+            if (const Member found = findMember(m_world, *unit, m_world.key(argument.name.text)); found.variable)
+                refer(m_world, range, found.variable->symbol, false, true);
+        const types::Field field = *known; // the table of types may grow meanwhile
+        if (field.section == types::FieldSection::InOut) {
+            m_world.emit(range, findings::NotAllowedHere(phrases::AnInOut(field.name), phrases::InAnInitialValue()));
+            return;
+        }
+        initialise(m_world, m_out, field.bit >= 0 ? types::TypeTable::of(TypeKind::Bool) : field.type,
+                   m_offset + field.offset, field.bit, argument.value, m_scope, nullptr);
+    }
+
+    void elements(const syntax::Expr& value) {
+        m_element = m_world.types[m_type].element;
+        m_size = m_world.types[m_element].size;
+        m_count = m_size ? m_world.types[m_type].size / m_size : 0;
+        fill(value.arguments, value.range);
+        if (m_index > m_count) m_world.emit(value.range, findings::TooManyInitialValues(m_index, m_count));
+    }
+
+    void fill(const std::vector<syntax::Argument>& arguments, SourceRange whole) {
+        const bool isNested = m_world.types.kind(m_element) == TypeKind::Array;
+        for (const syntax::Argument& argument : arguments) {
+            const syntax::Expr* item = argument.value;
+            if (!item) {
+                ++m_index; // the default
+            } else if (item->kind == ExprKind::Repeat || isConstantRepeat(*item)) {
+                if (!repeat(*item, whole)) return;
+            } else if (item->kind == ExprKind::ArrayInit && !isNested) {
+                fill(item->arguments, whole);
+            } else {
+                if (m_index < m_count)
+                    initialise(m_world, m_out, m_element, m_offset + static_cast<uint32_t>(m_index * m_size), -1, item,
+                               m_scope, nullptr);
+                ++m_index;
+            }
+        }
+    }
+
+    /// cCount(0): written as a call of a constant.
+    [[nodiscard]] bool isConstantRepeat(const syntax::Expr& item) {
+        if (item.kind != ExprKind::Call || !item.base ||
+            (item.base->kind != ExprKind::NameRef && item.base->kind != ExprKind::Member))
+            return false;
+        Trial trial(m_world, m_scope);
+        trial.checker.isMuted = true;
+        const Denoted denoted = denote(trial.checker, *item.base, Access::Read);
+        trial.drop();
+        return denoted.kind == Denoted::Kind::Value && denoted.value.isConstant() &&
+               std::holds_alternative<int64_t>(denoted.value.expr->value.data);
+    }
+
+    /// False: more needs code than can be.
+    bool repeat(const syntax::Expr& item, SourceRange whole) {
+        const auto times = constantInteger(m_world, item.base, m_scope);
+        if (!times || *times < 0) return true;
+        if (item.arguments.empty() || (item.arguments.size() == 1 && !item.arguments[0].value)) { // 5(): the default
+            m_index = sumWithin(m_index, 1, *times);
+            return true;
+        }
+        for (int64_t i = 0; i < *times; ++i) {
+            const uint64_t before = m_index;
+            const size_t dynamics = m_out.dynamics.size();
+            fill(item.arguments, whole);
+            const uint64_t made = m_index - before;
+            if (made == 0) return true;
+            if (m_out.dynamics.size() > kMaximumInitialisedByCode) {
+                m_world.emit(whole, findings::NotConstant());
+                return false;
+            }
+            if (i == 0 && m_out.dynamics.size() == dynamics && before + made <= m_count) {
+                copyOn(before, made, *times);
+                return true;
+            }
+            if (m_index > m_count) { // reported at the end; no need to go on
+                m_index = sumWithin(before, made, *times);
+                return true;
+            }
+        }
+        return true;
+    }
+
+    /// What is constant is checked once and its bytes are copied: a list may say a million times the same.
+    void copyOn(uint64_t before, uint64_t made, int64_t times) {
+        const uint64_t total = sumWithin(0, made, times);
+        const auto at = [&](uint64_t index) {
+            return m_out.bytes.begin() + static_cast<std::ptrdiff_t>(m_offset + index * m_size);
+        };
+        for (uint64_t k = made; k < total && before + k < m_count; ++k)
+            std::copy_n(at(before + k % made), m_size, at(before + k));
+        m_index = before + total;
+    }
+
+    void expressionHere(const syntax::Expr& value, int16_t bit) {
+        Trial trial(m_world, m_scope);
+        DynamicInit dynamic = dynamicHere();
+        dynamic.bit = bit;
+        dynamic.value = &value;
+        if (m_kind == TypeKind::Reference) {
+            trial.drop();
+            dynamic.isReference = true;
+            m_out.dynamics.push_back(dynamic);
+            return;
+        }
+        const Operand operand = converted(trial.checker, expression(trial.checker, value, m_type), m_type);
+        if (operand.isUnknown() || operand.isConstant()) {
+            trial.keep();
+            if (operand.isConstant()) writeConstant(m_world, m_out, m_type, m_offset, bit, operand.expr->value);
+            return;
+        }
+        trial.drop(); // it is checked again where its code is made
+        m_out.dynamics.push_back(dynamic);
+    }
+
+    World& m_world;
+    InitialValue& m_out;
+    TypeId m_type;
+    TypeKind m_kind;
+    uint32_t m_offset;
+    const Scope& m_scope;
+    // of an array
+    TypeId m_element;
+    uint32_t m_size = 0;  // of an element
+    uint64_t m_count = 0; // elements there are
+    uint64_t m_index = 0; // the next one
+};
+
+} // namespace
+
 /// An initial value at a place of its type.
 ///   ok:    a : ARRAY[1..3] OF INT := [1, 2(0)]; p : Point := (x := 1);
 ///   wrong: a : ARRAY[1..2] OF INT := [1, 2, 3];  (P3031)   p : Point := (z := 1);  (P2002)
 void initialise(World& world, InitialValue& out, TypeId type, uint32_t offset, int16_t bit, const syntax::Expr* value,
                 const Scope& scope, const std::vector<syntax::Argument>* constructor) {
-    const TypeKind kind = world.types.kind(type);
-    if (kind == TypeKind::Unknown) return;
-    const bool constructs = needsConstruction(world, type);
-    const bool hasInit = constructor && initMethodOf(world, type);
-    if (constructs || hasInit) {
-        DynamicInit dynamic;
-        dynamic.offset = offset;
-        dynamic.type = type;
-        dynamic.isConstruction = true;
-        dynamic.constructor = hasInit ? constructor : nullptr;
-        dynamic.scope = scope;
-        out.dynamics.push_back(dynamic);
-    }
-    const auto fields = [&](const std::vector<syntax::Argument>& arguments) {
-        for (const syntax::Argument& argument : arguments) {
-            if (!argument.value || hasUnknownBase(world.unitOf(type))) continue;
-            if (!argument.name.isValid()) {
-                world.emit(argument.range,
-                           findings::Expected(phrases::AMembersName(), world.textOf(argument.value->range)));
-                continue;
-            }
-            const types::Field* field = fieldOf(world, type, argument.name.text);
-            if (!field) {
-                suggest(
-                    world,
-                    world.emit(argument.name.range, findings::UnknownMember(world.nameOf(type), argument.name.text)),
-                    argument.name.range, argument.name.text, memberNames(world, type));
-                continue;
-            }
-            if (Unit* unit = world.unitOf(type))
-                if (const Member member = findMember(world, *unit, world.key(argument.name.text)); member.variable)
-                    refer(world, argument.name.range, member.variable->symbol, false, true);
-            const types::Field copy = *field;
-            if (copy.section == types::FieldSection::InOut) {
-                world.emit(argument.name.range,
-                           findings::NotAllowedHere(phrases::AnInOut(copy.name), phrases::InAnInitialValue()));
-                continue;
-            }
-            initialise(world, out, copy.bit >= 0 ? types::TypeTable::of(TypeKind::Bool) : copy.type,
-                       offset + copy.offset, copy.bit, argument.value, scope, nullptr);
-        }
-    };
-    if (constructor && !hasInit) {
-        if (kind == TypeKind::Block || kind == TypeKind::Struct || kind == TypeKind::Union)
-            fields(*constructor);
-        else if (!constructor->empty())
-            world.emit(constructor->front().range,
-                       findings::NotAllowedHere(Verbatim("(…)"), phrases::In(world.nameOf(type))));
-    }
-    if (!value) return;
-    if (value->kind == ExprKind::StructInit) {
-        if (kind != TypeKind::Block && kind != TypeKind::Struct && kind != TypeKind::Union) {
-            world.emit(value->range, findings::TypeMismatch(Verbatim("(… := …)"), world.nameOf(type)));
-            return;
-        }
-        return fields(value->arguments);
-    }
-    if (kind == TypeKind::Array && (value->kind == ExprKind::ArrayInit || (value->kind == ExprKind::Repeat))) {
-        const TypeId element = world.types[type].element;
-        const uint32_t size = world.types[element].size;
-        uint64_t count = size ? world.types[type].size / size : 0;
-        uint64_t index = 0;
-        const bool nested = world.types.kind(element) == TypeKind::Array;
-        const std::function<void(const std::vector<syntax::Argument>&)> fill =
-            [&](const std::vector<syntax::Argument>& arguments) {
-                for (const syntax::Argument& argument : arguments) {
-                    const syntax::Expr* item = argument.value;
-                    if (!item) {
-                        ++index;
-                        continue;
-                    }
-                    const bool isConstantRepeat =
-                        item->kind == ExprKind::Call && item->base &&
-                        (item->base->kind == ExprKind::NameRef || item->base->kind == ExprKind::Member) && [&] {
-                            Trial trial(world, scope);
-                            trial.checker.isMuted = true;
-                            const Denoted denoted = denote(trial.checker, *item->base, Access::Read);
-                            trial.drop();
-                            return denoted.kind == Denoted::Kind::Value && denoted.value.isConstant() &&
-                                   std::holds_alternative<int64_t>(denoted.value.expr->value.data);
-                        }();
-                    if (item->kind == ExprKind::Repeat || isConstantRepeat) {
-                        const auto times = constantInteger(world, item->base, scope);
-                        if (!times || *times < 0) continue;
-                        if (item->arguments.empty() ||
-                            (item->arguments.size() == 1 && !item->arguments[0].value)) { // 5(): the default
-                            index = sumWithin(index, 1, *times);
-                            continue;
-                        }
-                        // constant repetition of one scalar: check it once, copy the bytes
-                        for (int64_t i = 0; i < *times; ++i) {
-                            const uint64_t before = index;
-                            const size_t dynamics = out.dynamics.size();
-                            fill(item->arguments);
-                            const uint64_t made = index - before;
-                            if (made == 0) break;
-                            if (out.dynamics.size() > kMaximumInitialisedByCode) {
-                                world.emit(value->range, findings::NotConstant());
-                                return;
-                            }
-                            if (i == 0 && made > 0 && out.dynamics.size() == dynamics && before + made <= count) {
-                                const uint64_t total = sumWithin(0, made, *times);
-                                for (uint64_t k = made; k < total && before + k < count; ++k)
-                                    std::copy_n(out.bytes.begin() +
-                                                    static_cast<std::ptrdiff_t>(offset + (before + k % made) * size),
-                                                size,
-                                                out.bytes.begin() +
-                                                    static_cast<std::ptrdiff_t>(offset + (before + k) * size));
-                                index = before + total;
-                                break;
-                            }
-                            if (index > count) { // reported below; no need to go on
-                                index = sumWithin(before, made, *times);
-                                break;
-                            }
-                        }
-                        continue;
-                    }
-                    if (item->kind == ExprKind::ArrayInit && !nested) {
-                        fill(item->arguments);
-                        continue;
-                    }
-                    if (index < count)
-                        initialise(world, out, element, offset + static_cast<uint32_t>(index * size), -1, item, scope,
-                                   nullptr);
-                    ++index;
-                }
-            };
-        fill(value->arguments);
-        if (index > count) world.emit(value->range, findings::TooManyInitialValues(index, count));
-        return;
-    }
-    Trial trial(world, scope);
-    DynamicInit dynamic;
-    dynamic.offset = offset;
-    dynamic.bit = bit;
-    dynamic.type = type;
-    dynamic.value = value;
-    dynamic.scope = scope;
-    if (kind == TypeKind::Reference) {
-        trial.drop();
-        dynamic.isReference = true;
-        out.dynamics.push_back(dynamic);
-        return;
-    }
-    const Operand operand = converted(trial.checker, expression(trial.checker, *value, type), type);
-    if (operand.isUnknown() || operand.isConstant()) {
-        trial.keep();
-        if (operand.isConstant()) writeConstant(world, out, type, offset, bit, operand.expr->value);
-        return;
-    }
-    trial.drop();
-    out.dynamics.push_back(dynamic);
+    if (world.types.kind(type) == TypeKind::Unknown) return;
+    Writing writing(world, out, type, offset, scope);
+    writing.construct(constructor);
+    if (value) writing.value(*value, bit);
 }
 
 namespace {
@@ -319,7 +366,7 @@ void constructArray(World& world, Context& checker, tree::Place* place,
                     const std::vector<syntax::Argument>* constructor, std::vector<tree::Stmt*>& out) {
     const types::Type& type = world.types[place->type];
     const TypeId lint = types::TypeTable::of(TypeKind::Lint);
-    tree::Place* element = world.arena.make<tree::Place>();
+    tree::Place* element = checker.arena.make<tree::Place>();
     element->kind = tree::PlaceKind::Index;
     element->type = type.element;
     element->range = place->range;
@@ -408,11 +455,11 @@ void construct(World& world, Context& checker, tree::Place* place, const std::ve
         return constructArray(world, checker, place, constructor, out);
     takeAddress(checker, place);
     if (const tree::FunctionId init = initialiserOf(world, place->type); init.isValid()) {
-        tree::Expr* call = world.arena.make<tree::Expr>();
+        tree::Expr* call = checker.arena.make<tree::Expr>();
         call->kind = tree::ExprKind::Call;
         call->type = types::TypeTable::of(TypeKind::Void);
         call->range = place->range;
-        call->call = world.arena.make<tree::Call>();
+        call->call = checker.arena.make<tree::Call>();
         call->call->callee = init;
         call->call->instance = place;
         tree::Stmt* evaluate = newStmt(checker, tree::StmtKind::Evaluate, {});

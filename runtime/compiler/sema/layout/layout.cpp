@@ -84,25 +84,109 @@ void checkAddressSize(World& world, const Variable& variable, std::string_view t
     if (range != variable.range) diagnostic.fixes.push_back({fixes::Write(own), {{range, own}}});
 }
 
+namespace {
+
 /// The image: header, the three areas of addresses, then every global and program instance as a root of its own. An
 /// offset is fixed here once for all; what runs, records and shows knows nothing but these.
-void layoutGlobals(World& world) {
-    measureAddresses(world);
-    image::Layout& layout = world.program->layout;
-    layout.types = world.program->types;
-    layout.inputs = areaOf(world, Area::Input);
-    layout.outputs = areaOf(world, Area::Output);
-    layout.memory = areaOf(world, Area::Memory);
-    layout.addressing = world.options.addressing;
-    layout.hierarchical = hierarchicalAddresses(world);
-    uint64_t next = aligned(layout.memory.begin + layout.memory.size, 64);
-    bool tooLarge = false;
-    std::vector<std::pair<Variable*, size_t>> placed; // with the root's index
-    const auto addRoot = [&](Variable& variable, Area area, std::string list) -> image::Root& {
-        image::Root& root = layout.roots.emplace_back();
+class GlobalLayout {
+public:
+    explicit GlobalLayout(World& world) : m_world(world), m_layout(world.program->layout) {}
+
+    void run() {
+        areas();
+        globals();
+        statics();
+        instances();
+        if (m_isTooLarge) reportSize();
+        m_layout.dataEnd = aligned(m_next, 64);
+        m_world.image.assign(m_layout.dataEnd, std::byte{});
+        for (const auto& [variable, index] : m_placed) {
+            if (m_world.types.kind(variable->type) == TypeKind::Unknown || m_isTooLarge) continue;
+            write(*variable, initialOf(*variable));
+            Symbol* symbol = variable->symbol.isValid() ? &m_world.symbols[variable->symbol.index()] : nullptr;
+            if (symbol && symbol->path.empty()) symbol->path = image::Layout::pathOf(m_layout.roots[index]);
+        }
+        namePaths();
+    }
+
+private:
+    void areas() {
+        m_layout.types = m_world.program->types;
+        m_layout.inputs = areaOf(m_world, Area::Input);
+        m_layout.outputs = areaOf(m_world, Area::Output);
+        m_layout.memory = areaOf(m_world, Area::Memory);
+        m_layout.addressing = m_world.options.addressing;
+        m_layout.hierarchical = hierarchicalAddresses(m_world);
+        m_next = aligned(m_layout.memory.begin + m_layout.memory.size, 64);
+    }
+
+    void globals() {
+        for (Variable& variable : m_world.globals)
+            if (!variable.isProgramInstance && variable.kind == syntax::SectionKind::Global)
+                place(variable, Area::Global, variable.list ? variable.list->name : std::string());
+    }
+
+    /// VAR_STAT of functions and methods: one for all calls, so it is no part of an instance.
+    void statics() {
+        for (Unit& unit : m_world.units) {
+            for (Variable& variable : unit.variables) {
+                if (variable.storage != Storage::Absolute) continue;
+                std::string list = unit.owner ? unit.owner->name + "." + unit.name : unit.name;
+                if (unit.kind == UnitKind::Program && unit.instance) list = unit.instance->name;
+                place(variable, Area::Global, std::move(list));
+            }
+        }
+    }
+
+    /// Each begins a cache line.
+    void instances() {
+        m_next = aligned(m_next, 64);
+        for (Instance& instance : m_world.instances) {
+            Variable& variable = *instance.variable;
+            place(variable, Area::Program, instance.resourceName);
+            image::Root& root = m_layout.roots.back();
+            root.programType = variable.program->name;
+            root.isSimulation = variable.program->isSimulation;
+            root.space.clear();
+            if (instance.declaration) root.retain = instance.declaration->retain;
+            instance.root = static_cast<uint32_t>(m_layout.roots.size() - 1);
+            m_next = aligned(m_next, 64);
+        }
+    }
+
+    void place(Variable& variable, Area area, std::string list) {
+        variable.storage = Storage::Absolute;
+        if (variable.isLocated && variable.declaration && placeAtAddress(variable, list)) return;
+        const types::Type& type = m_world.types[variable.type];
+        m_next = aligned(m_next, std::max(1u, type.align));
+        if (m_next + type.size > kMaximumData) m_isTooLarge = true;
+        variable.offset = m_isTooLarge ? 0 : static_cast<uint32_t>(m_next);
+        if (!m_isTooLarge) m_next += type.size;
+        addRoot(variable, area, std::move(list));
+    }
+
+    /// False: it gets a place among the others, because its address is open (AT %I*) or wrong.
+    bool placeAtAddress(Variable& variable, const std::string& list) {
+        const auto address = addressIn(m_world, variable.declaration->address);
+        if (address && !address->isOpen) {
+            locate(m_world, variable, variable.declaration->address);
+            addRoot(variable, address->area, list);
+            return true;
+        }
+        const SourceRange written = variable.declaration->addressRange;
+        if (!address && !hasSyntaxErrorAt(m_world, written))
+            m_world.emit(written.file.isValid() ? written : variable.range,
+                         findings::AddressOutOfRange(variable.declaration->address, addressAreas()));
+        else if (address)
+            m_world.openAddresses.push_back({&variable, false});
+        return false;
+    }
+
+    void addRoot(Variable& variable, Area area, std::string list) {
+        image::Root& root = m_layout.roots.emplace_back();
         root.name = variable.name;
         root.list = std::move(list);
-        root.space = variable.space && variable.space != &world.top ? variable.space->qualified : std::string();
+        root.space = variable.space && variable.space != &m_world.top ? variable.space->qualified : std::string();
         root.type = variable.type;
         root.offset = variable.offset;
         root.bit = variable.bit;
@@ -115,107 +199,77 @@ void layoutGlobals(World& world) {
         }
         if (variable.declaration) root.comment = std::string(variable.declaration->comment);
         if (variable.isLocated && variable.declaration) root.address = std::string(variable.declaration->address);
-        return root;
-    };
-    const auto place = [&](Variable& variable, Area area, std::string list) {
-        variable.storage = Storage::Absolute;
-        if (variable.isLocated && variable.declaration) {
-            const auto address = addressIn(world, variable.declaration->address);
-            if (address && !address->isOpen) {
-                locate(world, variable, variable.declaration->address);
-                addRoot(variable, address->area, std::move(list));
-                placed.emplace_back(&variable, layout.roots.size() - 1);
-                return;
-            }
-            if (!address && !hasSyntaxErrorAt(world, variable.declaration->addressRange))
-                world.emit(variable.declaration->addressRange.file.isValid() ? variable.declaration->addressRange
-                                                                             : variable.range,
-                           findings::AddressOutOfRange(variable.declaration->address, addressAreas()));
-            else if (address)
-                world.openAddresses.push_back({&variable, false});
-        }
-        const types::Type& type = world.types[variable.type];
-        next = aligned(next, std::max(1u, type.align));
-        if (next + type.size > kMaximumData) tooLarge = true;
-        variable.offset = tooLarge ? 0 : static_cast<uint32_t>(next);
-        if (!tooLarge) next += type.size;
-        addRoot(variable, area, std::move(list));
-        placed.emplace_back(&variable, layout.roots.size() - 1);
-    };
-    for (Variable& variable : world.globals) {
-        if (variable.isProgramInstance) continue;
-        if (variable.kind == syntax::SectionKind::Global)
-            place(variable, Area::Global, variable.list ? variable.list->name : std::string());
+        m_placed.emplace_back(&variable, m_layout.roots.size() - 1);
     }
-    for (Unit& unit : world.units) {
-        for (Variable& variable : unit.variables) {
-            if (variable.storage != Storage::Absolute) continue;
-            std::string list = unit.owner ? unit.owner->name + "." + unit.name : unit.name;
-            if (unit.kind == UnitKind::Program && unit.instance) list = unit.instance->name;
-            place(variable, Area::Global, std::move(list));
-        }
-    }
-    next = aligned(next, 64);
-    for (Instance& instance : world.instances) {
-        Variable& variable = *instance.variable;
-        place(variable, Area::Program, instance.resourceName);
-        image::Root& root = layout.roots.back();
-        root.programType = variable.program->name;
-        root.isSimulation = variable.program->isSimulation;
-        root.space.clear();
-        if (instance.declaration) root.retain = instance.declaration->retain;
-        instance.root = static_cast<uint32_t>(layout.roots.size() - 1);
-        next = aligned(next, 64);
-    }
-    if (tooLarge) {
+
+    void reportSize() {
         uint64_t total = 0;
-        for (const image::Root& root : layout.roots) total += world.types[root.type].size;
-        world.emit({}, findings::ImageTooLarge(total, kMaximumData));
+        for (const image::Root& root : m_layout.roots) total += m_world.types[root.type].size;
+        m_world.emit({}, findings::ImageTooLarge(total, kMaximumData));
     }
-    layout.dataEnd = aligned(next, 64);
-    world.image.assign(layout.dataEnd, std::byte{});
-    for (const auto& [variable, index] : placed) {
-        const types::Type& type = world.types[variable->type];
-        if (world.types.kind(variable->type) == TypeKind::Unknown || tooLarge) continue;
+
+    InitialValue initialOf(Variable& variable) {
+        const types::Type& type = m_world.types[variable.type];
         InitialValue initial;
         initial.bytes = type.initial;
         initial.bytes.resize(std::max(1u, type.size));
-        if (variable->isProgramInstance) {
-            if (needsConstruction(world, variable->type)) {
+        if (variable.isProgramInstance) {
+            if (needsConstruction(m_world, variable.type)) {
                 DynamicInit dynamic;
-                dynamic.type = variable->type;
+                dynamic.type = variable.type;
                 dynamic.isConstruction = true;
                 initial.dynamics.push_back(dynamic);
             }
-        } else if (variable->isConstant && isFoldable(world.types, variable->type)) {
-            if (const types::Value* value = constantOf(world, *variable))
-                writeConstant(world, initial, variable->type, 0, -1, *value);
+        } else if (variable.isConstant && isFoldable(m_world.types, variable.type)) {
+            if (const types::Value* value = constantOf(m_world, variable))
+                writeConstant(m_world, initial, variable.type, 0, -1, *value);
         } else {
-            setInitial(world, initial, *variable, 0);
+            setInitial(m_world, initial, variable, 0);
         }
-        if (variable->bit >= 0) {
-            const auto mask = static_cast<std::byte>(1u << variable->bit);
-            if (initial.bytes[0] != std::byte{}) world.image[variable->offset] |= mask;
-        } else if (variable->offset + initial.bytes.size() <= world.image.size()) {
+        return initial;
+    }
+
+    void write(const Variable& variable, const InitialValue& initial) {
+        std::vector<std::byte>& image = m_world.image;
+        if (variable.bit >= 0) {
+            const auto mask = static_cast<std::byte>(1u << variable.bit);
+            if (initial.bytes[0] != std::byte{}) image[variable.offset] |= mask;
+        } else if (variable.offset + initial.bytes.size() <= image.size()) {
             const bool isZero =
                 std::all_of(initial.bytes.begin(), initial.bytes.end(), [](std::byte b) { return b == std::byte{}; });
-            if (!isZero || !variable->isLocated)
-                std::copy(initial.bytes.begin(), initial.bytes.end(), world.image.begin() + variable->offset);
+            // another variable may have the same address: the one that says a value wins over the one that does not
+            if (!isZero || !variable.isLocated)
+                std::copy(initial.bytes.begin(), initial.bytes.end(), image.begin() + variable.offset);
         }
         for (DynamicInit dynamic : initial.dynamics) {
-            dynamic.offset += variable->offset;
-            if (variable->bit >= 0) dynamic.bit = variable->bit;
-            world.programInits.push_back(dynamic);
+            dynamic.offset += variable.offset;
+            if (variable.bit >= 0) dynamic.bit = variable.bit;
+            m_world.programInits.push_back(dynamic);
         }
-        Symbol* symbol = variable->symbol.isValid() ? &world.symbols[variable->symbol.index()] : nullptr;
-        if (symbol && symbol->path.empty()) symbol->path = image::Layout::pathOf(layout.roots[index]);
     }
-    for (Unit& unit : world.units) { // variables of a program with one instance have one path
-        if (unit.kind != UnitKind::Program || !unit.instance) continue;
-        for (Variable& variable : unit.variables)
-            if (variable.symbol.isValid() && variable.storage == Storage::Instance)
-                world.symbols[variable.symbol.index()].path = unit.instance->name + "." + variable.name;
+
+    /// Variables of a program with one instance have one path.
+    void namePaths() {
+        for (Unit& unit : m_world.units) {
+            if (unit.kind != UnitKind::Program || !unit.instance) continue;
+            for (Variable& variable : unit.variables)
+                if (variable.symbol.isValid() && variable.storage == Storage::Instance)
+                    m_world.symbols[variable.symbol.index()].path = unit.instance->name + "." + variable.name;
+        }
     }
+
+    World& m_world;
+    image::Layout& m_layout;
+    uint64_t m_next = 0; // the first free byte
+    bool m_isTooLarge = false;
+    std::vector<std::pair<Variable*, size_t>> m_placed; // with the root's index
+};
+
+} // namespace
+
+void layoutGlobals(World& world) {
+    measureAddresses(world);
+    GlobalLayout(world).run();
     checkOverlaps(world);
 }
 

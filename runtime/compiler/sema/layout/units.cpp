@@ -68,108 +68,140 @@ void makeStatic(Variable& variable) {
     variable.storage = Storage::Absolute; // offset: layoutGlobals
 }
 
-/// Where the variables of a block or program live.
-///   wrong: FUNCTION_BLOCK B VAR_GLOBAL x : INT; END_VAR  (P3018)
-void placeVariables(World& world, Unit& unit, std::vector<std::pair<Variable*, uint32_t>>& fields) {
-    types::Type& type = world.types.edit(unit.type);
-    const auto add = [&](Variable& variable, std::string name, TypeId fieldType, bool isHidden) {
+namespace {
+
+/// {attribute 'alias' := 'a, b'}
+void addAliases(types::Field& field, std::string_view list) {
+    std::string word;
+    for (const char c : std::string(list) + ",") {
+        if (c != ',') {
+            if (c != ' ' && c != '\'') word += c;
+        } else if (!word.empty()) {
+            field.aliases.push_back(std::exchange(word, {}));
+        }
+    }
+}
+
+/// Decides for each variable of a block or program where it is stored; what lies in the instance becomes a field.
+class FieldPlacing {
+public:
+    FieldPlacing(World& world, Unit& unit, std::vector<std::pair<Variable*, uint32_t>>& fields)
+        : m_world(world), m_unit(unit), m_fields(fields) {}
+
+    void own(Variable& variable) {
+        const TypeId type = completedType(variable);
+        switch (variable.kind) {
+        case SectionKind::Temp:
+            variable.storage = Storage::Temporary;
+            return;
+        case SectionKind::External:
+            return;
+        case SectionKind::Stat:
+            makeStatic(variable);
+            return;
+        case SectionKind::Var:
+        case SectionKind::Input:
+        case SectionKind::Output:
+        case SectionKind::InOut:
+        case SectionKind::Inst:
+            return place(variable, type);
+        case SectionKind::Global:
+        case SectionKind::Access:
+        case SectionKind::Config:
+            m_world.emit(variable.range,
+                         findings::NotAllowedHere(syntax::keywordOf(variable.kind), m_unit.kind == UnitKind::Program
+                                                                                        ? phrases::InAProgram()
+                                                                                        : phrases::InABlock()));
+            return;
+        }
+    }
+
+    /// VAR_INST of a method is stored in the instance, so that it keeps its value from call to call.
+    void ofMethod(const Unit& method, Variable& variable) {
+        if (variable.kind != SectionKind::Inst) return;
+        const TypeId type = typeOf(m_world, variable);
+        completeType(m_world, type, variable.range);
+        variable.storage = Storage::Instance;
+        add(variable, method.name + "__" + variable.name, type, true);
+    }
+
+private:
+    TypeId completedType(Variable& variable) {
+        const TypeId type = typeOf(m_world, variable);
+        if (variable.kind == SectionKind::InOut) return type; // a reference: its size is known
+        const SourceRange at = variable.spec ? variable.spec->range : variable.range;
+        const bool isGood = completeType(m_world, type, at);
+        const bool isTooDeep = isGood && nestingOf(m_world, type) >= kMaximumNesting;
+        if (isTooDeep) m_world.emit(at, findings::NestedTooDeep());
+        if (!isGood || isTooDeep) variable.type = TypeTable::of(TypeKind::Unknown);
+        return isGood && !isTooDeep ? type : variable.type;
+    }
+
+    void place(Variable& variable, TypeId type) {
+        if (variable.isConstant && variable.kind == SectionKind::Var) {
+            if (isFoldable(m_world.types, type) && m_unit.kind != UnitKind::Program) return;
+            makeStatic(variable); // a program's constants can be watched
+            return;
+        }
+        if (variable.isLocated && variable.declaration->address.find('*') == std::string_view::npos) {
+            variable.storage = Storage::Absolute;
+            locate(m_world, variable, variable.declaration->address);
+            return;
+        }
+        variable.storage = Storage::Instance;
+        add(variable, variable.name, type, false);
+        if (variable.isLocated) m_world.openAddresses.push_back({&variable, false});
+        if (!variable.declaration || variable.declaration->edge == syntax::VarEdge::None) return;
+        for (const char* part : {"__edge", "__before"}) { // what emitEdges compares
+            add(variable, variable.name + part, TypeTable::of(TypeKind::Bool), true);
+            m_world.types.edit(m_unit.type).fields.back().section = FieldSection::Local;
+        }
+    }
+
+    void add(Variable& variable, std::string name, TypeId type, bool isHidden) {
         types::Field field;
         field.name = std::move(name);
-        field.type = fieldType;
+        field.type = type;
         field.section = fieldSectionOf(variable.kind);
-        field.isPrivate = isHidden;
+        field.isPrivate = isHidden || variable.name.starts_with("__"); // made by the lowering of charts and lists
         if (variable.section) {
             field.retain = variable.section->retain;
             field.persistent = variable.section->persistent;
             field.constant = variable.isConstant;
         }
         field.declaration = variable.range;
-        if (variable.name.starts_with("__")) field.isPrivate = true; // made by the lowering of charts and lists
         if (variable.spec && variable.spec->path.size() == 1 &&
             equalsIgnoringCase(variable.spec->path.front().text, "SFC_STEP")) {
             field.section = FieldSection::Step;
-            if (variable.symbol.isValid()) world.symbols[variable.symbol.index()].kind = SymbolKind::Step;
+            if (variable.symbol.isValid()) m_world.symbols[variable.symbol.index()].kind = SymbolKind::Step;
         }
         if (variable.declaration) {
             field.comment = std::string(variable.declaration->comment);
             for (const syntax::Pragma& pragma : variable.declaration->pragmas) {
                 if (!pragma.isAttribute) continue;
                 if (equalsIgnoringCase(pragma.key, "hide")) field.isPrivate = true;
-                if (!equalsIgnoringCase(pragma.key, "alias")) continue;
-                std::string word;
-                for (const char c : std::string(pragma.value) + ",") {
-                    if (c != ',') {
-                        if (c != ' ' && c != '\'') word += c;
-                    } else if (!word.empty()) {
-                        field.aliases.push_back(std::exchange(word, {}));
-                    }
-                }
+                if (equalsIgnoringCase(pragma.key, "alias")) addAliases(field, pragma.value);
             }
         }
-        fields.emplace_back(&variable, static_cast<uint32_t>(type.fields.size()));
-        type.fields.push_back(std::move(field));
-    };
-    for (Variable& variable : unit.variables) {
-        TypeId variableType = typeOf(world, variable);
-        const SourceRange at = variable.spec ? variable.spec->range : variable.range;
-        if (variable.kind != SectionKind::InOut && !completeType(world, variableType, at))
-            variable.type = variableType = TypeTable::of(TypeKind::Unknown);
-        if (variable.kind != SectionKind::InOut && nestingOf(world, variableType) >= kMaximumNesting) {
-            world.emit(at, findings::NestedTooDeep());
-            variable.type = variableType = TypeTable::of(TypeKind::Unknown);
-        }
-        switch (variable.kind) {
-        case SectionKind::Temp:
-            variable.storage = Storage::Temporary;
-            continue;
-        case SectionKind::External:
-            continue;
-        case SectionKind::Stat:
-            makeStatic(variable);
-            continue;
-        case SectionKind::Var:
-        case SectionKind::Input:
-        case SectionKind::Output:
-        case SectionKind::InOut:
-        case SectionKind::Inst:
-            break;
-        case SectionKind::Global:
-        case SectionKind::Access:
-        case SectionKind::Config:
-            world.emit(variable.range, findings::NotAllowedHere(syntax::keywordOf(variable.kind),
-                                                                unit.kind == UnitKind::Program ? phrases::InAProgram()
-                                                                                               : phrases::InABlock()));
-            continue;
-        }
-        if (variable.isConstant && variable.kind == SectionKind::Var) {
-            if (isFoldable(world.types, variableType) && unit.kind != UnitKind::Program) continue;
-            makeStatic(variable); // a program's constants can be watched
-            continue;
-        }
-        if (variable.isLocated && variable.declaration->address.find('*') == std::string_view::npos) {
-            variable.storage = Storage::Absolute;
-            locate(world, variable, variable.declaration->address);
-            continue;
-        }
-        variable.storage = Storage::Instance;
-        add(variable, variable.name, variableType, false);
-        if (variable.isLocated) world.openAddresses.push_back({&variable, false});
-        if (variable.declaration && variable.declaration->edge != syntax::VarEdge::None) {
-            add(variable, variable.name + "__edge", TypeTable::of(TypeKind::Bool), true);
-            type.fields.back().section = FieldSection::Local;
-            add(variable, variable.name + "__before", TypeTable::of(TypeKind::Bool), true);
-            type.fields.back().section = FieldSection::Local;
-        }
+        std::vector<types::Field>& all = m_world.types.edit(m_unit.type).fields;
+        m_fields.emplace_back(&variable, static_cast<uint32_t>(all.size()));
+        all.push_back(std::move(field));
     }
-    for (Unit* method : unit.methods) {
-        for (Variable& variable : method->variables) {
-            if (variable.kind != SectionKind::Inst) continue;
-            const TypeId variableType = typeOf(world, variable);
-            completeType(world, variableType, variable.range);
-            variable.storage = Storage::Instance;
-            add(variable, method->name + "__" + variable.name, variableType, true);
-        }
-    }
+
+    World& m_world;
+    Unit& m_unit;
+    std::vector<std::pair<Variable*, uint32_t>>& m_fields;
+};
+
+} // namespace
+
+/// Where the variables of a block or program live.
+///   wrong: FUNCTION_BLOCK B VAR_GLOBAL x : INT; END_VAR  (P3018)
+void placeVariables(World& world, Unit& unit, std::vector<std::pair<Variable*, uint32_t>>& fields) {
+    FieldPlacing placing(world, unit, fields);
+    for (Variable& variable : unit.variables) placing.own(variable);
+    for (Unit* method : unit.methods)
+        for (Variable& variable : method->variables) placing.ofMethod(*method, variable);
 }
 
 void noteBlockNesting(World& world, const Unit& unit) {

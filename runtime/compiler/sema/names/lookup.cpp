@@ -11,9 +11,7 @@ static Member findInInterfaces(World& world, Unit& first, NameId id);
 static bool hasWanted(const Found& found, bool wantsType);
 static Found lookupUsed(const std::vector<Space*>& used, NameId id, bool wantsType);
 
-namespace {
-constexpr size_t kMaximumSuggestions = 100;
-}
+namespace {}
 
 /// Interfaces may be reached on many ways; each is searched once.
 Member findInInterfaces(World& world, Unit& first, NameId id) {

@@ -4,6 +4,9 @@
 
 namespace plc::sema {
 
+/// Near names that are looked for in one program.
+inline constexpr size_t kMaximumSuggestions = 100;
+
 [[nodiscard]] Member findMember(World& world, Unit& unit, NameId id);
 [[nodiscard]] Found lookupIn(Space& space, NameId id);
 [[nodiscard]] Found lookup(World& world, const Scope& scope, NameId id, bool wantsType = false);

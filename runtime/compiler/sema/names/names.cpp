@@ -340,10 +340,8 @@ Denoted ofVariable(Context& context, Variable& declared, tree::Place* instance, 
     refer(context, range, declared.symbol, access);
     Variable& variable = declared.target ? *declared.target : declared;
     if (!context.isMuted && !context.isExpression) {
-        for (Variable* counted : {&declared, &variable}) {
-            if (access != Access::Write) ++counted->reads;
-            if (access != Access::Read) ++counted->writes;
-        }
+        for (Variable* counted : {&declared, &variable})
+            context.world.count(*counted, access != Access::Write, access != Access::Read);
     }
     if (declared.isResult && access != Access::Read && access != Access::Call) context.flow.isResultSet = true;
     const bool isRead = access == Access::Read || access == Access::Call;

@@ -5,6 +5,8 @@
 #include "runtime/compiler/sema/declare/configuration.h"
 #include "runtime/compiler/sema/declare/declare.h"
 #include "runtime/compiler/sema/declare/tests.h"
+#include "runtime/compiler/sema/kept/last_check.h"
+#include "runtime/compiler/sema/kept_bodies.h"
 #include "runtime/compiler/sema/kept_world.h"
 #include "runtime/compiler/sema/layout/initial_values.h"
 #include "runtime/compiler/sema/layout/layout.h"
@@ -23,7 +25,8 @@ namespace plc::sema {
 
 using diagnostics::Kind;
 
-static void build(World& world, const std::vector<std::shared_ptr<const syntax::SyntaxFile>>& files);
+using Files = std::vector<std::shared_ptr<const syntax::SyntaxFile>>;
+static size_t build(World& world, const Files& files, const LastCheck* last, bool isKept);
 static void useNamesIn(World& world, SourceRange range);
 
 World::World(const SourceSet& theSources, const Options& theOptions)
@@ -66,6 +69,7 @@ void refer(World& world, SourceRange range, SymbolId symbol, bool isRead, bool i
 }
 
 tree::FunctionId newFunction(World& world, std::string name, const Unit* unit) {
+    ++world.completions;
     tree::Function& function = world.functions.emplace_back();
     function.name = std::move(name);
     function.result = types::TypeTable::of(TypeKind::Void);
@@ -78,7 +82,8 @@ tree::FunctionId newFunction(World& world, std::string name, const Unit* unit) {
 
 /// The order of the phases. Names first, then types and units, each completed when something asks for it; then
 /// addresses, which bodies refer to; then bodies; and what needs all of them last: tasks, dispatch, use, recursion.
-void build(World& world, const std::vector<std::shared_ptr<const syntax::SyntaxFile>>& files) {
+/// Returns how many bodies it had to check.
+size_t build(World& world, const Files& files, const LastCheck* last, bool isKept) {
     for (const auto& file : files) declareFile(world, *file);
     resolveUsings(world);
     for (size_t i = 0; i < world.units.size(); ++i) resolveBases(world, world.units[i]);
@@ -104,7 +109,7 @@ void build(World& world, const std::vector<std::shared_ptr<const syntax::SyntaxF
                 of && of->isAbstract && of->kind == UnitKind::Block)
                 world.emit(variable.spec ? variable.spec->range : variable.range, findings::AbstractInstance(of->name));
     layoutGlobals(world);
-    checkBodies(world);
+    const size_t checked = isKept ? checkChangedBodies(world, files, last) : checkBodies(world);
     applyVarConfig(world);
     buildTasks(world);
     buildInitialiser(world);
@@ -115,6 +120,7 @@ void build(World& world, const std::vector<std::shared_ptr<const syntax::SyntaxF
     finishLayout(world);
     world.program->functions.assign(std::make_move_iterator(world.functions.begin()),
                                     std::make_move_iterator(world.functions.end()));
+    return checked;
 }
 
 /// What stands where nothing is analysed counts as used.
@@ -126,10 +132,15 @@ void useNamesIn(World& world, SourceRange range) {
             world.options.usedElsewhere.insert("." + foldCase(text.substr(token.begin, token.end - token.begin)));
 }
 
-std::shared_ptr<const Analysis> analyze(const SourceSet& sources,
-                                        std::vector<std::shared_ptr<const syntax::SyntaxFile>> files,
+std::shared_ptr<const Analysis> analyze(const SourceSet& sources, Files files,
                                         std::vector<diagnostics::Diagnostic> syntaxDiagnostics,
                                         const Options& options) {
+    return analyze(sources, std::move(files), std::move(syntaxDiagnostics), options, nullptr);
+}
+
+std::shared_ptr<const Analysis> analyze(const SourceSet& sources, Files files,
+                                        std::vector<diagnostics::Diagnostic> syntaxDiagnostics, const Options& options,
+                                        KeptBodies* kept) {
     auto world = std::make_shared<World>(sources, options);
     for (diagnostics::Diagnostic& diagnostic : syntaxDiagnostics) {
         const Kind kind = diagnostic.kind;
@@ -137,7 +148,11 @@ std::shared_ptr<const Analysis> analyze(const SourceSet& sources,
         if (kind == Kind::StatementInStep) useNamesIn(*world, diagnostic.range);
         world->sink.add(std::move(diagnostic));
     }
-    build(*world, files);
+    const size_t checked = build(*world, files, kept ? kept->m_last.get() : nullptr, kept);
+    if (kept) {
+        kept->m_last = world->check;
+        kept->m_checkedLast = checked;
+    }
     auto analysis = std::make_shared<Analysis>();
     analysis->files = std::move(files);
     analysis->program = world->program;

@@ -196,66 +196,89 @@ void checkFrames(World& world, const std::vector<std::vector<uint32_t>>& edges,
     }
 }
 
-/// Recursion of functions is not allowed (edition 2, 2.5); that of methods is guarded while it runs.
-///   wrong: FUNCTION F … F := F(n - 1); END_FUNCTION  (P3004)
-///   advice: METHOD M … M := M(n - 1); END_METHOD  (P3032)
-void checkRecursion(World& world) {
-    std::vector<std::vector<uint32_t>> edges(world.functions.size());
-    std::vector<Unit*> unitOfFunction(world.functions.size(), nullptr);
-    std::vector<std::vector<uint32_t>> bySlot(world.slotNames.size());
-    for (Unit& unit : world.units) {
-        if (!unit.function.isValid()) continue;
-        unitOfFunction[unit.function.index()] = &unit;
-        if (unit.slot != Id<int>::kNone && !(unit.owner && unit.owner->kind == UnitKind::Interface))
-            bySlot[unit.slot].push_back(unit.function.value);
+namespace {
+
+/// Who may call whom, by function. A call that is dispatched may reach every method in the slot.
+class CallGraph {
+public:
+    explicit CallGraph(World& world)
+        : m_world(world), m_edges(world.functions.size()), m_units(world.functions.size(), nullptr),
+          m_callsFrom(world.functions.size()) {
+        std::vector<std::vector<uint32_t>> bySlot(world.slotNames.size());
+        for (Unit& unit : world.units) {
+            if (!unit.function.isValid()) continue;
+            m_units[unit.function.index()] = &unit;
+            if (unit.slot != Id<int>::kNone && !(unit.owner && unit.owner->kind == UnitKind::Interface))
+                bySlot[unit.slot].push_back(unit.function.value);
+        }
+        for (const Call& call : world.calls) add(call, bySlot);
+        for (auto& list : m_edges) {
+            std::sort(list.begin(), list.end());
+            list.erase(std::unique(list.begin(), list.end()), list.end());
+        }
     }
-    for (const Call& call : world.calls) {
-        edges[call.from].push_back(call.to);
-        if (!call.isDispatched || world.functions[call.to].methodSlot == Id<int>::kNone) continue;
-        const TypeId declared = world.functions[call.to].instanceType;
-        for (const uint32_t candidate : bySlot[world.functions[call.to].methodSlot]) {
-            const Unit* unit = unitOfFunction[candidate];
+
+    [[nodiscard]] const std::vector<std::vector<uint32_t>>& edges() const { return m_edges; }
+
+    void checkCycle(const std::vector<uint32_t>& component) {
+        const uint32_t first = whereToFix(component);
+        const auto& own = m_edges[first];
+        if (component.size() == 1 && !std::binary_search(own.begin(), own.end(), first)) return;
+        for (const uint32_t index : component) m_world.functions[index].mayRecurse = true;
+        if (m_units[first]) report(component, first);
+    }
+
+private:
+    void add(const Call& call, const std::vector<std::vector<uint32_t>>& bySlot) {
+        m_edges[call.from].push_back(call.to);
+        m_callsFrom[call.from].push_back(&call);
+        const tree::Function& called = m_world.functions[call.to];
+        if (!call.isDispatched || called.methodSlot == Id<int>::kNone) return;
+        for (const uint32_t candidate : bySlot[called.methodSlot]) {
+            const Unit* unit = m_units[candidate];
             if (unit && unit->self() &&
-                (!declared.isValid() || world.types.isDerivedFrom(unit->self()->type, declared)))
-                edges[call.from].push_back(candidate);
+                (!called.instanceType.isValid() ||
+                 m_world.types.isDerivedFrom(unit->self()->type, called.instanceType)))
+                m_edges[call.from].push_back(candidate);
         }
     }
-    for (auto& list : edges) {
-        std::sort(list.begin(), list.end());
-        list.erase(std::unique(list.begin(), list.end()), list.end());
+
+    /// One of the project before one of a library: where its writer can change it.
+    [[nodiscard]] uint32_t whereToFix(const std::vector<uint32_t>& component) const {
+        const auto own = std::find_if(component.begin(), component.end(),
+                                      [&](uint32_t index) { return m_units[index] && !m_units[index]->isLibrary(); });
+        return own == component.end() ? component.front() : *own;
     }
-    const std::vector<std::vector<uint32_t>> components = Components(edges).found;
-    checkFrames(world, edges, components);
-    std::vector<std::vector<const Call*>> callsFrom(world.functions.size());
-    std::unordered_set<uint32_t> abstractSlots; // dispatched through an interface
-    for (const Call& call : world.calls) {
-        callsFrom[call.from].push_back(&call);
-        if (call.isDispatched && world.functions[call.to].isAbstract)
-            abstractSlots.insert(world.functions[call.to].methodSlot);
+
+    /// Every member is a function, program or action: there the standard forbids it, methods are guarded instead.
+    [[nodiscard]] bool isForbidden(const std::vector<uint32_t>& component) const {
+        return std::all_of(component.begin(), component.end(), [&](uint32_t index) {
+            const Unit* unit = m_units[index];
+            return unit && (unit->kind == UnitKind::Function || unit->kind == UnitKind::Program ||
+                            unit->kind == UnitKind::Action);
+        });
     }
-    for (const std::vector<uint32_t>& component : components) {
-        const auto isOwn = [&](uint32_t index) { return unitOfFunction[index] && !unitOfFunction[index]->isLibrary(); };
-        const auto own = std::find_if(component.begin(), component.end(), isOwn); // where its writer can fix it
-        const uint32_t first = own == component.end() ? component.front() : *own;
-        const bool isCycle =
-            component.size() > 1 || std::binary_search(edges[first].begin(), edges[first].end(), first);
-        if (!isCycle) continue;
-        bool isFixed = true; // every member is a function or program: recursion is an error
-        for (const uint32_t index : component) {
-            world.functions[index].mayRecurse = true;
-            const Unit* unit = unitOfFunction[index];
-            isFixed =
-                isFixed && unit &&
-                (unit->kind == UnitKind::Function || unit->kind == UnitKind::Program || unit->kind == UnitKind::Action);
+
+    void report(const std::vector<uint32_t>& component, uint32_t first) {
+        const std::vector<uint32_t> way = wayRound(component, first);
+        const std::string& name = m_world.functions[first].name;
+        const SourceRange range = callOf(way.back(), first);
+        if (!isForbidden(component)) {
+            m_world.emit(range, findings::RecursiveMethod(name));
+            return;
         }
-        // the way round from the first of them
-        std::vector<uint32_t> from(world.functions.size(), Id<int>::kNone), queue{first};
-        bool closed = false;
-        uint32_t last = first;
-        for (size_t i = 0; i < queue.size() && !closed; ++i) {
-            for (const uint32_t to : edges[queue[i]]) {
+        std::string chain;
+        for (const uint32_t each : way) chain += m_world.functions[each].name + " → ";
+        m_world.emit(range, findings::Recursion(name, chain + name));
+    }
+
+    /// The shortest, from the first of them to the one that calls it.
+    [[nodiscard]] std::vector<uint32_t> wayRound(const std::vector<uint32_t>& component, uint32_t first) const {
+        std::vector<uint32_t> from(m_edges.size(), Id<int>::kNone), queue{first};
+        uint32_t last = Id<int>::kNone;
+        for (size_t i = 0; i < queue.size() && last == Id<int>::kNone; ++i) {
+            for (const uint32_t to : m_edges[queue[i]]) {
                 if (to == first) {
-                    closed = true;
                     last = queue[i];
                     break;
                 }
@@ -264,27 +287,50 @@ void checkRecursion(World& world) {
                 queue.push_back(to);
             }
         }
-        std::string chain = world.functions[first].name;
-        for (uint32_t at = last; at != first && at != Id<int>::kNone; at = from[at])
-            chain = world.functions[at].name + " → " + chain;
-        chain = world.functions[first].name + " → " + chain;
-        const Unit* unit = unitOfFunction[first];
-        if (!unit) continue;
-        SourceRange range = unit->range;
-        for (const Call* call : callsFrom[last])
-            if (call->to == first || (call->isDispatched && world.functions[call->to].methodSlot != Id<int>::kNone &&
-                                      world.functions[call->to].methodSlot == world.functions[first].methodSlot)) {
-                range = call->range;
-                break;
-            }
-        if (isFixed)
-            world.emit(range, findings::Recursion(world.functions[first].name, chain));
-        else
-            world.emit(range, findings::RecursiveMethod(world.functions[first].name));
+        if (last == Id<int>::kNone) last = first;
+        std::vector<uint32_t> way;
+        for (uint32_t at = last; at != first && at != Id<int>::kNone; at = from[at]) way.push_back(at);
+        way.push_back(first);
+        std::reverse(way.begin(), way.end());
+        return way;
     }
+
+    /// The call that closes the circle; the callee's name when it is in no text.
+    [[nodiscard]] SourceRange callOf(uint32_t caller, uint32_t callee) const {
+        const uint32_t slot = m_world.functions[callee].methodSlot;
+        for (const Call* call : m_callsFrom[caller])
+            if (call->to == callee ||
+                (call->isDispatched && slot != Id<int>::kNone && m_world.functions[call->to].methodSlot == slot))
+                return call->range;
+        return m_units[callee]->range;
+    }
+
+    World& m_world;
+    std::vector<std::vector<uint32_t>> m_edges;
+    std::vector<Unit*> m_units;
+    std::vector<std::vector<const Call*>> m_callsFrom;
+};
+
+/// What is called through an interface may be any method of the slot, in blocks that are made later as well.
+void guardInterfaceMethods(World& world) {
+    std::unordered_set<uint32_t> slots;
+    for (const Call& call : world.calls)
+        if (call.isDispatched && world.functions[call.to].isAbstract) slots.insert(world.functions[call.to].methodSlot);
     for (tree::Function& function : world.functions)
-        if (function.methodSlot != Id<int>::kNone && abstractSlots.contains(function.methodSlot))
-            function.mayRecurse = true;
+        if (function.methodSlot != Id<int>::kNone && slots.contains(function.methodSlot)) function.mayRecurse = true;
+}
+
+} // namespace
+
+/// Recursion of functions is not allowed (edition 2, 2.5); that of methods is guarded while it runs.
+///   wrong: FUNCTION F … F := F(n - 1); END_FUNCTION  (P3004)
+///   advice: METHOD M … M := M(n - 1); END_METHOD  (P3032)
+void checkRecursion(World& world) {
+    CallGraph graph(world);
+    const std::vector<std::vector<uint32_t>> components = Components(graph.edges()).found;
+    checkFrames(world, graph.edges(), components);
+    for (const std::vector<uint32_t>& component : components) graph.checkCycle(component);
+    guardInterfaceMethods(world);
 }
 
 } // namespace plc::sema

@@ -16,11 +16,24 @@ namespace plc::sema {
 
 using library::BinaryOp;
 
-static void checkBody(World& world, Unit& unit);
+size_t checkBodies(World& world) {
+    size_t checked = 0;
+    for (size_t i = 0; i < world.units.size(); ++i) {
+        if (!beginBody(world, world.units[i])) continue;
+        checkBody(world, world.units[i], world.arena);
+        ++checked;
+    }
+    return checked;
+}
 
-void checkBodies(World& world) {
-    for (size_t i = 0; i < world.units.size(); ++i)
-        if (world.units[i].isCode()) checkBody(world, world.units[i]);
+bool beginBody(World& world, Unit& unit) {
+    if (!unit.isCode()) return false;
+    tree::Function& function = world.functions[unit.function.index()];
+    const syntax::Body* body = unit.action ? &unit.action->body : &unit.pou->body;
+    if (Unit* self = unit.self()) function.instanceType = self->type;
+    function.isAbstract = unit.isAbstract && unit.kind != UnitKind::Block;
+    if (unit.owner && unit.owner->kind == UnitKind::Interface) return false;
+    return !function.isAbstract || !body->statements.empty();
 }
 
 namespace {
@@ -98,15 +111,10 @@ void emitLocals(World& world, Context& checker, Unit& unit, std::vector<tree::St
 } // namespace
 
 ///   ok:    IF a > 0 THEN F := 1; ELSE F := 2; END_IF      advice: IF a > 0 THEN F := 1; END_IF  in FUNCTION F (P3008)
-void checkBody(World& world, Unit& unit) {
+void checkBody(World& world, Unit& unit, Arena& arena) {
     tree::Function& function = world.functions[unit.function.index()];
     const syntax::Body* body = unit.action ? &unit.action->body : &unit.pou->body;
-    Unit* self = unit.self();
-    if (self) function.instanceType = self->type;
-    function.isAbstract = unit.isAbstract && unit.kind != UnitKind::Block;
-    if (unit.owner && unit.owner->kind == UnitKind::Interface) return;
-    if (function.isAbstract && body->statements.empty()) return;
-    Context checker(world, {&unit, unit.space, unit.file}, world.sink, world.arena);
+    Context checker(world, {&unit, unit.space, unit.file}, world.sink, arena);
     checker.function = &function;
     checker.functionId = unit.function;
     checker.isTest = unit.isTest;

@@ -80,124 +80,163 @@ void refuseSelector(Context& context, const syntax::Stmt& stmt, TypeId type) {
     diagnostic.fixes.push_back({fixes::WriteIfAndElsif(), std::move(edits)});
 }
 
+namespace {
+
+/// One CASE being checked. Its labels are compared as 64 bits, with or without a sign (`m_isBig`).
+class CaseCheck {
+public:
+    CaseCheck(Context& context, const syntax::Stmt& stmt)
+        : m_context(context), m_stmt(stmt), m_selector(settled(context, expression(context, *stmt.value))),
+          m_type(m_selector.isUnknown() ? context.elementary(TypeKind::Unknown) : m_selector.type()),
+          m_isGood(!m_selector.isUnknown() && canChoose() && !context.types.isText(m_type)),
+          m_isBig(m_isGood && context.types.storageKind(m_type) != TypeKind::Lint &&
+                  types::bitsOf(context.types.storageKind(m_type)) == 64),
+          m_seen(m_isBig), m_before(context.flow) {
+        if (!m_selector.isUnknown() && !canChoose()) refuseSelector(context, stmt, m_type);
+    }
+
+    void run(std::vector<tree::Stmt*>& out) {
+        m_made = newStmt(m_context, tree::StmtKind::Case, head());
+        m_made->operandType = m_context.elementary(m_isBig ? TypeKind::Ulint : TypeKind::Lint);
+        if (m_isGood) m_made->a = convertNode(m_context, m_selector, m_made->operandType).expr;
+        m_before = m_context.flow;
+        for (const syntax::CaseArm& each : m_stmt.arms) arm(each);
+        if (!isComplete()) { // none of the arms may run
+            m_context.flow = m_before;
+            join();
+        }
+        m_context.flow = m_joined;
+        if (!m_before.isReachable) m_context.flow.isReachable = false;
+        if (m_isGood) out.push_back(m_made);
+    }
+
+private:
+    [[nodiscard]] bool canChoose() const {
+        const types::Family family = m_context.types.family(m_type);
+        return types::isInteger(family) || family == types::Family::Bool || family == types::Family::Character;
+    }
+
+    [[nodiscard]] SourceRange head() const {
+        const SourceRange whole = m_stmt.range;
+        if (!whole.file.isValid()) return whole;
+        return {whole.file, whole.begin, std::max(whole.begin, m_stmt.value->range.end)};
+    }
+
+    /// What holds after the CASE holds after each of its arms.
+    void join() {
+        const Flow& flow = m_context.flow;
+        if (flow.isReachable) m_joined.isResultSet = m_joined.isResultSet && flow.isResultSet;
+        m_joined.isReachable = m_joined.isReachable || flow.isReachable;
+    }
+
+    void arm(const syntax::CaseArm& each) {
+        tree::CaseArm& made = m_made->arms.emplace_back();
+        for (const syntax::CaseLabel& written : each.labels) label(written, made);
+        m_context.flow = m_before;
+        statements(m_context, each.body, made.body);
+        join();
+    }
+
+    void label(const syntax::CaseLabel& each, tree::CaseArm& made) {
+        const auto low = valueOf(each.low);
+        const auto high = each.high ? valueOf(each.high) : low;
+        if (!low || !high) return;
+        const SourceRange first = each.low->range;
+        const SourceRange range = each.high ? SourceRange{first.file, first.begin, each.high->range.end} : first;
+        const bool isReversed = m_isBig ? static_cast<uint64_t>(*high) < static_cast<uint64_t>(*low) : *high < *low;
+        if (isReversed) {
+            m_context.emit(range, findings::ArraySizeInvalid(*low, *high));
+            return;
+        }
+        if (!m_seen.add(*low, *high)) m_context.emit(range, findings::DuplicateCase(m_context.textOf(range)));
+        made.ranges.push_back({*low, *high});
+    }
+
+    [[nodiscard]] std::optional<int64_t> valueOf(const syntax::Expr* label) {
+        if (!label) return std::nullopt;
+        Operand value = expression(m_context, *label, m_type);
+        if (value.isUnknown()) return std::nullopt;
+        if (!value.isConstant()) {
+            m_context.emit(label->range, findings::NotConstant());
+            return std::nullopt;
+        }
+        if (m_isGood) value = inSelectorsType(value);
+        if (value.isUnknown() || !std::holds_alternative<int64_t>(value.expr->value.data)) return std::nullopt;
+        return value.expr->value.integer();
+    }
+
+    /// A number that fits is taken as it is: CASE of an enumeration may name its values by number.
+    [[nodiscard]] Operand inSelectorsType(Operand value) {
+        const bool choosesEnum = m_context.isKind(m_type, TypeKind::Enum);
+        if (m_context.isKind(value.type(), TypeKind::Enum) && !choosesEnum)
+            value = convertNode(m_context, value, m_context.types.storage(value.type()));
+        const types::Value& constant = value.expr->value;
+        const bool fitsAnyway = isNumeric(m_context, value.type()) && std::holds_alternative<int64_t>(constant.data) &&
+                                (fits(m_context, constant, m_context.types.storage(m_type)) || choosesEnum);
+        return fitsAnyway ? value : converted(m_context, value, m_type);
+    }
+
+    /// Whether one of the arms runs, whatever the value.
+    [[nodiscard]] bool isComplete() {
+        if (m_stmt.hasElse) {
+            m_context.flow = m_before;
+            statements(m_context, m_stmt.elseBody, m_made->elseBody);
+            join();
+            return true;
+        }
+        if (!m_isGood || !m_context.isKind(m_type, TypeKind::Enum)) return false;
+        std::vector<std::string> missing;
+        for (const types::Enumerator& enumerator : m_context.types[m_type].enumerators)
+            if (!m_seen.contains(enumerator.value)) missing.push_back(enumerator.name);
+        if (!missing.empty() && m_stmt.range.file.isValid() && !m_stmt.origin) reportMissing(missing);
+        return missing.empty() && !m_context.types[m_type].enumerators.empty();
+    }
+
+    void reportMissing(const std::vector<std::string>& missing) {
+        constexpr size_t kMostShown = 3;
+        std::vector<std::string> shown(
+            missing.begin(), missing.begin() + static_cast<std::ptrdiff_t>(std::min(kMostShown, missing.size())));
+        if (missing.size() > kMostShown) shown.push_back("…");
+        const FileId file = m_stmt.range.file;
+        auto& diagnostic =
+            m_context.emit({file, m_stmt.range.begin, m_stmt.range.begin + 4}, findings::MissingCase(shown));
+        const std::string_view whole = m_context.world.textOf(m_stmt.range);
+        const size_t end = lastEnd(whole);
+        if (end >= whole.size()) return;
+        std::string branches;
+        for (const std::string& name : missing) branches += m_context.nameOf(m_type) + "." + name + ": ;\n";
+        const auto place = m_stmt.range.begin + static_cast<uint32_t>(end);
+        diagnostic.fixes.push_back({fixes::AddMissingBranches(), {{{file, place, place}, branches}}});
+        diagnostic.fixes.push_back({fixes::AddElse(), {{{file, place, place}, "ELSE\n    ;\n"}}});
+    }
+
+    /// The last END_CASE; the size of the text where there is none.
+    [[nodiscard]] static size_t lastEnd(std::string_view whole) {
+        constexpr std::string_view kEnd = "END_CASE";
+        for (size_t i = whole.size() < kEnd.size() ? 0 : whole.size() - kEnd.size() + 1; i-- > 0;)
+            if (equalsIgnoringCase(whole.substr(i, kEnd.size()), kEnd)) return i;
+        return whole.size();
+    }
+
+    Context& m_context;
+    const syntax::Stmt& m_stmt;
+    Operand m_selector;
+    TypeId m_type;
+    bool m_isGood; // the selector can choose
+    bool m_isBig;
+    TakenValues m_seen;
+    Flow m_before, m_joined{false, true};
+    tree::Stmt* m_made = nullptr;
+};
+
+} // namespace
+
 /// CASE (edition 3, 7.3.3.3.3): its labels are constants, each once.
 ///   ok:    CASE x OF 1..3: … 4: … END_CASE
 ///   wrong: CASE x OF 1..3: … 2: … END_CASE  (P3010)   CASE x OF y: …  (P2019)   CASE x OF 3..1: …  (P3027)
 ///   advice: CASE color OF Red: … END_CASE  where Green is left over (P3009)
 void caseStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out) {
-    if (!stmt.value) return;
-    Operand selector = settled(context, expression(context, *stmt.value));
-    const bool known = !selector.isUnknown();
-    const types::Family family = known ? context.types.family(selector.type()) : types::Family::Other;
-    const TypeId type = known ? selector.type() : context.elementary(TypeKind::Unknown);
-    const bool isText = known && context.types.isText(type);
-    if (known && !types::isInteger(family) && family != types::Family::Bool && family != types::Family::Character)
-        refuseSelector(context, stmt, type);
-    const bool good = known && !isText &&
-                      (types::isInteger(family) || family == types::Family::Bool || family == types::Family::Character);
-    const bool isBig = good && context.types.storageKind(type) != TypeKind::Lint &&
-                       types::bitsOf(context.types.storageKind(type)) == 64;
-    tree::Stmt* made =
-        newStmt(context, tree::StmtKind::Case,
-                stmt.range.file.isValid()
-                    ? SourceRange{stmt.range.file, stmt.range.begin, std::max(stmt.range.begin, stmt.value->range.end)}
-                    : stmt.range);
-    if (good)
-        made->a = convertNode(context, selector, context.elementary(isBig ? TypeKind::Ulint : TypeKind::Lint)).expr;
-    made->operandType = context.elementary(isBig ? TypeKind::Ulint : TypeKind::Lint);
-    const Flow before = context.flow;
-    Flow joined{false, true};
-    const auto join = [&] {
-        if (context.flow.isReachable) joined.isResultSet = joined.isResultSet && context.flow.isResultSet;
-        joined.isReachable = joined.isReachable || context.flow.isReachable;
-    };
-    TakenValues seen(isBig);
-    const auto label = [&](const syntax::Expr* e) -> std::optional<int64_t> {
-        if (!e) return std::nullopt;
-        Operand value = expression(context, *e, type);
-        if (value.isUnknown()) return std::nullopt;
-        if (!value.isConstant()) {
-            context.emit(e->range, findings::NotConstant());
-            return std::nullopt;
-        }
-        if (good && context.isKind(value.type(), TypeKind::Enum) && !context.isKind(type, TypeKind::Enum))
-            value = convertNode(context, value, context.types.storage(value.type()));
-        if (good) {
-            const types::Value& constantValue = value.expr->value;
-            const bool fitsAnyway =
-                isNumeric(context, value.type()) && std::holds_alternative<int64_t>(constantValue.data) &&
-                (fits(context, constantValue, context.types.storage(type)) || context.isKind(type, TypeKind::Enum));
-            if (!fitsAnyway) value = converted(context, value, type);
-        }
-        if (value.isUnknown() || !std::holds_alternative<int64_t>(value.expr->value.data)) return std::nullopt;
-        return value.expr->value.integer();
-    };
-    for (const syntax::CaseArm& arm : stmt.arms) {
-        tree::CaseArm& madeArm = made->arms.emplace_back();
-        for (const syntax::CaseLabel& each : arm.labels) {
-            const auto low = label(each.low);
-            const auto high = each.high ? label(each.high) : low;
-            if (!low || !high) continue;
-            const auto less = [&](int64_t a, int64_t b) {
-                return isBig ? static_cast<uint64_t>(a) < static_cast<uint64_t>(b) : a < b;
-            };
-            const SourceRange range =
-                each.high ? SourceRange{each.low->range.file, each.low->range.begin, each.high->range.end}
-                          : each.low->range;
-            if (less(*high, *low)) {
-                context.emit(range, findings::ArraySizeInvalid(*low, *high));
-                continue;
-            }
-            if (!seen.add(*low, *high)) context.emit(range, findings::DuplicateCase(context.textOf(range)));
-            madeArm.ranges.push_back({*low, *high});
-        }
-        context.flow = before;
-        statements(context, arm.body, madeArm.body);
-        join();
-    }
-    bool complete = stmt.hasElse;
-    if (stmt.hasElse) {
-        context.flow = before;
-        statements(context, stmt.elseBody, made->elseBody);
-        join();
-    } else if (good && context.isKind(type, TypeKind::Enum)) {
-        std::vector<std::string> missing;
-        size_t count = 0;
-        std::vector<std::string> names;
-        for (const types::Enumerator& enumerator : context.types[type].enumerators) {
-            if (seen.contains(enumerator.value)) continue;
-            if (++count <= 3) missing.push_back(enumerator.name);
-            names.push_back(enumerator.name);
-        }
-        if (count > 3) missing.push_back("…");
-        if (count && stmt.range.file.isValid() && !stmt.origin) {
-            const SourceRange word{stmt.range.file, stmt.range.begin, stmt.range.begin + 4};
-            auto& diagnostic = context.emit(word, findings::MissingCase(missing));
-            std::string text;
-            for (const std::string& name : names) text += context.nameOf(type) + "." + name + ": ;\n";
-            const std::string_view whole = context.world.textOf(stmt.range);
-            size_t at = whole.size();
-            for (size_t i = 0; i + 8 <= whole.size(); ++i) {
-                const std::string_view part = whole.substr(i, 8);
-                if (std::equal(part.begin(), part.end(), "END_CASE",
-                               [](char a, char b) { return (a >= 'a' && a <= 'z' ? a - 32 : a) == b; }))
-                    at = i;
-            }
-            if (at < whole.size()) {
-                const auto place = stmt.range.begin + static_cast<uint32_t>(at);
-                diagnostic.fixes.push_back({fixes::AddMissingBranches(), {{{stmt.range.file, place, place}, text}}});
-                diagnostic.fixes.push_back({fixes::AddElse(), {{{stmt.range.file, place, place}, "ELSE\n    ;\n"}}});
-            }
-        }
-        complete = count == 0 && !context.types[type].enumerators.empty();
-    }
-    if (!complete) {
-        context.flow = before;
-        join();
-    }
-    context.flow = joined;
-    if (!before.isReachable) context.flow.isReachable = false;
-    if (good) out.push_back(made);
+    if (stmt.value) CaseCheck(context, stmt).run(out);
 }
 
 } // namespace plc::sema

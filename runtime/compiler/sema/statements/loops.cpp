@@ -97,7 +97,8 @@ SourceRange headOf(const syntax::Stmt& stmt, const syntax::Expr* last) {
 void forStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out) {
     if (!stmt.target) return;
     const Denoted variable = target(context, *stmt.target);
-    if (variable.kind == Denoted::Kind::Place && variable.variable) ++variable.variable->reads;
+    if (variable.kind == Denoted::Kind::Place && variable.variable)
+        context.world.count(*variable.variable, true, false);
     const Count count = countOf(context, stmt, typeOfLoopVariable(context, stmt, variable));
     tree::Stmt* made = newStmt(context, tree::StmtKind::For, headOf(stmt, stmt.to && stmt.by ? stmt.by : stmt.to));
     if (count.isGood) {

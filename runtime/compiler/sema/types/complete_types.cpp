@@ -86,11 +86,13 @@ bool completeArray(World& world, TypeId type, SourceRange usedAt) {
         return false;
     }
     if (world.types[type].size != 0 && world.types[type].initial.empty() == element.initial.empty()) return good;
+    ++world.completions;
     world.types.layoutArray(type);
     return checkSize(world, type, usedAt) && good;
 }
 
 void completeAlias(World& world, DeclaredType& declared, SourceRange usedAt) {
+    ++world.completions;
     const TypeId behind = world.aliasOf[declared.type];
     world.aliasesByType.erase(declared.type);
     completeType(world, behind, usedAt);

@@ -390,6 +390,7 @@ static bool isPassedAsArray(const Variable& variable) {
 TypeId typeOf(World& world, Variable& variable) {
     if (variable.typeProgress == Progress::Done) return variable.type;
     if (variable.typeProgress == Progress::Working) return TypeTable::of(TypeKind::Unknown);
+    ++world.completions;
     const Waiting wait(world.waiting, 4);
     if (wait.isTooDeep) {
         world.emit(variable.range, findings::NestedTooDeep());

@@ -99,6 +99,7 @@ const types::Value* fold(World& world, Variable& variable) {
     case Folding::Open:
         break;
     }
+    ++world.completions;
     const syntax::Expr* initial = variable.declaration ? variable.declaration->initial : nullptr;
     const Waiting wait(world.waiting, 4 + (initial ? initial->height : 0));
     if (wait.isTooDeep) {

@@ -113,127 +113,175 @@ std::u32string parseText(std::string_view text, bool isWide) {
     return out;
 }
 
+/// A literal with what surrounds it: the type written before it (INT#5) and the one its place would like.
+struct Written {
+    const syntax::Expr& e;
+    TypeId typed;
+    TypeId hint;
+};
+
+/// The written type takes the value where it fits.
+Operand inWrittenType(Context& context, const Written& written, Operand operand) {
+    if (!written.typed.isValid()) return operand;
+    operand.isFlexible = true;
+    Operand out = converted(context, operand, written.typed);
+    out.isFlexible = false;
+    return out;
+}
+
+Operand outOfRange(Context& context, const Written& written, const char* largest) {
+    context.emit(written.e.range,
+                 findings::ConstantOutOfRange(written.e.text, written.typed.isValid() ? context.nameOf(written.typed)
+                                                                                      : std::string(largest)));
+    return unknown(context, written.e.range);
+}
+
+/// INT#16#FFFF is a bit pattern of its type, so it is not too large for an INT although 65535 is.
+std::optional<Operand> bitPattern(Context& context, const Written& written, const Integer& number, int64_t bits) {
+    const TypeId typed = written.typed;
+    const bool takesPatterns =
+        typed.isValid() && isNumeric(context, typed) && context.types.family(typed) != types::Family::Real;
+    const bool isBased = written.e.text.find('#') != std::string_view::npos;
+    if (!takesPatterns || number.isNegative || !isBased) return {};
+    const TypeKind kind = context.types.storageKind(typed);
+    const unsigned width = types::bitsOf(kind);
+    if (width < 64 && number.magnitude >> width != 0) return {};
+    return constant(context, {typed, types::wrapInteger(kind, bits)}, written.e.range);
+}
+
+Operand integerLiteral(Context& context, const Written& written) {
+    const Integer number = parseInteger(written.e.text);
+    if (!number.isGood) return unknown(context, written.e.range); // the lexer said so
+    if (number.isTooLarge || (number.isNegative && number.magnitude > (uint64_t(1) << 63)))
+        return outOfRange(context, written, "LWORD");
+    const auto bits = static_cast<int64_t>(number.isNegative ? 0 - number.magnitude : number.magnitude);
+    if (const auto pattern = bitPattern(context, written, number, bits)) return *pattern;
+    const bool isLarge = !number.isNegative && number.magnitude > static_cast<uint64_t>(INT64_MAX);
+    const TypeId type = context.elementary(isLarge ? TypeKind::Ulint : TypeKind::Lint);
+    return inWrittenType(context, written, constant(context, {type, bits}, written.e.range, true));
+}
+
+Operand realLiteral(Context& context, const Written& written) {
+    const double number = parseReal(written.e.text);
+    if (!std::isfinite(number)) return outOfRange(context, written, "LREAL");
+    return inWrittenType(context, written,
+                         constant(context, {context.elementary(TypeKind::Lreal), number}, written.e.range, true));
+}
+
+/// LTIME#…, LD#…: the kinds of 64 bits.
+bool isLong(std::string_view text) { return !text.empty() && (text.front() == 'L' || text.front() == 'l'); }
+
+Operand durationLiteral(Context& context, const Written& written) {
+    const auto duration = types::parseDuration(written.e.text);
+    if (!duration) {
+        context.emit(written.e.range, findings::InvalidLiteral(written.e.text, phrases::DurationLiteral()));
+        return unknown(context, written.e.range);
+    }
+    const bool wantsLong = written.hint.isValid() && context.types.storageKind(written.hint) == TypeKind::Ltime;
+    const TypeKind kind = isLong(written.e.text) || wantsLong ? TypeKind::Ltime : TypeKind::Time;
+    return constant(context, {context.elementary(kind), *duration}, written.e.range);
+}
+
+/// DATE, TIME_OF_DAY and DATE_AND_TIME.
+Operand dateLiteral(Context& context, const Written& written) {
+    const syntax::Expr& e = written.e;
+    const bool isDate = e.op == TokenKind::DateLiteral, isTime = e.op == TokenKind::TimeOfDayLiteral;
+    const auto number = isDate   ? types::parseDate(e.text)
+                        : isTime ? types::parseTimeOfDay(e.text)
+                                 : types::parseDateTime(e.text);
+    if (!number) {
+        context.emit(e.range, findings::InvalidLiteral(e.text, isDate   ? phrases::DateLiteral()
+                                                               : isTime ? phrases::TimeOfDayLiteral()
+                                                                        : phrases::DateAndTimeLiteral()));
+        return unknown(context, e.range);
+    }
+    const bool wantsLong = isLong(e.text);
+    const TypeKind kind = isDate   ? (wantsLong ? TypeKind::Ldate : TypeKind::Date)
+                          : isTime ? (wantsLong ? TypeKind::Ltod : TypeKind::Tod)
+                                   : (wantsLong ? TypeKind::Ldt : TypeKind::Dt);
+    return constant(context, {context.elementary(kind), *number}, e.range);
+}
+
+/// The characters of a text in the forms that its type may want.
+struct Characters {
+    std::string narrow; // one byte each
+    std::string utf8;
+    char32_t foreign = 0; // the first that has no byte
+};
+Characters charactersOf(std::u32string_view text) {
+    Characters out;
+    for (const char32_t c : text) {
+        if (c > 0xFF && !out.foreign) out.foreign = c;
+        out.narrow += static_cast<char>(c);
+        appendUtf8(out.utf8, c);
+    }
+    return out;
+}
+
+Operand notInString(Context& context, const syntax::Expr& e, char32_t foreign) {
+    std::string shown;
+    appendUtf8(shown, foreign);
+    auto& diagnostic = context.emit(e.range, findings::CharacterNotInString(shown));
+    diagnostic.fixes.push_back({fixes::WriteWstring(),
+                                {{{e.range.file, e.range.begin, e.range.begin + 1}, "\""},
+                                 {{e.range.file, e.range.end - 1, e.range.end}, "\""}}});
+    return unknown(context, e.range);
+}
+
+/// A text takes the width that is wanted where it can: "abc" in a STRING is narrow, 'abc' in a WSTRING is wide.
+Operand textLiteral(Context& context, const Written& written) {
+    const syntax::Expr& e = written.e;
+    const bool isWide = e.op == TokenKind::WstringLiteral;
+    if (isWide && !written.typed.isValid())
+        if (const auto named = quotedName(context, e, written.hint)) return *named;
+    const Characters text = charactersOf(parseText(e.text, isWide));
+    const TypeKind wanted = written.typed.isValid()  ? context.types.storageKind(written.typed)
+                            : written.hint.isValid() ? context.types.storageKind(written.hint)
+                                                     : TypeKind::Unknown;
+    const bool toWide =
+        isWide ? wanted != TypeKind::String || text.foreign : wanted == TypeKind::Wstring || wanted == TypeKind::Wchar;
+    Operand out;
+    if (toWide) {
+        std::u16string wide = utf8ToUtf16(text.utf8);
+        const TypeId type = textType(context, wide.size(), true);
+        out = constant(context, {type, std::move(wide)}, e.range);
+    } else if (text.foreign) {
+        return notInString(context, e, text.foreign);
+    } else {
+        out = constant(context, {textType(context, text.narrow.size(), false), text.narrow}, e.range);
+    }
+    return written.typed.isValid() ? converted(context, out, written.typed) : out;
+}
+
 } // namespace
 
 ///   ok:    16#FF, T#1s500ms      wrong: SINT#200  (P2018)   T#1x  (P1005)
 Operand literal(Context& context, const syntax::Expr& e, TypeId hint) {
-    TypeId typed;
+    Written written{e, {}, hint};
     if (e.prefix.isValid()) {
-        typed = resolveNamed(context.world, {e.prefix}, context.scope, e.prefix.range);
-        if (context.isKind(typed, TypeKind::Unknown)) return unknown(context, e.range);
+        written.typed = resolveNamed(context.world, {e.prefix}, context.scope, e.prefix.range);
+        if (context.isKind(written.typed, TypeKind::Unknown)) return unknown(context, e.range);
     }
-    const auto finish = [&](Operand operand) {
-        if (!typed.isValid()) return operand;
-        operand.isFlexible = true; // the written type takes the value where it fits
-        Operand out = converted(context, operand, typed);
-        out.isFlexible = false;
-        return out;
-    };
-    const std::string what = typed.isValid() ? context.nameOf(typed) : std::string();
     switch (e.op) {
     case TokenKind::True:
     case TokenKind::False: {
-        Operand out =
+        const Operand out =
             constant(context, {context.elementary(TypeKind::Bool), int64_t(e.op == TokenKind::True)}, e.range);
-        return typed.isValid() ? converted(context, out, typed) : out;
+        return written.typed.isValid() ? converted(context, out, written.typed) : out;
     }
-    case TokenKind::IntegerLiteral: {
-        const Integer number = parseInteger(e.text);
-        if (!number.isGood) return unknown(context, e.range); // the lexer said so
-        if (number.isTooLarge || (number.isNegative && number.magnitude > (uint64_t(1) << 63))) {
-            context.emit(e.range, findings::ConstantOutOfRange(e.text, typed.isValid() ? what : "LWORD"));
-            return unknown(context, e.range);
-        }
-        const auto bits = static_cast<int64_t>(number.isNegative ? 0 - number.magnitude : number.magnitude);
-        const bool big = !number.isNegative && number.magnitude > static_cast<uint64_t>(INT64_MAX);
-        if (typed.isValid() && isNumeric(context, typed) && context.types.family(typed) != types::Family::Real &&
-            !number.isNegative) {
-            // INT#16#FFFF is a bit pattern of its type
-            const unsigned width = types::bitsOf(context.types.storageKind(typed));
-            const bool isBased = e.text.find('#') != std::string_view::npos;
-            if (isBased && (width == 64 || number.magnitude >> width == 0))
-                return constant(context, {typed, types::wrapInteger(context.types.storageKind(typed), bits)}, e.range);
-        }
-        return finish(
-            constant(context, {context.elementary(big ? TypeKind::Ulint : TypeKind::Lint), bits}, e.range, true));
-    }
-    case TokenKind::RealLiteral: {
-        const double number = parseReal(e.text);
-        if (!std::isfinite(number)) {
-            context.emit(e.range, findings::ConstantOutOfRange(e.text, typed.isValid() ? what : "LREAL"));
-            return unknown(context, e.range);
-        }
-        return finish(constant(context, {context.elementary(TypeKind::Lreal), number}, e.range, true));
-    }
-    case TokenKind::DurationLiteral: {
-        const auto duration = types::parseDuration(e.text);
-        if (!duration) {
-            context.emit(e.range, findings::InvalidLiteral(e.text, phrases::DurationLiteral()));
-            return unknown(context, e.range);
-        }
-        const bool isLong = !e.text.empty() && (e.text.front() == 'L' || e.text.front() == 'l');
-        const bool wantsLong = hint.isValid() && context.types.storageKind(hint) == TypeKind::Ltime;
-        return constant(
-            context, {context.elementary(isLong || wantsLong ? TypeKind::Ltime : TypeKind::Time), *duration}, e.range);
-    }
+    case TokenKind::IntegerLiteral:
+        return integerLiteral(context, written);
+    case TokenKind::RealLiteral:
+        return realLiteral(context, written);
+    case TokenKind::DurationLiteral:
+        return durationLiteral(context, written);
     case TokenKind::DateLiteral:
     case TokenKind::TimeOfDayLiteral:
-    case TokenKind::DateTimeLiteral: {
-        const bool isLong = !e.text.empty() && (e.text.front() == 'L' || e.text.front() == 'l');
-        const auto number = e.op == TokenKind::DateLiteral        ? types::parseDate(e.text)
-                            : e.op == TokenKind::TimeOfDayLiteral ? types::parseTimeOfDay(e.text)
-                                                                  : types::parseDateTime(e.text);
-        if (!number) {
-            context.emit(e.range, findings::InvalidLiteral(
-                                      e.text, e.op == TokenKind::DateLiteral        ? phrases::DateLiteral()
-                                              : e.op == TokenKind::TimeOfDayLiteral ? phrases::TimeOfDayLiteral()
-                                                                                    : phrases::DateAndTimeLiteral()));
-            return unknown(context, e.range);
-        }
-        const TypeKind kind = e.op == TokenKind::DateLiteral        ? (isLong ? TypeKind::Ldate : TypeKind::Date)
-                              : e.op == TokenKind::TimeOfDayLiteral ? (isLong ? TypeKind::Ltod : TypeKind::Tod)
-                                                                    : (isLong ? TypeKind::Ldt : TypeKind::Dt);
-        return constant(context, {context.elementary(kind), *number}, e.range);
-    }
+    case TokenKind::DateTimeLiteral:
+        return dateLiteral(context, written);
     case TokenKind::StringLiteral:
-    case TokenKind::WstringLiteral: {
-        const bool isWide = e.op == TokenKind::WstringLiteral;
-        if (isWide && !typed.isValid())
-            if (const auto named = quotedName(context, e, hint)) return *named;
-        const std::u32string characters = parseText(e.text, isWide);
-        const TypeKind wanted = typed.isValid()  ? context.types.storageKind(typed)
-                                : hint.isValid() ? context.types.storageKind(hint)
-                                                 : TypeKind::Unknown;
-        std::string narrow;
-        char32_t foreign = 0;
-        std::string utf8;
-        for (const char32_t c : characters) {
-            if (c > 0xFF && !foreign) foreign = c;
-            narrow += static_cast<char>(c);
-            appendUtf8(utf8, c);
-        }
-        const bool toWide =
-            isWide ? wanted != TypeKind::String || foreign : wanted == TypeKind::Wstring || wanted == TypeKind::Wchar;
-        Operand out;
-        if (toWide) {
-            std::u16string wide = utf8ToUtf16(utf8);
-            const TypeId type = textType(context, wide.size(), true);
-            out = constant(context, {type, std::move(wide)}, e.range);
-        } else {
-            if (foreign) {
-                std::string shown;
-                appendUtf8(shown, foreign);
-                auto& diagnostic = context.emit(e.range, findings::CharacterNotInString(shown));
-                diagnostic.fixes.push_back({fixes::WriteWstring(),
-                                            {{{e.range.file, e.range.begin, e.range.begin + 1}, "\""},
-                                             {{e.range.file, e.range.end - 1, e.range.end}, "\""}}});
-                return unknown(context, e.range);
-            }
-            const TypeId type = textType(context, narrow.size(), false);
-            out = constant(context, {type, std::move(narrow)}, e.range);
-        }
-        return typed.isValid() ? converted(context, out, typed) : out;
-    }
+    case TokenKind::WstringLiteral:
+        return textLiteral(context, written);
     default:
         return unknown(context, e.range);
     }
