@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace plc::kit {
+namespace plc::plot {
 namespace {
 
 constexpr int64_t S = 1'000'000'000;
@@ -125,4 +125,4 @@ TEST(CurveWords, AColourIsFoundInNamesAsProgramsWriteThem) {
 }
 
 } // namespace
-} // namespace plc::kit
+} // namespace plc::plot
