@@ -27,13 +27,25 @@ QStringList wordsOf(const QString& name) {
     return out;
 }
 
+/// Programs write m3/h where texts write m³/h, and C for °C.
+QString plainUnit(QString text) {
+    return text.replace(u'²', u'2').replace(u'³', u'3').replace(u'·', u'*').remove(u'°').replace(u'µ', u'u');
+}
+
+/// "Flow [l/min]" says its unit itself, whatever the program calls it; the index of "Main.row[3]" is none.
+bool endsWithBracket(const QString& name) {
+    static const QRegularExpression bracket(QStringLiteral("\\s\\[[^\\]\\d][^\\]]*\\]\\s*$"));
+    return bracket.match(name).hasMatch();
+}
+
 } // namespace
 
-bool namesUnit(const QString& name, const QString& unit) {
-    if (unit.isEmpty() || name.size() <= unit.size()) return false;
+bool namesUnit(const QString& name, const QString& wanted) {
+    if (wanted.isEmpty()) return false;
+    if (endsWithBracket(name)) return true;
     static const QRegularExpression closing(QStringLiteral("[\\])\\s]+$"));
-    const QString open = QString(name).remove(closing);
-    if (!open.endsWith(unit)) return false;
+    const QString open = plainUnit(QString(name).remove(closing)), unit = plainUnit(wanted);
+    if (open.size() <= unit.size() || !open.endsWith(unit)) return false;
     const QChar before = open[open.size() - unit.size() - 1];
     return !before.isLetterOrNumber() && before != u'_' && before != u'.';
 }

@@ -2,6 +2,7 @@
 
 #include "editor/kit/fuzzy.h"
 
+#include <QRegularExpression>
 #include <algorithm>
 #include <set>
 
@@ -62,6 +63,12 @@ QString text(const std::string& s) { return QString::fromStdString(s); }
 bool isPathCharacter(QChar c) {
     return c.isLetterOrNumber() || c == QLatin1Char('_') || c == QLatin1Char('.') || c == QLatin1Char('[') ||
            c == QLatin1Char(']') || c == QLatin1Char('%');
+}
+
+/// "0..100 %" is a range and its unit; "1..8" a range alone.
+QString withoutRange(QString text) {
+    static const QRegularExpression range(QStringLiteral("^\\s*(±|[-+]?\\d[\\d.eE]*?\\.\\.)\\s*[-+±]?\\d[\\w.]*"));
+    return text.remove(range).trimmed();
 }
 
 } // namespace
@@ -195,7 +202,7 @@ QString ProgramVariables::unitOf(const QString& path) const {
         if (node.path.compare(path, Qt::CaseInsensitive) != 0) continue;
         const auto open = node.comment.indexOf(QLatin1Char('[')), close = node.comment.indexOf(QLatin1Char(']'), open);
         if (open < 0 || close - open < 2 || close - open > 12) return {};
-        return node.comment.mid(open + 1, close - open - 1).trimmed();
+        return withoutRange(node.comment.mid(open + 1, close - open - 1));
     }
     return {};
 }

@@ -106,6 +106,11 @@ TEST(CurveWords, AUnitIsAddedOnlyWhereTheNameDoesNotEndWithIt) {
         {"s", "s", "s [s]"},
         {"Main.m", "m", "Main.m [m]"},
         {"Temperature, °C", "°C", "Temperature, °C"},
+        {"Flow [m³/h]", "m3/h", "Flow [m³/h]"},
+        {"Temperature [°C]", "C", "Temperature [°C]"},
+        {"Flow [l/min]", "m3/h", "Flow [l/min]"},
+        {"Main.row[3]", "mm", "Main.row[3] [mm]"},
+        {"Main.row[i]", "mm", "Main.row[i] [mm]"},
     };
     for (const auto& row : rows)
         EXPECT_EQ(withUnit(QString::fromUtf8(row.name), QString::fromUtf8(row.unit)).toStdString(), row.shown);

@@ -379,6 +379,20 @@ TEST(SessionTrace, TheViewOpensSavesAndComparesRecordings) {
     view.setRecording(nullptr);
 }
 
+TEST(SessionTrace, ARangeInACommentIsNoUnit) {
+    session::Session session(
+        build("PROGRAM Main\nVAR\n a : REAL; // valve [0..100 %]\n b : INT; // depth [1..128]\n"
+              " c : REAL; // [-10.5..+10.5 V]\n d : REAL; // [±3.4e38]\n e : REAL; // [m3/h]\n"
+              " f : REAL; // [0..1000 mm]\nEND_VAR\nEND_PROGRAM\nCONFIGURATION Plc\nRESOURCE Cpu ON Pc\n"
+              "TASK Fast(INTERVAL := T#10ms, PRIORITY := 1);\nPROGRAM Main WITH Fast : Main;\n"
+              "END_RESOURCE\nEND_CONFIGURATION\n"));
+    ProgramVariables variables;
+    variables.setProgram(session.program());
+    const std::pair<const char*, const char*> rows[] = {{"Main.a", "%"}, {"Main.b", ""},     {"Main.c", "V"},
+                                                        {"Main.d", ""},  {"Main.e", "m3/h"}, {"Main.f", "mm"}};
+    for (const auto& [path, unit] : rows) EXPECT_EQ(variables.unitOf(path).toStdString(), unit) << path;
+}
+
 TEST(SessionTrace, NamesCompleteAndUnitsComeFromComments) {
     session::Session session(build(Logger));
     ProgramVariables variables;
