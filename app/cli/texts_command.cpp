@@ -39,8 +39,9 @@ Result<QMap<QString, QStringList>> makePictures(const Arguments& arguments, cons
     if (!folder) return files;
     needApplication();
     const QString first = project.texts.settings().languages.value(0);
-    const auto made = hmi::writeTextPictures(project, QString::fromStdString(*folder),
-                                             QString::fromStdString(arguments.value("--from").value_or(toUtf8(first))));
+    const auto made =
+        hmi::writeTextPictures(project, QString::fromStdString(*folder),
+                               QString::fromStdString(arguments.value("--from").value_or(hmi::toUtf8(first))));
     if (!made) return made.error();
     for (const hmi::TextPicture& one : *made) files[one.key] += one.file;
     std::cerr << made->size() << " pictures in " << *folder << "\n";

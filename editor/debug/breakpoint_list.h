@@ -1,10 +1,10 @@
 // The breakpoints of a project by file and line of the text as it is written now, and as the program that runs knows
 // them. Owned by RunControl; GUI thread.
 #pragma once
+#include <map> // first: moc cannot read <compare>, which ids.h begins with, before anything else
+
 #include "editor/debug/text_place.h"
 #include "runtime/debug/breakpoint.h"
-
-#include <map>
 
 namespace plc::editor {
 

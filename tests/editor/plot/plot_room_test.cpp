@@ -113,7 +113,7 @@ TEST(CurveWords, AUnitIsAddedOnlyWhereTheNameDoesNotEndWithIt) {
         {"Main.row[i]", "mm", "Main.row[i] [mm]"},
     };
     for (const auto& row : rows)
-        EXPECT_EQ(withUnit(QString::fromUtf8(row.name), QString::fromUtf8(row.unit)).toStdString(), row.shown);
+        EXPECT_EQ(kit::withUnit(QString::fromUtf8(row.name), QString::fromUtf8(row.unit)).toStdString(), row.shown);
 }
 
 TEST(CurveWords, AColourIsFoundInNamesAsProgramsWriteThem) {
@@ -126,7 +126,7 @@ TEST(CurveWords, AColourIsFoundInNamesAsProgramsWriteThem) {
         {"Main.qYellow1", "yellow"}, {"Main.credit", ""},
     };
     for (const auto& row : rows)
-        EXPECT_EQ(colorNamed(QString::fromUtf8(row.name)).toStdString(), row.color) << row.name;
+        EXPECT_EQ(kit::colorNamed(QString::fromUtf8(row.name)).toStdString(), row.color) << row.name;
 }
 
 } // namespace
