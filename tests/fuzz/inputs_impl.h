@@ -126,7 +126,7 @@ void readRecording(const std::string& bytes) {
     if (!recording) return;
     const auto [first, end] = (*recording)->extent();
     (void)(*recording)->samples("Main.x", first, std::min(end, first + 1000));
-    (void)(*recording)->history().seek(first);
+    (void)(*recording)->recordedRun()->history().seek(first);
     (void)(*recording)->stamp(end);
     (void)(*recording)->marks();
 }
