@@ -152,9 +152,10 @@ void RunControl::showElsewhere(std::unique_ptr<session::Session> mirror) {
     if (m_building) m_building->cancel();
     leaveRecorded();
     if (!mirror) return disconnectSession();
-    m_viewed.reset();
     endSession();
+    m_shown.clear();
     m_session = std::move(mirror);
+    m_shown.setLive(m_session.get());
     m_haltsSeen = 0;
     m_timer.start();
     tick();
