@@ -4,9 +4,9 @@
 #include "app/problems_view.h"
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
-#include "editor/plot/plot_scale.h"
 #include "editor/kit/theme.h"
 #include "editor/kit/work_strip.h"
+#include "editor/plot/plot_scale.h"
 
 #include <QLabel>
 #include <QLocale>

@@ -27,7 +27,8 @@ NamedPanel* PanelProject::find(const QString& name) {
 CheckInput PanelProject::checkInput() const {
     CheckInput input;
     input.panels = panels;
-    for (NamedPanel& one : input.panels) one.panel = laidOut(one.panel, one.panel.size()); // a file may leave places out
+    for (NamedPanel& one : input.panels)
+        one.panel = laidOut(one.panel, one.panel.size()); // a file may leave places out
     input.texts = texts;
     input.alarms = alarms;
     input.hasAlarms = hasAlarms;

@@ -66,7 +66,7 @@ std::string collapsed(std::string_view text) {
 
 /// A doc comment: purpose, then paragraphs that start with Errors, Example and Corrected.
 struct DocComment {
-    std::string purpose, errors, example, mended;
+    std::string purpose, errors, example, corrected;
 };
 
 DocComment readDocComment(std::string_view comment) {
@@ -78,7 +78,7 @@ DocComment readDocComment(std::string_view comment) {
         while (text.starts_with('/') || text.starts_with(' ')) text.erase(0, 1);
         if (text.starts_with("Errors")) part = &doc.errors;
         if (text.starts_with("Example:")) part = &doc.example;
-        if (text.starts_with("Corrected:")) part = &doc.mended;
+        if (text.starts_with("Corrected:")) part = &doc.corrected;
         if (!part->empty()) *part += ' ';
         *part += text;
     }
@@ -143,10 +143,10 @@ bool isHidden(const std::vector<Pragma>& pragmas) {
 }
 
 void writeDoc(std::ostream& out, const DocComment& doc) {
-    if (!doc.errors.empty()) out << "**Errors**" << escaped(std::string_view(doc.errors).substr(9)) << "\n\n";
+    if (!doc.errors.empty()) out << "**Errors**" << escaped(std::string_view(doc.errors).substr(6)) << "\n\n";
     if (!doc.example.empty())
         out << "**Example**\n\n```iecst\n" << collapsed(std::string_view(doc.example).substr(8)) << "\n```\n\n";
-    if (!doc.mended.empty()) out << "**Corrected**" << escaped(std::string_view(doc.mended).substr(9)) << "\n\n";
+    if (!doc.corrected.empty()) out << "**Corrected**" << escaped(std::string_view(doc.corrected).substr(9)) << "\n\n";
 }
 
 void writePou(std::ostream& out, const Pou& pou, std::string_view text) {

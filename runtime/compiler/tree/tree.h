@@ -128,8 +128,8 @@ enum class StmtKind : uint8_t {
     Case,     // a (LINT or unsigned as ULINT bit pattern), arms, elseBody
     While,    // a, body
     Repeat,   // body, a = until
-    // Try: body; where a fault leaves it, its exception code goes to place and elseBody runs (place null: nothing catches
-    // it). Then arms[0].body, if there is one, whichever way; then a fault that nothing caught goes on.
+    // Try: body; where a fault leaves it, its exception code goes to place and elseBody runs (place null: nothing
+    // catches it). Then arms[0].body, if there is one, whichever way; then a fault that nothing caught goes on.
     Try,
     // For: place from a to b by c, evaluated once; operandType decides the width. The sign of c is the direction (0: no
     // pass). Afterwards the variable is one step past the limit, or at its last value where its type has no such step.
