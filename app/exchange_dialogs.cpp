@@ -108,7 +108,9 @@ ImportDialog::ImportDialog(const QString& projectsFolder, QWidget* parent)
     m_source = new QLineEdit(this);
     m_source->setReadOnly(true);
     m_source->setAccessibleName(tr("From:"));
-    m_source->setPlaceholderText(tr("PLCopen XML, TwinCAT, CODESYS, ST")); // short enough for fonts of 200 %
+    m_source->setPlaceholderText(tr("PLCopen XML, TwinCAT, CODESYS, ST"));
+    const int hint = m_source->fontMetrics().horizontalAdvance(m_source->placeholderText());
+    m_source->setMinimumWidth(hint + 4 * m_source->fontMetrics().averageCharWidth()); // whole at 200 %, too
     m_source->setToolTip(tr("PLCopen XML, TwinCAT or CODESYS files, structured text"));
     m_target = new QLineEdit(this);
     m_target->setObjectName("target");

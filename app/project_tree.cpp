@@ -411,7 +411,7 @@ void ProjectTree::addLibraries() {
             if (!equalsIgnoringCase(files[i]->library, name)) continue;
             const QString file = QString::fromStdString(model.sources()[FileId(i)].path());
             for (const analysis::OutlineItem& unit : model.outline(FileId(i))) {
-                if (unit.isHidden || unit.name.empty()) continue;
+                if (unit.isHidden || unit.name.empty() || unit.name.starts_with("__")) continue;
                 auto* child = new QTreeWidgetItem(item, {QString::fromStdString(unit.name)});
                 child->setIcon(0, kit::icon(iconOf(unit.kind)));
                 child->setData(0, Kind, "libraryUnit");
@@ -516,16 +516,14 @@ void ProjectTree::addInstances(QMenu& menu, const QTreeWidgetItem& item) {
         return;
     }
     if (kind != "unit" || !m_instancesOf) return;
-    const QString block = item.data(0, Name).toString();
+    const QString block = item.text(0);
     const std::vector<QString> all = m_instancesOf(block);
     if (all.empty() || (all.size() == 1 && all[0] == block)) return; // a program is its own
     QMenu* instances = menu.addMenu(kit::icon(Icon::Forward), tr("Values of Instance"));
     for (size_t i = 0; i < std::min(all.size(), kMost); ++i)
         connect(instances->addAction(all[i]), &QAction::triggered, this,
                 [this, block, instance = all[i]] { emit instanceRequested(block, instance); });
-    if (all.size() > kMost)
-        instances->addAction(tr("%n more: choose in the watch", nullptr, static_cast<int>(all.size() - kMost)))
-            ->setEnabled(false);
+    if (all.size() > kMost) instances->addAction(tr("More: choose in the watch"))->setEnabled(false);
 }
 
 void ProjectTree::rename(QTreeWidgetItem* item) {

@@ -7502,6 +7502,18 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
 <context>
     <name>plc::app::ProjectTree</name>
     <message>
+        <source>Source of %1 with the values of %2</source>
+        <translation>Kildetekst til %1 med værdierne fra %2</translation>
+    </message>
+    <message>
+        <source>Values of Instance</source>
+        <translation>Instansens værdier</translation>
+    </message>
+    <message>
+        <source>More: choose in the watch</source>
+        <translation>Flere: vælg i overvågningen</translation>
+    </message>
+    <message>
         <source>Project</source>
         <translation>Projekt</translation>
     </message>
@@ -9280,6 +9292,22 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
 </context>
 <context>
     <name>plc::editor::TuningView</name>
+    <message>
+        <source>Recording and model</source>
+        <translation>Optagelse og model</translation>
+    </message>
+    <message>
+        <source>Response to the set point</source>
+        <translation>Reaktion på setpunktet</translation>
+    </message>
+    <message>
+        <source>Response to a disturbance</source>
+        <translation>Reaktion på en forstyrrelse</translation>
+    </message>
+    <message>
+        <source>Trial with the block itself</source>
+        <translation>Prøve med selve blokken</translation>
+    </message>
     <message>
         <source>Control loop</source>
         <translation>Reguleringssløjfe</translation>

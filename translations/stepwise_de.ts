@@ -7502,6 +7502,18 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
 <context>
     <name>plc::app::ProjectTree</name>
     <message>
+        <source>Source of %1 with the values of %2</source>
+        <translation>Quelltext von %1 mit den Werten von %2</translation>
+    </message>
+    <message>
+        <source>Values of Instance</source>
+        <translation>Werte der Instanz</translation>
+    </message>
+    <message>
+        <source>More: choose in the watch</source>
+        <translation>Weitere: in der Überwachung wählen</translation>
+    </message>
+    <message>
         <source>Project</source>
         <translation>Projekt</translation>
     </message>
@@ -9280,6 +9292,22 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
 </context>
 <context>
     <name>plc::editor::TuningView</name>
+    <message>
+        <source>Recording and model</source>
+        <translation>Aufzeichnung und Modell</translation>
+    </message>
+    <message>
+        <source>Response to the set point</source>
+        <translation>Antwort auf den Sollwert</translation>
+    </message>
+    <message>
+        <source>Response to a disturbance</source>
+        <translation>Antwort auf eine Störung</translation>
+    </message>
+    <message>
+        <source>Trial with the block itself</source>
+        <translation>Probe mit dem Baustein selbst</translation>
+    </message>
     <message>
         <source>Control loop</source>
         <translation>Regelkreis</translation>

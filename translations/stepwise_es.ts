@@ -7502,6 +7502,18 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
 <context>
     <name>plc::app::ProjectTree</name>
     <message>
+        <source>Source of %1 with the values of %2</source>
+        <translation>Código fuente de %1 con los valores de %2</translation>
+    </message>
+    <message>
+        <source>Values of Instance</source>
+        <translation>Valores de la instancia</translation>
+    </message>
+    <message>
+        <source>More: choose in the watch</source>
+        <translation>Más: elegir en la supervisión</translation>
+    </message>
+    <message>
         <source>Project</source>
         <translation>Proyecto</translation>
     </message>
@@ -9280,6 +9292,22 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
 </context>
 <context>
     <name>plc::editor::TuningView</name>
+    <message>
+        <source>Recording and model</source>
+        <translation>Registro y modelo</translation>
+    </message>
+    <message>
+        <source>Response to the set point</source>
+        <translation>Respuesta a la consigna</translation>
+    </message>
+    <message>
+        <source>Response to a disturbance</source>
+        <translation>Respuesta a una perturbación</translation>
+    </message>
+    <message>
+        <source>Trial with the block itself</source>
+        <translation>Prueba con el propio bloque</translation>
+    </message>
     <message>
         <source>Control loop</source>
         <translation>Lazo de control</translation>

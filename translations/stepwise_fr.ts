@@ -7502,6 +7502,18 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
 <context>
     <name>plc::app::ProjectTree</name>
     <message>
+        <source>Source of %1 with the values of %2</source>
+        <translation>Source de %1 avec les valeurs de %2</translation>
+    </message>
+    <message>
+        <source>Values of Instance</source>
+        <translation>Valeurs de l’instance</translation>
+    </message>
+    <message>
+        <source>More: choose in the watch</source>
+        <translation>Autres : choisir dans la fenêtre de surveillance</translation>
+    </message>
+    <message>
         <source>Project</source>
         <translation>Projet</translation>
     </message>
@@ -9280,6 +9292,22 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
 </context>
 <context>
     <name>plc::editor::TuningView</name>
+    <message>
+        <source>Recording and model</source>
+        <translation>Enregistrement et modèle</translation>
+    </message>
+    <message>
+        <source>Response to the set point</source>
+        <translation>Réponse à la consigne</translation>
+    </message>
+    <message>
+        <source>Response to a disturbance</source>
+        <translation>Réponse à une perturbation</translation>
+    </message>
+    <message>
+        <source>Trial with the block itself</source>
+        <translation>Essai avec le bloc lui-même</translation>
+    </message>
     <message>
         <source>Control loop</source>
         <translation>Boucle de régulation</translation>

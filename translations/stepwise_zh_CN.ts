@@ -7495,6 +7495,18 @@ New panels are drawn in the designer: Project, Panels, New…</source>
 <context>
     <name>plc::app::ProjectTree</name>
     <message>
+        <source>Source of %1 with the values of %2</source>
+        <translation>%1 的源代码，带 %2 的值</translation>
+    </message>
+    <message>
+        <source>Values of Instance</source>
+        <translation>实例的值</translation>
+    </message>
+    <message>
+        <source>More: choose in the watch</source>
+        <translation>更多：请在监视中选择</translation>
+    </message>
+    <message>
         <source>Project</source>
         <translation>项目</translation>
     </message>
@@ -9266,6 +9278,22 @@ New panels are drawn in the designer: Project, Panels, New…</source>
 </context>
 <context>
     <name>plc::editor::TuningView</name>
+    <message>
+        <source>Recording and model</source>
+        <translation>记录与模型</translation>
+    </message>
+    <message>
+        <source>Response to the set point</source>
+        <translation>设定值响应</translation>
+    </message>
+    <message>
+        <source>Response to a disturbance</source>
+        <translation>扰动响应</translation>
+    </message>
+    <message>
+        <source>Trial with the block itself</source>
+        <translation>用功能块本身试运行</translation>
+    </message>
     <message>
         <source>Control loop</source>
         <translation>控制回路</translation>

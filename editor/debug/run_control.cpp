@@ -68,6 +68,7 @@ void RunControl::buildAside(std::function<void(std::shared_ptr<driver::Built>)> 
             const driver::Checked checked = driver::check(input, *kept);
             const auto checkMs = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
             auto built = std::make_shared<driver::Built>(driver::build(checked, input, progress.get()));
+            driver::nameReferences(*built); // `checked` is this build's alone
             built->checkMs = checkMs;
             const auto finish = [this, progress, built, then] {
                 m_building = nullptr;

@@ -25,6 +25,7 @@ FigurePane::FigurePane(QWidget* parent) : QWidget(parent) {
     m_xLabel = new QLabel(this);
     m_x = new QComboBox(this);
     m_x->setObjectName("figureX");
+    m_x->setAccessibleName(tr("Horizontal value"));
     m_x->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_x->setMinimumContentsLength(16);
     m_window = new QComboBox(this);

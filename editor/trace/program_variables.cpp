@@ -201,7 +201,7 @@ QString ProgramVariables::unitOf(const QString& path) const {
     for (const kit::VariableNode& node : children(dot < 0 ? QString() : path.left(dot))) {
         if (node.path.compare(path, Qt::CaseInsensitive) != 0) continue;
         const auto open = node.comment.indexOf(QLatin1Char('[')), close = node.comment.indexOf(QLatin1Char(']'), open);
-        if (open < 0 || close - open < 2 || close - open > 12) return {};
+        if (open < 0 || close - open < 2 || close - open > 24) return {};
         return withoutRange(node.comment.mid(open + 1, close - open - 1));
     }
     return {};

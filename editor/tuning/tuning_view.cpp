@@ -179,10 +179,15 @@ QWidget* TuningView::makeCharts() {
     auto* page = new QWidget;
     auto* grid = new QGridLayout(page);
     grid->setContentsMargins(0, 0, 0, 0);
-    m_data = new plot::FigureView;
-    m_setPoint = new plot::FigureView;
-    m_load = new plot::FigureView;
-    m_trial = new plot::FigureView;
+    const auto figure = [](const QString& what) {
+        auto* made = new plot::FigureView;
+        made->setAccessibleName(what);
+        return made;
+    };
+    m_data = figure(tr("Recording and model"));
+    m_setPoint = figure(tr("Response to the set point"));
+    m_load = figure(tr("Response to a disturbance"));
+    m_trial = figure(tr("Trial with the block itself"));
     m_data->setObjectName("tuningData");
     m_trial->setObjectName("tuningTrial");
     m_setPoint->setObjectName("tuningSetPoint");

@@ -97,7 +97,7 @@ std::vector<QRectF> inGrid(const Element& group, const QRectF& room, const std::
     std::vector<Cell> cells;
     int row = 0, column = 0;
     for (const Element* one : contents) {
-        const int span = std::clamp(one->integer("span"), 1, columns);
+        const int span = std::clamp(one->integer("columnSpan"), 1, columns);
         if (column + span > columns) {
             ++row;
             column = 0;

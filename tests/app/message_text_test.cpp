@@ -178,7 +178,7 @@ TEST_F(GermanStudioTest, ADivisionByZeroReadsGermanEverywhere) {
 TEST_F(GermanStudioTest, ARefusalReadsGerman) {
     const auto refused = window->control().parse("Main.nothing", "1");
     ASSERT_FALSE(refused);
-    EXPECT_EQ(kit::messageText(refused.error()), QString("Die Steuerung läuft nicht"));
+    EXPECT_EQ(kit::messageText(refused.error()), QString("Die Steuerung läuft nicht; drücken Sie F5"));
     window->watch().setExpressions({"Main.nothing"});
     window->action("run.start")->trigger();
     ASSERT_TRUE(waitFor([&] { return window->control().value("Main.counter").text.toInt() > 1; }));

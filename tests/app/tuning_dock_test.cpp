@@ -98,8 +98,9 @@ TEST_F(TuningDock, FindsTheStepsAndModelsTheProcess) {
     EXPECT_FALSE(part<plot::FigureView>("tuningData")->figure().charts.front().curves.empty());
     EXPECT_EQ(part<plot::FigureView>("tuningSetPoint")->figure().charts.front().curves.size(), 2U); // now and proposed
     EXPECT_TRUE(waitFor([&] {
-        return part<plot::FigureView>("tuningTrial")->figure().charts.front().curves.size() == 2;
-    })) << part<plot::FigureView>("tuningTrial")->figure().charts.front().title;
+        const auto& charts = part<plot::FigureView>("tuningTrial")->figure().charts;
+        return !charts.empty() && charts.front().curves.size() == 2;
+    }));
     EXPECT_FALSE(part<QLabel>("tuningWords")->text().isEmpty());
 }
 

@@ -159,7 +159,13 @@ Built build(const BuildInput& input, Progress* progress) {
     const double checkMs = millisecondsSince(begin);
     Built built = build(*checked, input, progress);
     built.checkMs = checkMs;
+    nameReferences(built);
     return built;
+}
+
+void nameReferences(const Built& built) {
+    if (built.program)
+        built.checked.analysis->program->types->referenceText = built.program->layout.types->referenceText;
 }
 
 Built build(const Checked& checked, const BuildInput& input, Progress* progress) {

@@ -62,6 +62,9 @@ struct Built {
 /// Compiles what was checked with the quick tier; it is not changed, others may read it meanwhile. `input`: what it was
 /// checked from. Its trees are moved where they were kept from an earlier text.
 [[nodiscard]] Built build(const Checked& checked, const BuildInput& input, Progress* progress = nullptr);
+/// Expressions over what it was built from show references by their names, too. It writes into built.checked: only
+/// where nobody else reads that meanwhile.
+void nameReferences(const Built& built);
 /// Checks and compiles with the quick tier. `progress` may cancel it between files, functions and parts of the code.
 [[nodiscard]] Built build(const BuildInput& input, Progress* progress = nullptr);
 /// Compiles the optimised tier and publishes it in `program`; call from a worker thread. Cancelled, it is

@@ -163,8 +163,8 @@ TEST_F(RunValues, TheExampleOfEveryHelpWorks) {
           "</body></pou></pous></types><instances><configurations/></instances></project>");
     std::vector<std::string> examples;
     // serve ends when it is stopped (ServeTest); people asks for a password, alarms for a journal (PanelsCommands);
-    // lsp, dap and mcp talk to a client (tests/app/editors)
-    const std::set<std::string_view> elsewhere{"serve", "people", "alarms", "lsp", "dap", "mcp"};
+    // lsp, dap and mcp talk to a client (tests/app/editors), attach to a server (tests/app/serve)
+    const std::set<std::string_view> elsewhere{"serve", "people", "alarms", "lsp", "dap", "mcp", "attach"};
     for (const cli::Command& each : cli::commands())
         if (!elsewhere.contains(each.spec.name)) examples.emplace_back(each.spec.example);
     std::stable_partition(examples.begin(), examples.end(), // what it records is looked into by another

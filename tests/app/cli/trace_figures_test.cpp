@@ -103,7 +103,7 @@ TEST(TraceFigures, WrongWordsAreRefusedWithTheRemedy) {
           std::pair{std::vector<std::string>{"--channels", "Force", "--measured", "x.csv"}, "a file and expressions"},
           std::pair{std::vector<std::string>{"--channels", "Force", "--measured", "gone.csv=A"}, "gone.csv"},
           std::pair{std::vector<std::string>{"--channels", "FILTER(Force)"}, "needs a time"},
-          std::pair{std::vector<std::string>{"--channels", "Fource"}, "Force"}}) {
+          std::pair{std::vector<std::string>{"--channels", "Fource"}, "is not declared"}}) {
         std::vector<std::string> all{"--recording", table};
         all.insert(all.end(), words.begin(), words.end());
         const Said said = say(all);

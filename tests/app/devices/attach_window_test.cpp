@@ -91,7 +91,7 @@ TEST_F(AttachedWindow, ShowsWritesForcesAndLooksBack) {
 
 TEST_F(AttachedWindow, AnOnlineChangeGoesToTheControllerThere) {
     attach();
-    typeAtEnd("limit := 77;\n");
+    typeAtEnd("limit := 77;");
     analysed();
     EXPECT_TRUE(waitFor([&] { return !window->control().isUpToDate(); }));
     window->action("run.change")->trigger();

@@ -68,7 +68,7 @@ TEST(Cells, ATitleAndASpanTakeTheirRoom) {
     const Panel panel = laidOut(
         panelWith(
             R"({"id":"g","kind":"group","rect":[0,0,210,148],"layout":"grid","columns":2,"gap":10,"padding":0,"title":"T","fontSize":20})",
-            lamp("a", "[0,0,9,9]", ",\"span\":2") + "," + lamp("b", "[0,0,9,9]") + "," + lamp("c", "[0,0,9,9]")),
+            lamp("a", "[0,0,9,9]", ",\"columnSpan\":2") + "," + lamp("b", "[0,0,9,9]") + "," + lamp("c", "[0,0,9,9]")),
         {400, 300});
     EXPECT_EQ(places(panel), "a 0,38 210x50; b 0,98 100x50; c 110,98 100x50; ");
 }
@@ -122,7 +122,7 @@ TEST(Cells, OddFilesDoNoHarm) {
           R"({"id":"g","kind":"group","parent":"g","rect":[0,0,50,50],"layout":"column"})"}) {
         const Panel panel = panelWith(
             group,
-            R"({"id":"a","kind":"group","parent":"g","rect":[0,0,9,9],"layout":"row","span":64,"stretch":1000})");
+            R"({"id":"a","kind":"group","parent":"g","rect":[0,0,9,9],"layout":"row","columnSpan":64,"stretch":1000})");
         const Panel placed = laidOut(panel, panel.size());
         for (const Element& one : placed.elements()) {
             EXPECT_GE(one.rect().width(), 0) << group;

@@ -292,8 +292,8 @@ TEST_F(PlcopenImport, HostileXmlIsRefusedWithPlaceAndReason) {
         {"<project><a></project>", "not well-formed"},
         {"<?xml version=\"1.0\" encoding=\"EBCDIC\"?><project/>", "EBCDIC"},
         {"<html><body/></html>", "neither PLCopen XML"},
-        {"", "no file that can be imported"},
-        {std::string("\0\1\2binary", 9), "no file that can be imported"},
+        {"", "This file cannot be imported"},
+        {std::string("\0\1\2binary", 9), "This file cannot be imported"},
     };
     for (const Row& row : rows) {
         const auto imported = importFrom(write("bad.xml", row.document));
