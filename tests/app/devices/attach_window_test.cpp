@@ -91,9 +91,11 @@ TEST_F(AttachedWindow, ShowsWritesForcesAndLooksBack) {
 
 TEST_F(AttachedWindow, AnOnlineChangeGoesToTheControllerThere) {
     attach();
+    ASSERT_TRUE(waitFor([&] { return window->action("run.change")->isEnabled(); })) << "the controller there runs";
     typeAtEnd("limit := 77;");
     analysed();
     EXPECT_TRUE(waitFor([&] { return !window->control().isUpToDate(); }));
+    ASSERT_TRUE(window->action("run.change")->isEnabled());
     window->action("run.change")->trigger();
     EXPECT_TRUE(waitFor([&] { return value("Main.limit") == "77"; }, 30'000));
     EXPECT_TRUE(waitFor([&] { return window->control().isUpToDate(); }));

@@ -15,7 +15,7 @@ namespace {
 /// A device named Pump with these channels.
 std::string pump(uint16_t port, const std::string& channels, const std::string& fields = {}) {
     return "{\"devices\": [{\"name\": \"Pump\", \"protocol\": \"modbus-tcp\", \"host\": \"127.0.0.1\", \"port\": " +
-           std::to_string(port) + ", \"poll\": \"5ms\", \"timeout\": \"300ms\", \"retry\": \"200ms\"" +
+           std::to_string(port) + ", \"poll\": \"5ms\", \"timeout\": \"500ms\", \"retry\": \"200ms\"" +
            (fields.empty() ? "" : ", " + fields) + ", \"channels\": [" + channels + "]}]}";
 }
 
@@ -134,7 +134,7 @@ TEST(ModbusTcp, APulledCableIsSeenTheScanGoesOnAndTheDeviceComesBack) {
         worst = std::max<std::chrono::nanoseconds>(worst, std::chrono::steady_clock::now() - begin);
         return run.value("Main.goodLast") == "FALSE" && run.value("Main.safe") == "-1";
     }));
-    EXPECT_LT(worst, 250ms) << "a scan waited for the device, whose timeout is 300 ms";
+    EXPECT_LT(worst, 250ms) << "a scan waited for the device, whose timeout is 500 ms";
     EXPECT_EQ(run.value("Main.last"), "5");
     EXPECT_EQ(run.value("Main.online"), "FALSE");
     EXPECT_EQ(run.status().state, LinkState::Lost);
@@ -182,11 +182,15 @@ TEST(ModbusTcp, AnInputThatMustNotBeLostStopsThePlc) {
     line.cut();
     EXPECT_TRUE(plc::testing::eventually([&] { return peer.registerAt(7) == 0; }))
         << "the outputs are safe in the device too";
-    // With the device back, the PLC starts again after a reset.
+    // With the device back, the PLC starts again after a reset; on a busy machine a late answer stops it once more.
     ASSERT_TRUE(plc::testing::eventually([&] { return run.status().state == LinkState::Online; }));
-    run.session->controller().reset(controller::ResetKind::Warm);
-    run.session->controller().start();
-    EXPECT_TRUE(run.scanUntil([&] { return peer.registerAt(7) == 5; }));
+    EXPECT_TRUE(run.scanUntil([&] {
+        if (run.session->controller().state() != controller::State::Running) {
+            run.session->controller().reset(controller::ResetKind::Warm);
+            run.session->controller().start();
+        }
+        return peer.registerAt(7) == 5;
+    }));
     EXPECT_GT(run.replaysExactly(), 0u);
 }
 
