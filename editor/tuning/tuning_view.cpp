@@ -4,6 +4,7 @@
 #include "editor/kit/message_text.h"
 #include "editor/kit/post.h"
 #include "editor/plot/figure_view.h"
+#include "editor/plot/plot_sample.h"
 #include "editor/plot/plot_scale.h"
 
 #include <QComboBox>
@@ -465,7 +466,8 @@ namespace {
 QString described(const std::vector<loops::ParameterWrite>& writes) {
     QStringList out;
     for (const loops::ParameterWrite& write : writes)
-        out << QString("%1 := %2").arg(text(write.path), plot::valueText(write.value, 6));
+        out << QString("%1 := %2")
+                   .arg(text(write.path), text(plot::exactText(write.value, plot::PlotValueKind::Single)));
     return out.join(QStringLiteral(", "));
 }
 } // namespace

@@ -4,6 +4,7 @@
 #include "projects/session/value_text.h"
 #include "runtime/base/text.h"
 #include "runtime/debug/sites.h"
+#include "runtime/image/variable_tree.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -23,21 +24,6 @@ Json refusal(const Json& id, const Message& why) { return refusal(id, Error{why,
 Json idOf(const Json& request) {
     const auto it = request.find("id");
     return it != request.end() && it->is_number_unsigned() ? *it : Json(0);
-}
-
-/// Paths of variables below a type, down to single values.
-void addPaths(const types::TypeTable& types, const std::string& path, types::TypeId id, const std::string& filter,
-              Json& out) {
-    constexpr size_t kMost = 20'000;
-    if (out.size() >= kMost) return;
-    const types::Type& type = types[id];
-    if (type.kind == types::TypeKind::Block || type.kind == types::TypeKind::Struct) {
-        for (const types::Field& field : type.fields)
-            if (field.section != types::FieldSection::InOut && field.section != types::FieldSection::External)
-                addPaths(types, path + "." + field.name, field.type, filter, out);
-        return;
-    }
-    if (filter.empty() || foldCase(path).find(filter) != std::string::npos) out.push_back({path, type.name});
 }
 
 } // namespace
@@ -130,14 +116,26 @@ std::optional<Json> Door::afterScan(const Json& id) {
     return {};
 }
 
+/// Single values and whole arrays, without constants.
 Json Door::list(const Json& request) const {
+    using Next = image::VariableTree::Next;
+    constexpr size_t kMost = 20'000;
     const image::Layout& layout = m_session.program()->layout;
     const std::string filter = foldCase(textAt(request, "filter"));
     Json all = Json::array();
-    for (const image::Root& root : layout.roots)
-        if (!root.isHidden && !root.constant)
-            addPaths(*layout.types, root.list.empty() ? root.name : root.list + "." + root.name, root.type, filter,
-                     all);
+    const image::VariableTree tree(layout);
+    tree.visit(
+        tree.declared(),
+        [&](const image::VariableNode& node, int) {
+            if (all.size() >= kMost) return Next::Stop;
+            if (node.isConstant || node.isInOut) return Next::Over;
+            const types::Type& type = (*layout.types)[node.type];
+            if (layout.types->isAggregate(node.type) && type.kind != types::TypeKind::Array) return Next::Into;
+            if (filter.empty() || foldCase(node.path).find(filter) != std::string::npos)
+                all.push_back({node.path, type.name});
+            return Next::Over;
+        },
+        false);
     Json out = good(idOf(request));
     out["variables"] = std::move(all);
     return out;
