@@ -53,12 +53,15 @@ TraceView::TraceView(QWidget* parent)
     makeActions(bar);
 
     auto* right = new QSplitter(Qt::Vertical, this);
-    right->addWidget(m_plot);
-    right->addWidget(m_figure);
+    m_charts = new QSplitter(Qt::Vertical, right);
+    m_charts->addWidget(m_plot);
+    m_charts->addWidget(m_figure);
+    m_charts->setStretchFactor(0, 1);
+    m_charts->setStretchFactor(1, 1);
+    right->addWidget(m_charts);
     right->addWidget(m_table);
-    right->setStretchFactor(0, 4);
-    right->setStretchFactor(1, 4);
-    right->setStretchFactor(2, 1);
+    right->setStretchFactor(0, 8);
+    right->setStretchFactor(1, 1);
     auto* splitter = new QSplitter(Qt::Horizontal, this);
     splitter->addWidget(m_channels);
     splitter->addWidget(right);
@@ -315,8 +318,13 @@ void TraceView::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     const QList<int> sizes = m_sides->sizes();
     constexpr int LeastPlot = 360, LeastChannels = 120;
-    if (sizes.value(0) > 0 && sizes.value(1) < LeastPlot && sizes.value(0) > sizes.value(1) / 2)
-        m_sides->setSizes({std::max(LeastChannels, width() - LeastPlot), LeastPlot});
+    if (sizes.value(0) > 0 && sizes.value(1) < LeastPlot && sizes.value(0) > sizes.value(1) / 2) {
+        const int channels = std::min(sizes.value(0), std::max(LeastChannels, width() - LeastPlot));
+        m_sides->setSizes({channels, std::max(width() - channels, 1)});
+    }
+    // one above the other needs height, which a dock below the editor does not have
+    constexpr int LeastHeight = 480;
+    m_charts->setOrientation(height() < LeastHeight && width() > LeastHeight * 3 / 2 ? Qt::Horizontal : Qt::Vertical);
 }
 
 void TraceView::setFolder(const QString& folder) {
