@@ -1,6 +1,7 @@
 #include "projects/exchange/imported.h"
 
 #include "projects/exchange/addresses.h"
+#include "projects/exchange/own_namespaces.h"
 #include "projects/exchange/plcopen_import.h"
 #include "projects/exchange/text_import.h"
 #include "projects/exchange/tool_types.h"
@@ -203,6 +204,7 @@ Result<Imported> finished(Reader& reader, const std::string& path) {
         if (named.filename().empty()) named = named.parent_path();
         reader.out.name = named.stem().string();
     }
+    dropOwnNamespaces(reader.out);
     addToolTypes(reader.out);
     noteAddressing(reader.out);
     return std::move(reader.out);

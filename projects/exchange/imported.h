@@ -22,6 +22,7 @@ struct Imported {
     std::string name;
     std::vector<ImportedFile> files;
     std::set<std::string> libraries;                                // of ours
+    std::set<std::string> namespaces;                               // of the imported projects themselves
     image::Addressing addressing = image::Addressing::Bytes;        // what %MW1 counts in the tool it comes from
     nlohmann::ordered_json side = nlohmann::ordered_json::object(); // exchange.json, by unit and id
     Report report;

@@ -295,6 +295,9 @@ void readTwinCatProject(const XmlFile& file, Imported& imported, std::set<std::s
         if (const std::string name = trimmed(textOf(childOf(group, "Name")));
             is(group, "PropertyGroup") && !name.empty() && imported.name.empty())
             imported.name = name;
+        std::string space = trimmed(textOf(childOf(group, "DefaultNamespace")));
+        if (space.empty()) space = trimmed(textOf(childOf(group, "Name")));
+        if (is(group, "PropertyGroup") && !space.empty()) imported.namespaces.insert(space);
         for (const pugi::xml_node item : group.children())
             if (is(item, "PlaceholderReference") || is(item, "LibraryReference")) {
                 useLibrary(imported, attribute(item, "Include"), false,

@@ -27,6 +27,34 @@ protected:
     }
 };
 
+TEST_F(OtherFormats, ALibraryAndTheProjectThatUsesItBecomeOneProject) {
+    const auto project = [](const std::string& name, const std::string& file) {
+        return "<?xml version=\"1.0\"?><Project xmlns=\"http://schemas.microsoft.com/developer/msbuild/2003\">"
+               "<PropertyGroup><Name>" +
+               name + "</Name><DefaultNamespace>" + name +
+               "</DefaultNamespace></PropertyGroup><ItemGroup><Compile Include=\"" + file +
+               "\"/></ItemGroup></Project>";
+    };
+    write("tree/Core/Core.plcproj", project("Core", "FB_Task.TcPOU"));
+    write("tree/Core/FB_Task.TcPOU",
+          object("<POU Name=\"FB_Task\">" +
+                 cdata("Declaration", "FUNCTION_BLOCK FB_Task\r\nVAR_OUTPUT\r\n\tn : INT;\r\nEND_VAR\r\n") +
+                 st("n := n + 1;") + "</POU>"));
+    write("tree/App/App.plcproj", project("App", "MAIN.TcPOU"));
+    write(
+        "tree/App/MAIN.TcPOU",
+        object("<POU Name=\"MAIN\">" +
+               cdata("Declaration",
+                     "PROGRAM MAIN\r\nVAR\r\n\ttask : Core.FB_Task;\r\n\tn : INT; // of Core.FB_Task\r\nEND_VAR\r\n") +
+               st("task();\r\nn := task.n;") + "</POU>"));
+    const Imported imported = folder("tree");
+    EXPECT_EQ(errorsOf(imported), "");
+    EXPECT_EQ(imported.report.losses(), 0u);
+    EXPECT_NE(fileOf(imported, "src/App/MAIN.st").find("task : FB_Task;\n    n : INT; // of Core.FB_Task"),
+              std::string::npos)
+        << fileOf(imported, "src/App/MAIN.st");
+}
+
 TEST_F(OtherFormats, ATwinCatTreeBecomesAProjectWithFoldersTasksAndMembers) {
     write("tc/P/P.plcproj",
           "<?xml version=\"1.0\"?><Project "
