@@ -104,19 +104,24 @@ private:
         if (!isTwinCatProject(*file)) return;
         std::set<std::string> included;
         readTwinCatProject(*file, out, included);
-        m_projects.push_back({path.parent_path(), std::move(included)});
+        m_projects.push_back({path.parent_path(), path.stem().string(), std::move(included)});
         ++out.report.filesRead;
     }
 
-    /// Below the project it belongs to, else below the folder that was named.
+    /// Below the project it belongs to, by the project's name when there are several; else below the folder that was
+    /// named.
     std::string folderOf(const fs::path& file, const fs::path& root) const {
-        fs::path base = root;
-        for (const TwinCatFolder& each : m_projects)
-            if (const std::string text = each.folder.string(); file.string().starts_with(text + "/"))
-                base = each.folder;
+        const TwinCatFolder* owner = nullptr;
+        for (const TwinCatFolder& each : m_projects) {
+            const std::string text = each.folder.string();
+            const bool isNearer = !owner || owner->folder.string().size() < text.size();
+            if (isNearer && file.string().starts_with(text + "/")) owner = &each;
+        }
         std::error_code problem;
-        std::string folder = fs::relative(file.parent_path(), base, problem).generic_string();
-        return folder == "." ? "" : folder;
+        std::string folder = fs::relative(file.parent_path(), owner ? owner->folder : root, problem).generic_string();
+        if (folder == ".") folder.clear();
+        if (!owner || m_projects.size() < 2) return folder;
+        return owner->name + (folder.empty() ? "" : "/" + folder);
     }
 
     Result<void> readXml(const std::string& bytes, const std::string& place, const std::string& folder) {
@@ -141,6 +146,7 @@ private:
 
     struct TwinCatFolder {
         fs::path folder;
+        std::string name;
         std::set<std::string> included;
     };
     std::vector<TwinCatFolder> m_projects;

@@ -50,7 +50,7 @@ TEST_F(OtherFormats, ALibraryAndTheProjectThatUsesItBecomeOneProject) {
     const Imported imported = folder("tree");
     EXPECT_EQ(errorsOf(imported), "");
     EXPECT_EQ(imported.report.losses(), 0u);
-    EXPECT_NE(fileOf(imported, "src/App/MAIN.st").find("task : FB_Task;\n    n : INT; // of Core.FB_Task"),
+    EXPECT_NE(fileOf(imported, "src/App/MAIN.st").find("task : FB_Task;\n\tn : INT; // of Core.FB_Task"),
               std::string::npos)
         << fileOf(imported, "src/App/MAIN.st");
 }
