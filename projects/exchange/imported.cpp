@@ -165,6 +165,16 @@ void noteAddressing(Imported& out) {
     out.report.add(file->path, remarks::WordAddresses(toolOf(out)));
 }
 
+/// A project says how much memory __NEW has; without a number there is none.
+void setMemoryAside(Imported& out) {
+    constexpr uint32_t kMemory = 65536;
+    for (const ImportedFile& file : out.files)
+        if (foldCase(file.text).find("__new") != std::string::npos) {
+            out.memoryForNew = kMemory;
+            return out.report.add(file.path, remarks::MemoryForNew());
+        }
+}
+
 } // namespace
 
 bool looksLikeXml(std::string_view bytes) {
@@ -213,6 +223,7 @@ Result<Imported> finished(Reader& reader, const std::string& path) {
     dropOwnNamespaces(reader.out);
     addToolTypes(reader.out);
     noteAddressing(reader.out);
+    setMemoryAside(reader.out);
     return std::move(reader.out);
 }
 
@@ -250,6 +261,7 @@ projects::Project toProject(const Imported& imported) {
     project.languages = {"en"};
     project.json = Json::object();
     project.addressing = imported.addressing;
+    project.memoryForNew = imported.memoryForNew;
     project.libraries.assign(imported.libraries.begin(), imported.libraries.end());
     for (const ImportedFile& file : imported.files) project.sources.push_back({file.path, file.text});
     return project;
@@ -273,6 +285,7 @@ Result<void> writeImported(const Imported& imported, const std::string& folder) 
     project["libraries"] = Json::array();
     for (const std::string& library : imported.libraries) project["libraries"].push_back(library);
     if (imported.addressing == image::Addressing::Words) project["addressing"] = "word";
+    if (imported.memoryForNew > 0) project["memoryForNew"] = imported.memoryForNew;
     if (auto done = write("exchange.json", imported.side.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
         !done)
         return done;

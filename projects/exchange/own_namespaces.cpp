@@ -16,6 +16,9 @@ using lex::TokenKind;
 /// Folded name of a library → as it is spelled; those that are also something else in the project are left out.
 using Libraries = std::map<std::string, std::string>;
 
+/// The library in which CODESYS and TwinCAT keep the names of types of ANY inputs.
+constexpr std::string_view kTypeClasses = "ibaselibrary";
+
 std::string_view textOf(const lex::Token& token, std::string_view text) {
     return text.substr(token.begin, token.end - token.begin);
 }
@@ -41,22 +44,28 @@ void dropIn(ImportedFile& file, const Libraries& libraries, std::set<std::string
         if (i > 0 && list.tokens[i - 1].kind == TokenKind::Dot) continue;
         const auto library = libraries.find(foldCase(textOf(token, before)));
         if (library == libraries.end()) continue;
-        file.text.erase(token.begin, list.tokens[i + 2].begin - token.begin);
         dropped.insert(library->second);
+        if (library->first == kTypeClasses) { // there by another name
+            if (equalsIgnoringCase(textOf(list.tokens[i + 2], before), "TypeClass"))
+                file.text.replace(token.begin, list.tokens[i + 2].end - token.begin, "__SYSTEM.TYPE_CLASS");
+            continue;
+        }
+        file.text.erase(token.begin, list.tokens[i + 2].begin - token.begin);
     }
 }
 
 } // namespace
 
 void dropOwnNamespaces(Imported& imported) {
-    Libraries libraries;
+    Libraries libraries = {{std::string(kTypeClasses), "IBaseLibrary"}};
     for (const std::string& name : imported.namespaces) libraries.emplace(foldCase(name), name);
-    for (const ImportedFile& file : imported.files)
-        if (!libraries.empty()) leaveOutDeclared(file, libraries);
-    if (libraries.empty()) return;
+    for (const std::string& name : imported.coveredNamespaces) libraries.emplace(foldCase(name), name);
+    for (const ImportedFile& file : imported.files) leaveOutDeclared(file, libraries);
     std::set<std::string> dropped;
     for (ImportedFile& file : imported.files) dropIn(file, libraries, dropped);
-    for (const std::string& name : dropped) imported.report.add(name, remarks::OwnNamespaceDropped(name));
+    for (const std::string& name : dropped)
+        imported.report.add(name, imported.namespaces.count(name) ? remarks::OwnNamespaceDropped(name)
+                                                                  : remarks::CoveredNamespaceDropped(name));
 }
 
 } // namespace plc::exchange
