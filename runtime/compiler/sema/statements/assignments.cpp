@@ -247,6 +247,11 @@ static void tryAssign(Context& context, const syntax::Stmt& stmt, const Denoted&
     if (context.isKind(from.type(), TypeKind::Block) && from.expr->kind == tree::ExprKind::Load)
         from = addressOf(context, from.expr->place, context.types.pointer(from.type()), stmt.value->range);
     if (!canPoint(type) || !canPoint(from.type())) return mismatch(context, stmt.value->range, from.type(), type);
+    const auto pointsToBlock = [&](TypeId id) {
+        return context.isKind(id, TypeKind::Interface) || context.isKind(context.types[id].element, TypeKind::Block);
+    };
+    if (!pointsToBlock(type) && sameType(context.world, type, from.type())) // known before it runs
+        return out.push_back(assignStmt(context, to.place, from.expr, stmt.range));
     tree::Expr* cast = context.arena.make<tree::Expr>();
     cast->kind = tree::ExprKind::TryCast;
     cast->type = type;
