@@ -15,7 +15,7 @@ namespace plc {
 namespace {
 
 constexpr std::chrono::seconds kPatience{8};           // of somebody who has pressed F5
-constexpr size_t kLeastElements = 2, kLeastValues = 4; // that are something else by then
+constexpr size_t kLeastElements = 2, kLeastValues = 2; // that are something else by then
 
 class Start : public ::testing::TestWithParam<std::string> {};
 
