@@ -233,6 +233,7 @@ void addWhole(std::vector<Shape>& out, TypeKind kind) {
 void addAny(std::vector<Shape>& out, TypeKind kind) {
     out.push_back({Intrinsic::Sel, {TypeKind::Bool, kind, kind}, kind});
     out.push_back({Intrinsic::Mux, {TypeKind::Sint, kind, kind, kind}, kind});
+    if (kind == TypeKind::Bool) return; // has no order
     for (const Intrinsic f : {Intrinsic::Max, Intrinsic::Min, Intrinsic::Limit})
         out.push_back({f, {kind, kind, kind}, kind});
 }
