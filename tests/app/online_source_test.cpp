@@ -55,6 +55,15 @@ protected:
         window->action("run.start")->trigger();
         ASSERT_TRUE(waitFor([&] { return window->control().value("Main.n").text.toInt() > 3; }));
     }
+    /// At a breakpoint of one instance of Axis.
+    void haltIn(const QString& instance) {
+        editor().goTo(at("pos := pos"));
+        int line = 0, column = 0;
+        editor().getCursorPosition(&line, &column);
+        window->control().setBreakpoints({{"src/main.st", line + 1, "", 0, instance, true}});
+        window->action("run.start")->trigger();
+        ASSERT_TRUE(waitFor([&] { return window->control().status().state == controller::State::Halted; }));
+    }
     uint32_t at(const char* text) { return static_cast<uint32_t>(editor().utf8().find(text)); }
     InstanceBar& bar() { return window->tabs().currentPage()->instanceBar(); }
     /// The value that is shown beside the line with the text.
@@ -104,24 +113,14 @@ TEST_F(OnlineSourceTest, SaysWhoseValuesItShowsAndShowsThoseOfAnother) {
 }
 
 TEST_F(OnlineSourceTest, TheCallPathChoosesTheInstance) {
-    editor().goTo(at("pos := pos"));
-    int line = 0, column = 0;
-    editor().getCursorPosition(&line, &column);
-    window->control().setBreakpoints({{"src/main.st", line + 1, "", 0, "Main.b", true}});
-    window->action("run.start")->trigger();
-    ASSERT_TRUE(waitFor([&] { return window->control().status().state == controller::State::Halted; }));
+    haltIn("Main.b");
     EXPECT_TRUE(waitFor([&] { return bar().shownInstance() == "Main.b"; }));
     window->control().setBreakpoints({});
 }
 
 TEST_F(OnlineSourceTest, AClickOnAFrameOfTheCallStackChoosesItsInstance) {
     window->showDock("callPath");
-    editor().goTo(at("pos := pos"));
-    int line = 0, column = 0;
-    editor().getCursorPosition(&line, &column);
-    window->control().setBreakpoints({{"src/main.st", line + 1, "", 0, "Main.b", true}});
-    window->action("run.start")->trigger();
-    ASSERT_TRUE(waitFor([&] { return window->control().status().state == controller::State::Halted; }));
+    haltIn("Main.b");
     ASSERT_TRUE(waitFor([&] { return bar().isVisible() && bar().shownInstance() == "Main.b"; }));
     window->control().setPreferredInstance("Axis", "Main.a"); // one looks at the other
     ASSERT_TRUE(waitFor([&] { return bar().shownInstance() == "Main.a"; }));
