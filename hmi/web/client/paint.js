@@ -178,6 +178,7 @@ class Element {
     this.commands = [];
     this.updates = 0;
     this.repaints = 0; // since the last update
+    this.isClipped = false;
     this.head = this.tail = 0; // commands that stay the same
     this.forgetFaces();
   }
@@ -189,6 +190,7 @@ class Element {
     const last = this.commands.length - first - removed, had = this.commands.length;
     this.commands.splice(first, removed, ...commands);
     this.repaints = 0;
+    this.isClipped = this.commands.some(command => command.isClip);
     if (had === 0) return;
     const kEvery = 16; // updates after which what has been still is pictured again
     if (this.updates % kEvery === 0) {
@@ -201,7 +203,6 @@ class Element {
     this.calmTail = Math.min(this.calmTail, last);
     ++this.updates;
     this.keep(Math.min(this.head, first), Math.min(this.tail, last));
-    this.isClipped = this.commands.some(command => command.isClip);
   }
 
   keep(head, tail) {
