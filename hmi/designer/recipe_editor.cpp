@@ -114,7 +114,8 @@ void RecipeEditor::edit(const QString& title, const std::function<void(Recipe&)>
 /// With its place where it has one: "dough.csv:3: …".
 void RecipeEditor::tell(const Error& problem) {
     const QString text = kit::messageText(problem.message);
-    m_problems->setText(problem.place.empty() ? text : QString::fromStdString(problem.place) + QStringLiteral(": ") + text);
+    m_problems->setText(problem.place.empty() ? text
+                                              : QString::fromStdString(problem.place) + QStringLiteral(": ") + text);
 }
 
 /// What was typed is not taken: the cell has its old text again, and the reason is said.

@@ -178,6 +178,7 @@ class Element {
     this.commands = [];
     this.updates = 0;
     this.repaints = 0; // since the last update
+    this.isClipped = false;
     this.head = this.tail = 0; // commands that stay the same
     this.forgetFaces();
   }
@@ -189,6 +190,7 @@ class Element {
     const last = this.commands.length - first - removed, had = this.commands.length;
     this.commands.splice(first, removed, ...commands);
     this.repaints = 0;
+    this.isClipped = this.commands.some(command => command.isClip);
     if (had === 0) return;
     const kEvery = 16; // updates after which what has been still is pictured again
     if (this.updates % kEvery === 0) {
@@ -201,7 +203,6 @@ class Element {
     this.calmTail = Math.min(this.calmTail, last);
     ++this.updates;
     this.keep(Math.min(this.head, first), Math.min(this.tail, last));
-    this.isClipped = this.commands.some(command => command.isClip);
   }
 
   keep(head, tail) {
@@ -224,7 +225,9 @@ class Painter {
   constructor(canvas) {
     this.canvas = canvas;
     this.context = canvas.getContext('2d', {alpha: false});
-    this.scratch = typeof OffscreenCanvas === 'undefined' ? null : new OffscreenCanvas(1, 1);
+    const scratch = () => typeof OffscreenCanvas === 'undefined' ? null : new OffscreenCanvas(1, 1);
+    this.scratch = scratch();
+    this.wordScratch = scratch(); // words are pictured while an element is
     this.facePixels = 0;
     this.glyphs = [];
     this.words = new Map(); // by glyphs and their places
@@ -432,32 +435,32 @@ class Painter {
   }
 
   /// Upright words in one colour that come a second time become pictures: outlines are filled slowly. Their places are
-  /// held to an eighth of a pixel. False: not this one, or not yet.
+  /// held to a 64th of a pixel, as they come. False: not this one, or not yet.
   blitWord(word, s, ink, size, x, y) {
-    const k = this.scale, eighthX = Math.round(x * k * 8), eighthY = Math.round(y * k * 8), paint = s.pen.paint;
-    const key = paint + ' ' + size * k * 64 + ' ' + ((eighthX & 7) * 8 + (eighthY & 7));
+    const k = this.scale, fineX = Math.round(x * k * 64), fineY = Math.round(y * k * 64), paint = s.pen.paint;
+    const key = paint + ' ' + size * k * 64 + ' ' + ((fineX & 63) * 64 + (fineY & 63));
     let picture = word.pictures.get(key);
     if (picture === undefined) return !word.pictures.set(key, 'seen');
-    if (picture === 'seen') word.pictures.set(key, picture = this.pictureOf(word, paint, size * k, (eighthX & 7) / 8, (eighthY & 7) / 8));
+    if (picture === 'seen') word.pictures.set(key, picture = this.pictureOf(word, paint, size * k, (fineX & 63) / 64, (fineY & 63) / 64));
     if (!picture) return false;
     ink.fade(s.opacity);
     ink.straight();
-    ink.context.drawImage(picture.image, (eighthX >> 3) + picture.left - ink.left, (eighthY >> 3) + picture.top - ink.top);
+    ink.context.drawImage(picture.image, (fineX >> 6) + picture.left - ink.left, (fineY >> 6) + picture.top - ink.top);
     return true;
   }
 
   pictureOf(word, paint, size, x, y) {
     const box = word.box, left = Math.floor(box[0] * size + x) - 1, top = Math.floor(box[1] * size + y) - 1;
     const width = Math.ceil(box[2] * size + x) + 1 - left, height = Math.ceil(box[3] * size + y) + 1 - top;
-    if (!this.scratch || width * height > 65536) return null;
+    if (!this.wordScratch || width * height > 65536) return null;
     if (++this.wordPictures > 8192) this.forgetWords();
-    this.scratch.width = width;
-    this.scratch.height = height;
-    const c = this.scratch.getContext('2d');
+    this.wordScratch.width = width;
+    this.wordScratch.height = height;
+    const c = this.wordScratch.getContext('2d');
     c.setTransform(size, 0, 0, size, x - left, y - top);
     c.fillStyle = paint;
     c.fill(word.shape, 'nonzero');
-    return {image: this.scratch.transferToImageBitmap(), left, top};
+    return {image: this.wordScratch.transferToImageBitmap(), left, top};
   }
 
   forgetWords() {

@@ -102,6 +102,31 @@ TEST_F(Browser, ShowsWhatQtPaints) {
     for (const QString& name : names) expectSamePictures(*s_chromium, name.toStdString());
 }
 
+/// The client keeps pictures of what stays the same and repaints only what changed; nobody may see that.
+TEST_F(Browser, WhatIsRepaintedInPartsIsThePictureOfTheWhole) {
+    const auto image = [](const QString& url) {
+        return QImage::fromData(QByteArray::fromBase64(url.section(u',', 1).toLatin1()), "PNG");
+    };
+    for (const char* example : {"pwm", "six_pumps", "traffic_light"}) {
+        Served served;
+        served.open(exampleFolder(example));
+        ASSERT_FALSE(HasFatalFailure());
+        served.machine->startThread({session::Pace::Real});
+        const auto page = s_chromium->open(served.url("panel/" + served.panels.startPanel + "?bare&scale=1"),
+                                           served.panels.find(served.panels.startPanel)->panel.size());
+        ASSERT_TRUE(page->waitFor(QStringLiteral("stepwise.painted > 40"), 60'000)) << example;
+        const QStringList urls =
+            page->evaluate(
+                    QStringLiteral("(() => { const p = stepwise.painter; p.paint();"
+                                   "const parts = p.canvas.toDataURL(); p.forgetFaces(); p.forgetWords();"
+                                   "p.allDirty = true; p.paint(); return parts + ' ' + p.canvas.toDataURL(); })()"))
+                .toString()
+                .split(u' ');
+        ASSERT_EQ(urls.size(), 2);
+        EXPECT_LT(difference(image(urls[0]), image(urls[1])), 0.0005) << example;
+    }
+}
+
 constexpr const char* kPanel = R"(
     {"id": "go", "kind": "button", "rect": [20, 20, 160, 60], "text": "Go", "target": "Main.start", "action": "momentary"},
     {"id": "level", "kind": "numberEntry", "rect": [20, 100, 160, 60], "target": "Main.level", "minimum": "0", "maximum": "50"})";
