@@ -92,7 +92,7 @@ void LoadFinder::knownChange(const FoundStep& step) {
 
 /// At rest after a while near the set point: longer after what took longer.
 void LoadFinder::rest(size_t i) {
-    if (++m_calm < std::max(kCalm, (i - m_since) / 2) || m_mustMove) return;
+    if (++m_calm < std::max(kCalm, (i - m_since) / 4) || m_mustMove) return;
     if (m_load) close(i, true);
     m_isAtRest = true;
     m_floor = i + 1 - m_calm;
