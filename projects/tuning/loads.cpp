@@ -92,7 +92,7 @@ void LoadFinder::knownChange(const FoundStep& step) {
 
 /// At rest after a while near the set point: longer after what took longer.
 void LoadFinder::rest(size_t i) {
-    if (++m_calm < std::max(kCalm, (i - m_since) / 2) || m_mustMove) return;
+    if (++m_calm < std::max(kCalm, (i - m_since) / 4) || m_mustMove) return;
     if (m_load) close(i, true);
     m_isAtRest = true;
     m_floor = i + 1 - m_calm;
@@ -129,9 +129,10 @@ void LoadFinder::judge(FoundStep& load, bool isOver) const {
     if (*high - *low <= 1e-9 * (m_inputHigh - m_inputLow)) return say(Verdict::Unanswered, errors::LoadUnanswered());
     const double near = 1e-6 * (m_inputHigh - m_inputLow);
     size_t limited = 0;
-    for (size_t i = load.step; i < load.end; ++i)
+    for (size_t i = load.step; i < load.settled; ++i) // what follows is rest
         limited += m_series.input[i] <= m_inputLow + near || m_series.input[i] >= m_inputHigh - near;
-    if (limited * 10 > length * 6) return say(Verdict::Saturated, errors::StepSaturated(limited * 100 / length));
+    const size_t moving = std::max<size_t>(load.settled - load.step, 1);
+    if (limited * 10 > moving * 6) return say(Verdict::Saturated, errors::StepSaturated(limited * 100 / moving));
     constexpr double kClear = 1.5; // times what counts as calm
     if (m_noise > 0 && load.outputChange < kClear * kSigmas * m_noise)
         return say(Verdict::Noisy, errors::StepNoisy(std::round(load.signalToNoise * 10) / 10));
