@@ -58,6 +58,7 @@ std::string DiagramTypes::of(pugi::xml_node node, const std::string& pinName, in
         if (isOneOf(pinName, {"Q", "Q1", "QU", "QD"})) return "BOOL";
         if (isOneOf(pinName, {"ET"})) return "TIME";
         if (isOneOf(pinName, {"CDT"})) return "DT";
+        if (isOneOf(pinName, {"CV"}) && isOneOf(attribute(node, "typeName"), {"CTU", "CTD", "CTUD"})) return "INT";
         return {};
     }
     return ofFunction(node, depth);
