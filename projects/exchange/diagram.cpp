@@ -359,7 +359,8 @@ struct Diagram::State : DiagramGraph {
                           {foldCase(name)});
                 value = Flow(name, Flow::kPrimary);
             } else {
-                report.add(place(block), condition.isTrue()
+                report.add(place(block), readsLater(block) ? remarks::DiagramLoop(attribute(block, "typeName"))
+                                         : condition.isTrue()
                                              ? remarks::DiagramResultRepeated(attribute(block, "typeName"))
                                              : remarks::DiagramEnableDropped(attribute(block, "typeName")));
             }

@@ -46,8 +46,11 @@ void dropIn(ImportedFile& file, const Libraries& libraries, std::set<std::string
         if (library == libraries.end()) continue;
         dropped.insert(library->second);
         if (library->first == kTypeClasses) { // there by another name
-            if (equalsIgnoringCase(textOf(list.tokens[i + 2], before), "TypeClass"))
+            const std::string name = foldCase(textOf(list.tokens[i + 2], before));
+            if (name == "typeclass")
                 file.text.replace(token.begin, list.tokens[i + 2].end - token.begin, "__SYSTEM.TYPE_CLASS");
+            else if (name.starts_with("type_"))
+                file.text.replace(token.begin, list.tokens[i + 1].begin - token.begin, "__SYSTEM.TYPE_CLASS");
             continue;
         }
         file.text.erase(token.begin, list.tokens[i + 2].begin - token.begin);

@@ -298,8 +298,8 @@ TEST_F(OtherFormats, BlocksOfCodesys2AreCalledWithTheNamesOfTheirPins) {
                    "END_PROGRAM") +
             "(* @PATH := '' *)\nFUNCTION_BLOCK Scale\nVAR_INPUT\n\tin, factor : INT;\nEND_VAR\nVAR_OUTPUT\n"
             "\tout : INT; (* scaled *)\n\tbad : BOOL;\nEND_VAR\n(* @END_DECLARATION := '0' *)\nout := in;\n"
-            "END_FUNCTION_BLOCK\n(* @PATH := '' *)\nFUNCTION Note : BOOL\nVAR_INPUT\n\tof : INT;\nEND_VAR\n"
-            "(* @END_DECLARATION := '0' *)\nNote := of > 0;\nEND_FUNCTION\n"));
+            "END_FUNCTION_BLOCK\n(* @PATH := '' *)\nFUNCTION Note : BOOL\nVAR_INPUT\n\tvalue : INT;\nEND_VAR\n"
+            "(* @END_DECLARATION := '0' *)\nNote := value > 0;\nEND_FUNCTION\n"));
     EXPECT_EQ(imported.report.losses(), 0u) << imported.report.toText();
     const std::string text = fileOf(imported, "src/Blocks.st");
     EXPECT_NE(text.find("t(IN := go, PT := T#2s);\net := t.ET;\ny := t.Q;\nr R= t.Q;\nown(in := n);\n"

@@ -291,6 +291,15 @@ Operand specialCall(Context& context, const library::Signature& signature, const
     if (name == "__ISVALIDREF") {
         const Denoted denoted = denote(context, first, Access::Read);
         if (denoted.kind == Denoted::Kind::Nothing) return unknown(context, e.range);
+        if (denoted.kind == Denoted::Kind::Place && context.isKind(denoted.place->type, TypeKind::Unknown))
+            return unknown(context, e.range); // its type was reported
+        if (denoted.kind == Denoted::Kind::Property || denoted.kind == Denoted::Kind::Value) {
+            const Operand given = value(context, denoted, first, TypeId());
+            if (given.isUnknown()) return given;
+            for (const TypeKind kind : {TypeKind::Reference, TypeKind::Pointer, TypeKind::Interface})
+                if (context.isKind(given.type(), kind))
+                    return inverted(context, isNull(context, given, e.range), e.range);
+        }
         if (denoted.kind == Denoted::Kind::Place && denoted.place->kind == tree::PlaceKind::Deref &&
             denoted.place->pointer)
             return inverted(context, isNull(context, {denoted.place->pointer, &context.types}, e.range), e.range);
