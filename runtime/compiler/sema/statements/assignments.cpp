@@ -50,7 +50,7 @@ static Denoted placeTarget(Context& context, const syntax::Expr& e, Denoted deno
 static tree::Place* behindProperty(Context& context, const Denoted& denoted, SourceRange range) {
     const Property& property = *denoted.property;
     if (property.set || !property.get || !property.get->resultVariable) return nullptr;
-    if (!context.isKind(typeOf(context.world, *property.get->resultVariable), TypeKind::Reference)) return nullptr;
+    if (!context.isKind(typeOf(context, *property.get->resultVariable), TypeKind::Reference)) return nullptr;
     const Operand reference = propertyValue(context, denoted, range);
     if (reference.isUnknown()) return nullptr;
     tree::Place* place = context.arena.make<tree::Place>();
