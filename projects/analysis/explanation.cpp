@@ -101,8 +101,8 @@ std::vector<std::string_view> diagnosticCodes() {
 }
 
 std::string diagnosticsReference() {
-    std::string out = "# Diagnostics\n\nEvery code, with a program that earns it, what the checker says of it, and a "
-                      "program that is right. `stepwise explain CODE` shows one of them, F1 in the studio the one at "
+    std::string out = "# Diagnostics\n\nEvery code, with a program that causes it, what the checker reports, and a "
+                      "correct program. `stepwise explain CODE` shows one of them, F1 in the studio the one at "
                       "the cursor or of the row in the list of problems. Written by `stepwise doc diagnostics`.\n\n";
     for (const std::string_view code : diagnosticCodes())
         if (const auto shown = explain(code)) out += pageOf(*shown);

@@ -14,6 +14,8 @@
 #include "runtime/compiler/sema/types/type_specs.h"
 #include "runtime/compiler/sema/values/expressions.h"
 
+#include "runtime/base/text.h"
+
 namespace plc::sema {
 namespace {
 
@@ -60,8 +62,19 @@ Operand callMemory(Context& context, const char* name, Operand argument, SourceR
     return {result, &context.types};
 }
 
+/// T of POINTER TO T, which the parser reads as POINTER(T).
+const syntax::Expr* pointedType(const syntax::Expr& e) {
+    const bool isPointer = e.kind == syntax::ExprKind::Call && e.base && e.base->kind == syntax::ExprKind::NameRef &&
+                           e.base->name.isValid() && equalsIgnoringCase(e.base->name.text, "POINTER");
+    return isPointer && e.arguments.size() == 1 ? e.arguments.front().value : nullptr;
+}
+
 /// The type that __NEW names; invalid: it was reported.
 TypeId namedType(Context& context, const syntax::Expr& e) {
+    if (const syntax::Expr* target = pointedType(e)) {
+        const TypeId type = namedType(context, *target);
+        return type.isValid() ? context.types.pointer(type) : TypeId();
+    }
     const Denoted denoted = denote(context, e, Access::Read);
     if (denoted.kind == Denoted::Kind::Nothing) return {};
     Unit* unit = denoted.kind == Denoted::Kind::Unit ? denoted.unit : nullptr;

@@ -21,6 +21,11 @@ std::optional<DirectAddress> parseRelative(std::string_view text) {
     return address && !address->isHierarchical ? address : std::nullopt;
 }
 
+/// AT %I* of a member: each variable of the structure gets its channel from the devices, it has no place in the image.
+bool isOpenChannel(std::string_view text) {
+    return text.size() == 3 && text[2] == '*' && std::string_view("IQMiqm").find(text[1]) != std::string_view::npos;
+}
+
 constexpr uint32_t kMaximumByte = 1u << 24;
 
 } // namespace
@@ -46,6 +51,7 @@ void locateMembers(WorldBuilder& world, const StructType& made, std::vector<type
 ///   (P3037)
 bool locateMember(WorldBuilder& world, types::Field& field, const syntax::VarDecl& declaration) {
     const std::string_view text = declaration.address;
+    if (isOpenChannel(text)) return false;
     const auto address = parseRelative(text);
     if (!address || (!address->isOpen && address->byte > kMaximumByte)) {
         if (!hasSyntaxErrorAt(world, declaration.addressRange))

@@ -11,6 +11,16 @@
 
 namespace plc::sema {
 
+/// A property that a block overrides by one accessor has the other one of its base.
+static void inheritAccessors(Unit& unit) {
+    for (Property* own : unit.properties)
+        for (const Property* inherited : unit.base->properties) {
+            if (inherited->id != own->id) continue;
+            if (!own->get) own->get = inherited->get;
+            if (!own->set) own->set = inherited->set;
+        }
+}
+
 /// EXTENDS and IMPLEMENTS of a unit, its bases first: whoever asks for a member may rely on the whole chain.
 ///   ok:    FUNCTION_BLOCK B EXTENDS A      wrong: FUNCTION_BLOCK A EXTENDS A  (P3003)
 void resolveBases(WorldBuilder& world, Unit& unit) {
@@ -68,7 +78,10 @@ void resolveBases(WorldBuilder& world, Unit& unit) {
                 else
                     unit.base = base;
             }
-            if (unit.base) unit.base->isExtended = true;
+            if (unit.base) {
+                unit.base->isExtended = true;
+                inheritAccessors(unit);
+            }
         } else if (!unit.pou->extends.empty() && !unit.pou->extends.front().empty()) {
             world.emit(unit.pou->extends.front().front().range,
                        findings::NotAllowedHere(Verbatim("EXTENDS"), unit.kind == UnitKind::Program
@@ -132,6 +145,9 @@ void collectInterfaces(WorldBuilder& world, Unit& unit, std::vector<Unit*>& out)
     }
 }
 
+/// FB_init is called for its own block with its own parameters, never in place of its base's.
+bool isInitializer(const Unit& method) { return equalsIgnoringCase(method.name, "FB_init"); }
+
 /// Methods by name, the unit's own before its bases'.
 Unit* methodNamed(Unit& unit, NameId id) {
     for (Unit* at = &unit; at; at = at->base)
@@ -189,7 +205,7 @@ void checkInheritance(WorldBuilder& world, Unit& unit) {
             overridden->isOverridden = true;
             if (overridden->isFinal)
                 world.emit(method->range, findings::FinalExtended(overridden->qualified));
-            else if (!sameShape(world, *method, *overridden))
+            else if (!isInitializer(*method) && !sameShape(world, *method, *overridden))
                 world.emit(method->range, findings::OverrideDiffers(method->name))
                     .related.push_back({overridden->range, notes::OverriddenHere()});
         } else if (method->isOverride) {

@@ -46,6 +46,21 @@ static Denoted placeTarget(Context& context, const syntax::Expr& e, Denoted deno
     return denoted;
 }
 
+/// The variable that a property without SET refers to, when it is a REFERENCE TO; else null.
+static tree::Place* behindProperty(Context& context, const Denoted& denoted, SourceRange range) {
+    const Property& property = *denoted.property;
+    if (property.set || !property.get || !property.get->resultVariable) return nullptr;
+    if (!context.isKind(typeOf(context, *property.get->resultVariable), TypeKind::Reference)) return nullptr;
+    const Operand reference = propertyValue(context, denoted, range);
+    if (reference.isUnknown()) return nullptr;
+    tree::Place* place = context.arena.make<tree::Place>();
+    place->kind = tree::PlaceKind::Deref;
+    place->type = context.types[reference.type()].element;
+    place->range = range;
+    place->pointer = reference.expr;
+    return place;
+}
+
 /// Where a value goes: a place or a property. Reports what cannot be written.
 ///   ok:    x := 5;      wrong: t.Q := TRUE;  (P2005)      advice: FOR i := 1 TO 5 DO i := i + 1; END_FOR  (P3021)
 Denoted target(Context& context, const syntax::Expr& e, TypeId* type) {
@@ -58,6 +73,10 @@ Denoted target(Context& context, const syntax::Expr& e, TypeId* type) {
         if (type && denoted.place) *type = denoted.place->type;
         return denoted;
     case Denoted::Kind::Property:
+        if (tree::Place* behind = behindProperty(context, denoted, e.range)) {
+            if (type) *type = behind->type;
+            return placeOf(behind);
+        }
         if (!denoted.property->set) {
             context.emit(e.range, findings::NotAssignable(phrases::PropertyWithoutSet(denoted.property->name)));
             return {};
@@ -247,6 +266,11 @@ static void tryAssign(Context& context, const syntax::Stmt& stmt, const Denoted&
     if (context.isKind(from.type(), TypeKind::Block) && from.expr->kind == tree::ExprKind::Load)
         from = addressOf(context, from.expr->place, context.types.pointer(from.type()), stmt.value->range);
     if (!canPoint(type) || !canPoint(from.type())) return mismatch(context, stmt.value->range, from.type(), type);
+    const auto pointsToBlock = [&](TypeId id) {
+        return context.isKind(id, TypeKind::Interface) || context.isKind(context.types[id].element, TypeKind::Block);
+    };
+    if (!pointsToBlock(type) && sameType(context.world, type, from.type())) // known before it runs
+        return out.push_back(assignStmt(context, to.place, from.expr, stmt.range));
     tree::Expr* cast = context.arena.make<tree::Expr>();
     cast->kind = tree::ExprKind::TryCast;
     cast->type = type;

@@ -170,10 +170,21 @@ void ifStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree::S
     if (!before.isReachable) context.flow.isReachable = false;
 }
 
+/// RETURN(condition); of CODESYS in a unit without a result: leaves it when the condition is TRUE.
+static void returnWhen(Context& context, const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out) {
+    tree::Stmt* choice = newStmt(context, tree::StmtKind::If, stmt.range);
+    choice->a = condition(context, *stmt.value);
+    if (context.flow.isReachable) context.returnsSet = context.returnsSet && context.flow.isResultSet;
+    choice->body.push_back(newStmt(context, tree::StmtKind::Return, stmt.range));
+    choice->body.back()->isHidden = true;
+    out.push_back(choice);
+}
+
 void returnStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out) {
     for (Loop& loop : context.loops) loop.isLeft = true;
     if (stmt.value) {
         Unit* unit = context.scope.unit;
+        if (unit && !unit->resultVariable && stmt.value->parenthesised) return returnWhen(context, stmt, out);
         if (!unit || !unit->resultVariable) {
             expression(context, *stmt.value);
             context.emit(stmt.value->range, findings::NotAllowedHere(phrases::ReturnWithValue(),
