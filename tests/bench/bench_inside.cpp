@@ -168,7 +168,8 @@ void journalShareTable() {
                                 for (uint64_t scan = 0; scan < kScans; ++scan) {
                                     if (every > 0 && scan % every == every - 1)
                                         history.outsideActed({images[scan % kImages], {}, start, notes});
-                                    history.append(images[scan % kImages], scan, history::Nanoseconds{static_cast<int64_t>(scan)} * 1'000'000);
+                                    history.append(images[scan % kImages], scan,
+                                                   history::Nanoseconds{static_cast<int64_t>(scan)} * 1'000'000);
                                 }
                             }));
         }
