@@ -9,6 +9,7 @@
 #include "hmi/designer/array_dialog.h"
 #include "hmi/designer/outline.h"
 #include "hmi/designer/palette.h"
+#include "hmi/model/property_literals.h"
 #include "hmi/model/walk.h"
 #include "hmi/player/panel_player.h"
 #include "hmi/view/faceplate_check.h"
@@ -93,8 +94,9 @@ PanelDesigner::PanelDesigner(DesignContext& context, const QString& panelName, Q
     connect(m_canvas, &DesignCanvas::editRequested, this, [this](const ElementId& id) {
         // A double click edits what the element is about: its text, else its binding.
         const Element* element = m_document.panel().find(id);
-        if (element && element->kind() == ElementKind::Faceplate && m_context.project().find(element->text("panel")))
-            emit panelRequested(element->text("panel"));
+        if (element && element->kind() == ElementKind::Faceplate &&
+            m_context.project().find(element->text("panel"_text)))
+            emit panelRequested(element->text("panel"_text));
         for (const char* key : {"text", "target", "value", "title", "state"})
             if (element && element->descriptor().property(key))
                 return m_sheet->grid().editProperty(QString::fromLatin1(key));
@@ -262,7 +264,7 @@ void PanelDesigner::makeActions() {
     add(QStringLiteral("lay-grid"), tr("Lay out in a grid"), Icon::Grid, {}, [this] { layOut("grid"); });
     addEdit(QStringLiteral("lock"), tr("Lock"), Icon::Lock, QKeySequence(Qt::CTRL | Qt::Key_L), [=] {
         bool all = true;
-        for (const ElementId& id : ids()) all &= panel().find(id)->isSet("locked");
+        for (const ElementId& id : ids()) all &= panel().find(id)->isSet("locked"_flag);
         return setLocked(panel(), ids(), !all);
     });
     QAction* grid =
@@ -316,7 +318,7 @@ QToolBar* PanelDesigner::makeToolBar() {
     themes->setToolTip(tr("Theme of the panel"));
     themes->setAccessibleName(themes->toolTip());
     const auto showTheme = [this, themes] {
-        themes->setCurrentIndex(themes->findData(m_document.panel().text("theme")));
+        themes->setCurrentIndex(themes->findData(m_document.panel().text("theme"_text)));
     };
     const auto listThemes = [this, themes, showTheme] {
         themes->clear();
@@ -499,7 +501,7 @@ void PanelDesigner::ungroup() {
 void PanelDesigner::selectAll() {
     ElementIds ids;
     for (const Element& element : m_document.panel().elements())
-        if (element.parent().isEmpty() && !element.isSet("locked")) ids.push_back(element.id());
+        if (element.parent().isEmpty() && !element.isSet("locked"_flag)) ids.push_back(element.id());
     m_selection.set(ids);
 }
 

@@ -63,7 +63,7 @@ struct Browsers {
     PanelProject project = machineProject();
     session::Session session{builtMachine()};
     PaintStore store;
-    std::unique_ptr<PanelPlayer> station;
+    std::unique_ptr<OperatorStation> keeper;
     std::unique_ptr<WebPanel> panel;
 
     Browsers() {
@@ -80,12 +80,11 @@ struct Browsers {
             {QStringLiteral("pop"),
              panelOf(R"({"id": "x", "kind": "button", "rect": [20, 20, 160, 60], "action": "close"})")});
         project.startPanel = QStringLiteral("main");
-        station = std::make_unique<PanelPlayer>(project, &session);
-        station->setStepped();
+        keeper = std::make_unique<OperatorStation>(project, &session);
         open();
     }
     void open() {
-        panel = std::make_unique<WebPanel>(project, session, store, *station);
+        panel = std::make_unique<WebPanel>(project, session, store, *keeper);
         EXPECT_TRUE(panel->take({.word = ClientWord::Hello, .number = 1}));
     }
     double number(const char* path) {
