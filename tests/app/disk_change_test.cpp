@@ -61,13 +61,16 @@ protected:
     }
     /// The next question is answered with the button of that name.
     static void answerNext(const char* button) {
-        QTimer::singleShot(100, qApp, [button] {
-            QWidget* box = QApplication::activeModalWidget();
-            ASSERT_NE(box, nullptr) << button;
-            auto* found = box->findChild<QAbstractButton*>(button);
-            ASSERT_NE(found, nullptr) << button;
+        auto* look = new QTimer(qApp); // until the question is there: a busy machine takes its time
+        QObject::connect(look, &QTimer::timeout, look, [look, button] {
+            const QWidget* box = QApplication::activeModalWidget();
+            auto* found = box ? box->findChild<QAbstractButton*>(button) : nullptr;
+            if (!found) return;
+            look->stop();
+            look->deleteLater();
             found->click();
         });
+        look->start(20);
     }
     QString tabTitle(const QString& key) {
         return window->tabs().tabText(window->tabs().indexOf(window->tabs().pageByKey(key)));
