@@ -2906,6 +2906,14 @@
         <source>The library {0} is part of this import; its names are written without {0} in front</source>
         <translation>Biblioteket {0} er en del af denne import; dets navne skrives uden {0} foran</translation>
     </message>
+    <message>
+        <source>Stepwise has the names of the library {0} itself; they are written without {0} in front</source>
+        <translation>Stepwise har selv navnene i biblioteket {0}; de skrives uden {0} foran</translation>
+    </message>
+    <message>
+        <source>The program uses __NEW; &quot;memoryForNew&quot; in project.json sets 65536 bytes aside for it</source>
+        <translation>Programmet bruger __NEW; ”memoryForNew” i project.json afsætter 65536 byte til det</translation>
+    </message>
 </context>
 <context>
     <name>Fixes</name>
@@ -4972,6 +4980,10 @@
         <source>{0} gets an expression in the call; give the measured value a variable of its own to try settings</source>
         <translation>{0} får et udtryk i kaldet; giv måleværdien sin egen variabel for at prøve indstillinger</translation>
     </message>
+    <message>
+        <source>The call has constants; settings in their place can only be tried on the recording of the running controller</source>
+        <translation>Kaldet har konstanter; andre indstillinger i deres sted kan kun prøves på optagelsen fra den kørende styring</translation>
+    </message>
 </context>
 <context>
     <name>MarkText</name>
@@ -5752,6 +5764,22 @@
     <message>
         <source>{0} % of what the measured value does is noise.</source>
         <translation>{0} % af det, måleværdien gør, er støj.</translation>
+    </message>
+    <message>
+        <source>the output did not answer: the controller was not in charge</source>
+        <translation>udgangen svarede ikke: regulatoren havde ikke styringen</translation>
+    </message>
+    <message>
+        <source>too short: not at rest again before the next change</source>
+        <translation>for kort: ikke i ro igen før den næste ændring</translation>
+    </message>
+    <message>
+        <source>The recording has {0} {0:disturbance|disturbances}, but no step that a model can be made from; change the set point or the output by hand once and record that</source>
+        <translation>Optagelsen har {0} {0:forstyrrelse|forstyrrelser}, men intet spring, der kan laves en model af; ændr setpunktet eller udgangen manuelt én gang, og optag det</translation>
+    </message>
+    <message>
+        <source>Change {0} is a disturbance: what caused it is not known, so it makes no model</source>
+        <translation>Ændring {0} er en forstyrrelse: årsagen kendes ikke, så den giver ingen model</translation>
     </message>
 </context>
 <context>
@@ -8204,6 +8232,10 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>Values of the frame</source>
         <translation>Kaldets værdier</translation>
     </message>
+    <message>
+        <source>This scan has run to its end: it has no call stack.</source>
+        <translation>Dette scan er kørt til ende: det har ingen kaldestak.</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::ChartView</name>
@@ -9583,6 +9615,70 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>recorded less model</source>
         <translation>optaget minus model</translation>
     </message>
+    <message>
+        <source>loop now</source>
+        <translation>sløjfen nu</translation>
+    </message>
+    <message>
+        <source>loop as proposed</source>
+        <translation>sløjfen som foreslået</translation>
+    </message>
+    <message>
+        <source>Bode plot</source>
+        <translation>Bodediagram</translation>
+    </message>
+    <message>
+        <source>Bode Plot</source>
+        <translation>Bodediagram</translation>
+    </message>
+    <message>
+        <source>frequency [rad/s]</source>
+        <translation>frekvens [rad/s]</translation>
+    </message>
+    <message>
+        <source>process</source>
+        <translation>proces</translation>
+    </message>
+    <message>
+        <source>gain margin</source>
+        <translation>forstærkningsmargin</translation>
+    </message>
+    <message>
+        <source>phase margin</source>
+        <translation>fasemargin</translation>
+    </message>
+    <message>
+        <source>Constants in the call: %1. Write Parameters changes them in the text and in the running controller by an online change.</source>
+        <translation>Konstanter i kaldet: %1. ”Skriv parametre” ændrer dem i teksten og i den kørende styring med en onlineændring.</translation>
+    </message>
+    <message>
+        <source>Computed in the call and not written: %1.</source>
+        <translation>Beregnet i kaldet og ikke skrevet: %1.</translation>
+    </message>
+    <message>
+        <source>The recorded disturbance with these settings</source>
+        <translation>Den optagede forstyrrelse med disse indstillinger</translation>
+    </message>
+    <message>
+        <source>The recorded step with these settings</source>
+        <translation>Det optagede spring med disse indstillinger</translation>
+    </message>
+    <message>
+        <source>The text was changed since the controller was started: change the constants after the next start or online change.</source>
+        <translation>Teksten er ændret, siden styringen blev startet: ændr konstanterne efter næste start eller onlineændring.</translation>
+    </message>
+    <message>
+        <source>Responses</source>
+        <translation>Svar</translation>
+    </message>
+    <message>
+        <source>Start the controller or open a recording; it is looked at for steps.</source>
+        <translation>Start styringen, eller åbn en optagelse; der ledes efter spring i den.</translation>
+    </message>
+    <message>
+        <source>disturbance</source>
+        <translation>forstyrrelse</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::WatchView</name>
@@ -10463,6 +10559,34 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Remove the Row %1</source>
         <translation>Fjern rækken %1</translation>
+    </message>
+    <message>
+        <source>A recipe needs a name.</source>
+        <translation>En recept skal have et navn.</translation>
+    </message>
+    <message>
+        <source>There is a recipe &quot;%1&quot; already.</source>
+        <translation>Der er allerede en recept ”%1”.</translation>
+    </message>
+    <message>
+        <source>A set needs a name.</source>
+        <translation>Et sæt skal have et navn.</translation>
+    </message>
+    <message>
+        <source>There is a set &quot;%1&quot; already.</source>
+        <translation>Der er allerede et sæt ”%1”.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a number; a limit is written like 12.5.</source>
+        <translation>”%1” er ikke et tal; en grænse skrives for eksempel som 12.5.</translation>
+    </message>
+    <message>
+        <source>A row needs a variable; Remove Row or Set takes the row away.</source>
+        <translation>En række skal have en variabel; ”Fjern række eller sæt” fjerner rækken.</translation>
+    </message>
+    <message>
+        <source>%1 is in the recipe already.</source>
+        <translation>%1 er allerede i recepten.</translation>
     </message>
 </context>
 <context>

@@ -2906,6 +2906,14 @@
         <source>The library {0} is part of this import; its names are written without {0} in front</source>
         <translation>Die Bibliothek {0} ist Teil dieses Imports; ihre Namen werden ohne vorangestelltes {0} geschrieben</translation>
     </message>
+    <message>
+        <source>Stepwise has the names of the library {0} itself; they are written without {0} in front</source>
+        <translation>Stepwise kennt die Namen der Bibliothek {0} selbst; sie werden ohne vorangestelltes {0} geschrieben</translation>
+    </message>
+    <message>
+        <source>The program uses __NEW; &quot;memoryForNew&quot; in project.json sets 65536 bytes aside for it</source>
+        <translation>Das Programm verwendet __NEW; „memoryForNew“ in project.json reserviert dafür 65536 Bytes</translation>
+    </message>
 </context>
 <context>
     <name>Fixes</name>
@@ -4972,6 +4980,10 @@
         <source>{0} gets an expression in the call; give the measured value a variable of its own to try settings</source>
         <translation>{0} erhält im Aufruf einen Ausdruck; geben Sie dem Messwert eine eigene Variable, um Einstellungen zu erproben</translation>
     </message>
+    <message>
+        <source>The call has constants; settings in their place can only be tried on the recording of the running controller</source>
+        <translation>Der Aufruf enthält Konstanten; andere Einstellungen an ihrer Stelle lassen sich nur an der Aufzeichnung der laufenden Steuerung erproben</translation>
+    </message>
 </context>
 <context>
     <name>MarkText</name>
@@ -5752,6 +5764,22 @@
     <message>
         <source>{0} % of what the measured value does is noise.</source>
         <translation>{0} % der Bewegung des Messwerts sind Rauschen.</translation>
+    </message>
+    <message>
+        <source>the output did not answer: the controller was not in charge</source>
+        <translation>der Ausgang hat nicht reagiert: Der Regler war nicht im Eingriff</translation>
+    </message>
+    <message>
+        <source>too short: not at rest again before the next change</source>
+        <translation>zu kurz: vor der nächsten Änderung nicht wieder in Ruhe</translation>
+    </message>
+    <message>
+        <source>The recording has {0} {0:disturbance|disturbances}, but no step that a model can be made from; change the set point or the output by hand once and record that</source>
+        <translation>Die Aufzeichnung enthält {0} {0:Störung|Störungen}, aber keinen Sprung, aus dem sich ein Modell bilden lässt; ändern Sie einmal den Sollwert oder von Hand den Ausgang, und zeichnen Sie das auf</translation>
+    </message>
+    <message>
+        <source>Change {0} is a disturbance: what caused it is not known, so it makes no model</source>
+        <translation>Änderung {0} ist eine Störung: Ihre Ursache ist unbekannt, daher ergibt sie kein Modell</translation>
     </message>
 </context>
 <context>
@@ -8204,6 +8232,10 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>Values of the frame</source>
         <translation>Werte des Aufrufs</translation>
     </message>
+    <message>
+        <source>This scan has run to its end: it has no call stack.</source>
+        <translation>Dieser Zyklus ist abgeschlossen: Er hat keine Aufrufliste.</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::ChartView</name>
@@ -9583,6 +9615,70 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>recorded less model</source>
         <translation>aufgezeichnet minus Modell</translation>
     </message>
+    <message>
+        <source>loop now</source>
+        <translation>Regelkreis jetzt</translation>
+    </message>
+    <message>
+        <source>loop as proposed</source>
+        <translation>Regelkreis wie vorgeschlagen</translation>
+    </message>
+    <message>
+        <source>Bode plot</source>
+        <translation>Bode-Diagramm</translation>
+    </message>
+    <message>
+        <source>Bode Plot</source>
+        <translation>Bode-Diagramm</translation>
+    </message>
+    <message>
+        <source>frequency [rad/s]</source>
+        <translation>Frequenz [rad/s]</translation>
+    </message>
+    <message>
+        <source>process</source>
+        <translation>Strecke</translation>
+    </message>
+    <message>
+        <source>gain margin</source>
+        <translation>Amplitudenreserve</translation>
+    </message>
+    <message>
+        <source>phase margin</source>
+        <translation>Phasenreserve</translation>
+    </message>
+    <message>
+        <source>Constants in the call: %1. Write Parameters changes them in the text and in the running controller by an online change.</source>
+        <translation>Konstanten im Aufruf: %1. „Parameter schreiben“ ändert sie im Text und mit einem Online-Change in der laufenden Steuerung.</translation>
+    </message>
+    <message>
+        <source>Computed in the call and not written: %1.</source>
+        <translation>Im Aufruf berechnet und nicht geschrieben: %1.</translation>
+    </message>
+    <message>
+        <source>The recorded disturbance with these settings</source>
+        <translation>Die aufgezeichnete Störung mit diesen Einstellungen</translation>
+    </message>
+    <message>
+        <source>The recorded step with these settings</source>
+        <translation>Der aufgezeichnete Sprung mit diesen Einstellungen</translation>
+    </message>
+    <message>
+        <source>The text was changed since the controller was started: change the constants after the next start or online change.</source>
+        <translation>Der Text wurde seit dem Start der Steuerung geändert: Ändern Sie die Konstanten nach dem nächsten Start oder Online-Change.</translation>
+    </message>
+    <message>
+        <source>Responses</source>
+        <translation>Antworten</translation>
+    </message>
+    <message>
+        <source>Start the controller or open a recording; it is looked at for steps.</source>
+        <translation>Starten Sie die Steuerung, oder öffnen Sie eine Aufzeichnung; darin wird nach Sprüngen gesucht.</translation>
+    </message>
+    <message>
+        <source>disturbance</source>
+        <translation>Störung</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::WatchView</name>
@@ -10374,11 +10470,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Add a Set</source>
-        <translation>Satz hinzufügen</translation>
+        <translation>Datensatz hinzufügen</translation>
     </message>
     <message>
         <source>Remove Row or Set</source>
-        <translation>Zeile oder Satz entfernen</translation>
+        <translation>Zeile oder Datensatz entfernen</translation>
     </message>
     <message>
         <source>Remove Recipe</source>
@@ -10402,7 +10498,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Variables and sets of the recipe</source>
-        <translation>Variablen und Sätze der Rezeptur</translation>
+        <translation>Variablen und Datensätze der Rezeptur</translation>
     </message>
     <message>
         <source>Rename Recipe</source>
@@ -10410,7 +10506,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Rename Set</source>
-        <translation>Satz umbenennen</translation>
+        <translation>Datensatz umbenennen</translation>
     </message>
     <message>
         <source>Name:</source>
@@ -10418,7 +10514,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Remove Set</source>
-        <translation>Satz entfernen</translation>
+        <translation>Datensatz entfernen</translation>
     </message>
     <message>
         <source>Remove Row</source>
@@ -10426,7 +10522,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Add a recipe, then its variables, then a set for each product.</source>
-        <translation>Fügen Sie eine Rezeptur hinzu, dann ihre Variablen, dann einen Satz für jedes Produkt.</translation>
+        <translation>Fügen Sie eine Rezeptur hinzu, dann ihre Variablen, dann einen Datensatz für jedes Produkt.</translation>
     </message>
     <message>
         <source>Variable</source>
@@ -10463,6 +10559,34 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Remove the Row %1</source>
         <translation>Zeile %1 entfernen</translation>
+    </message>
+    <message>
+        <source>A recipe needs a name.</source>
+        <translation>Eine Rezeptur braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>There is a recipe &quot;%1&quot; already.</source>
+        <translation>Eine Rezeptur „%1“ ist bereits vorhanden.</translation>
+    </message>
+    <message>
+        <source>A set needs a name.</source>
+        <translation>Ein Datensatz braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>There is a set &quot;%1&quot; already.</source>
+        <translation>Ein Datensatz „%1“ ist bereits vorhanden.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a number; a limit is written like 12.5.</source>
+        <translation>„%1“ ist keine Zahl; eine Grenze wird zum Beispiel als 12.5 geschrieben.</translation>
+    </message>
+    <message>
+        <source>A row needs a variable; Remove Row or Set takes the row away.</source>
+        <translation>Eine Zeile braucht eine Variable; „Zeile oder Datensatz entfernen“ löscht die Zeile.</translation>
+    </message>
+    <message>
+        <source>%1 is in the recipe already.</source>
+        <translation>%1 ist in der Rezeptur bereits enthalten.</translation>
     </message>
 </context>
 <context>

@@ -2906,6 +2906,14 @@
         <source>The library {0} is part of this import; its names are written without {0} in front</source>
         <translation>La biblioteca {0} forma parte de esta importación; sus nombres se escriben sin {0} delante</translation>
     </message>
+    <message>
+        <source>Stepwise has the names of the library {0} itself; they are written without {0} in front</source>
+        <translation>Stepwise ya tiene los nombres de la biblioteca {0}; se escriben sin {0} delante</translation>
+    </message>
+    <message>
+        <source>The program uses __NEW; &quot;memoryForNew&quot; in project.json sets 65536 bytes aside for it</source>
+        <translation>El programa usa __NEW; «memoryForNew» en project.json le reserva 65536 bytes</translation>
+    </message>
 </context>
 <context>
     <name>Fixes</name>
@@ -4972,6 +4980,10 @@
         <source>{0} gets an expression in the call; give the measured value a variable of its own to try settings</source>
         <translation>{0} recibe una expresión en la llamada; dé al valor medido una variable propia para probar ajustes</translation>
     </message>
+    <message>
+        <source>The call has constants; settings in their place can only be tried on the recording of the running controller</source>
+        <translation>La llamada tiene constantes; otros ajustes en su lugar solo se pueden probar en la grabación del controlador en marcha</translation>
+    </message>
 </context>
 <context>
     <name>MarkText</name>
@@ -5752,6 +5764,22 @@
     <message>
         <source>{0} % of what the measured value does is noise.</source>
         <translation>El {0}&#xa0;% de lo que hace el valor medido es ruido.</translation>
+    </message>
+    <message>
+        <source>the output did not answer: the controller was not in charge</source>
+        <translation>la salida no respondió: el regulador no tenía el control</translation>
+    </message>
+    <message>
+        <source>too short: not at rest again before the next change</source>
+        <translation>demasiado corto: no se estabilizó antes del cambio siguiente</translation>
+    </message>
+    <message>
+        <source>The recording has {0} {0:disturbance|disturbances}, but no step that a model can be made from; change the set point or the output by hand once and record that</source>
+        <translation>La grabación tiene {0} {0:perturbación|perturbaciones}, pero ningún escalón del que obtener un modelo; cambie una vez la consigna o la salida a mano y grábelo</translation>
+    </message>
+    <message>
+        <source>Change {0} is a disturbance: what caused it is not known, so it makes no model</source>
+        <translation>El cambio {0} es una perturbación: su causa es desconocida, por lo que no da un modelo</translation>
     </message>
 </context>
 <context>
@@ -8204,6 +8232,10 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <source>Values of the frame</source>
         <translation>Valores del nivel de llamada</translation>
     </message>
+    <message>
+        <source>This scan has run to its end: it has no call stack.</source>
+        <translation>Este ciclo ha terminado: no tiene pila de llamadas.</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::ChartView</name>
@@ -9583,6 +9615,70 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <source>recorded less model</source>
         <translation>grabado menos modelo</translation>
     </message>
+    <message>
+        <source>loop now</source>
+        <translation>lazo actual</translation>
+    </message>
+    <message>
+        <source>loop as proposed</source>
+        <translation>lazo propuesto</translation>
+    </message>
+    <message>
+        <source>Bode plot</source>
+        <translation>Diagrama de Bode</translation>
+    </message>
+    <message>
+        <source>Bode Plot</source>
+        <translation>Diagrama de Bode</translation>
+    </message>
+    <message>
+        <source>frequency [rad/s]</source>
+        <translation>frecuencia [rad/s]</translation>
+    </message>
+    <message>
+        <source>process</source>
+        <translation>proceso</translation>
+    </message>
+    <message>
+        <source>gain margin</source>
+        <translation>margen de ganancia</translation>
+    </message>
+    <message>
+        <source>phase margin</source>
+        <translation>margen de fase</translation>
+    </message>
+    <message>
+        <source>Constants in the call: %1. Write Parameters changes them in the text and in the running controller by an online change.</source>
+        <translation>Constantes en la llamada: %1. «Escribir parámetros» las cambia en el texto y, con un cambio online, en el controlador en marcha.</translation>
+    </message>
+    <message>
+        <source>Computed in the call and not written: %1.</source>
+        <translation>Calculado en la llamada y no escrito: %1.</translation>
+    </message>
+    <message>
+        <source>The recorded disturbance with these settings</source>
+        <translation>La perturbación grabada con estos ajustes</translation>
+    </message>
+    <message>
+        <source>The recorded step with these settings</source>
+        <translation>El escalón grabado con estos ajustes</translation>
+    </message>
+    <message>
+        <source>The text was changed since the controller was started: change the constants after the next start or online change.</source>
+        <translation>El texto se ha cambiado desde el arranque del controlador: cambie las constantes tras el próximo arranque o cambio online.</translation>
+    </message>
+    <message>
+        <source>Responses</source>
+        <translation>Respuestas</translation>
+    </message>
+    <message>
+        <source>Start the controller or open a recording; it is looked at for steps.</source>
+        <translation>Inicie el controlador o abra una grabación; se buscarán escalones en ella.</translation>
+    </message>
+    <message>
+        <source>disturbance</source>
+        <translation>perturbación</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::WatchView</name>
@@ -10374,11 +10470,11 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Add a Set</source>
-        <translation>Añadir un conjunto</translation>
+        <translation>Añadir un juego</translation>
     </message>
     <message>
         <source>Remove Row or Set</source>
-        <translation>Quitar fila o conjunto</translation>
+        <translation>Quitar fila o juego</translation>
     </message>
     <message>
         <source>Remove Recipe</source>
@@ -10402,7 +10498,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Variables and sets of the recipe</source>
-        <translation>Variables y conjuntos de la receta</translation>
+        <translation>Variables y juegos de la receta</translation>
     </message>
     <message>
         <source>Rename Recipe</source>
@@ -10410,7 +10506,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Rename Set</source>
-        <translation>Cambiar el nombre del conjunto</translation>
+        <translation>Cambiar el nombre del juego</translation>
     </message>
     <message>
         <source>Name:</source>
@@ -10418,7 +10514,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Remove Set</source>
-        <translation>Quitar conjunto</translation>
+        <translation>Quitar juego</translation>
     </message>
     <message>
         <source>Remove Row</source>
@@ -10426,7 +10522,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Add a recipe, then its variables, then a set for each product.</source>
-        <translation>Añada una receta, después sus variables y después un conjunto para cada producto.</translation>
+        <translation>Añada una receta, después sus variables y después un juego para cada producto.</translation>
     </message>
     <message>
         <source>Variable</source>
@@ -10463,6 +10559,34 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>Remove the Row %1</source>
         <translation>Quitar la fila %1</translation>
+    </message>
+    <message>
+        <source>A recipe needs a name.</source>
+        <translation>Una receta necesita un nombre.</translation>
+    </message>
+    <message>
+        <source>There is a recipe &quot;%1&quot; already.</source>
+        <translation>Ya existe una receta «%1».</translation>
+    </message>
+    <message>
+        <source>A set needs a name.</source>
+        <translation>Un juego de valores necesita un nombre.</translation>
+    </message>
+    <message>
+        <source>There is a set &quot;%1&quot; already.</source>
+        <translation>Ya existe un juego de valores «%1».</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a number; a limit is written like 12.5.</source>
+        <translation>«%1» no es un número; un límite se escribe por ejemplo 12.5.</translation>
+    </message>
+    <message>
+        <source>A row needs a variable; Remove Row or Set takes the row away.</source>
+        <translation>Una fila necesita una variable; «Quitar fila o juego» la elimina.</translation>
+    </message>
+    <message>
+        <source>%1 is in the recipe already.</source>
+        <translation>%1 ya está en la receta.</translation>
     </message>
 </context>
 <context>

@@ -2906,6 +2906,14 @@
         <source>The library {0} is part of this import; its names are written without {0} in front</source>
         <translation>La bibliothèque {0} fait partie de cette importation&#x202f;; ses noms sont écrits sans {0} devant</translation>
     </message>
+    <message>
+        <source>Stepwise has the names of the library {0} itself; they are written without {0} in front</source>
+        <translation>Stepwise possède lui-même les noms de la bibliothèque {0}&#x202f;; ils sont écrits sans {0} devant</translation>
+    </message>
+    <message>
+        <source>The program uses __NEW; &quot;memoryForNew&quot; in project.json sets 65536 bytes aside for it</source>
+        <translation>Le programme utilise __NEW&#x202f;; «&#xa0;memoryForNew&#xa0;» dans project.json lui réserve 65536 octets</translation>
+    </message>
 </context>
 <context>
     <name>Fixes</name>
@@ -4972,6 +4980,10 @@
         <source>{0} gets an expression in the call; give the measured value a variable of its own to try settings</source>
         <translation>{0} reçoit une expression dans l’appel&#x202f;; donnez à la valeur mesurée sa propre variable pour essayer des paramètres</translation>
     </message>
+    <message>
+        <source>The call has constants; settings in their place can only be tried on the recording of the running controller</source>
+        <translation>L’appel contient des constantes&#x202f;; d’autres paramètres à leur place ne peuvent être essayés que sur l’enregistrement de l’automate en marche</translation>
+    </message>
 </context>
 <context>
     <name>MarkText</name>
@@ -5752,6 +5764,22 @@
     <message>
         <source>{0} % of what the measured value does is noise.</source>
         <translation>{0}&#xa0;% du comportement de la valeur mesurée est du bruit.</translation>
+    </message>
+    <message>
+        <source>the output did not answer: the controller was not in charge</source>
+        <translation>la sortie n’a pas répondu&#xa0;: le régulateur n’avait pas la main</translation>
+    </message>
+    <message>
+        <source>too short: not at rest again before the next change</source>
+        <translation>trop court&#xa0;: pas encore stabilisé avant le changement suivant</translation>
+    </message>
+    <message>
+        <source>The recording has {0} {0:disturbance|disturbances}, but no step that a model can be made from; change the set point or the output by hand once and record that</source>
+        <translation>L’enregistrement contient {0} {0:perturbation|perturbations}, mais aucun échelon dont on puisse tirer un modèle&#x202f;; changez une fois la consigne ou la sortie à la main et enregistrez-le</translation>
+    </message>
+    <message>
+        <source>Change {0} is a disturbance: what caused it is not known, so it makes no model</source>
+        <translation>Le changement {0} est une perturbation&#xa0;: sa cause est inconnue, il ne donne donc pas de modèle</translation>
     </message>
 </context>
 <context>
@@ -8204,6 +8232,10 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <source>Values of the frame</source>
         <translation>Valeurs du niveau d’appel</translation>
     </message>
+    <message>
+        <source>This scan has run to its end: it has no call stack.</source>
+        <translation>Ce cycle est terminé&#xa0;: il n’a pas de pile d’appels.</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::ChartView</name>
@@ -9583,6 +9615,70 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <source>recorded less model</source>
         <translation>enregistré moins modèle</translation>
     </message>
+    <message>
+        <source>loop now</source>
+        <translation>boucle actuelle</translation>
+    </message>
+    <message>
+        <source>loop as proposed</source>
+        <translation>boucle proposée</translation>
+    </message>
+    <message>
+        <source>Bode plot</source>
+        <translation>Diagramme de Bode</translation>
+    </message>
+    <message>
+        <source>Bode Plot</source>
+        <translation>Diagramme de Bode</translation>
+    </message>
+    <message>
+        <source>frequency [rad/s]</source>
+        <translation>fréquence [rad/s]</translation>
+    </message>
+    <message>
+        <source>process</source>
+        <translation>procédé</translation>
+    </message>
+    <message>
+        <source>gain margin</source>
+        <translation>marge de gain</translation>
+    </message>
+    <message>
+        <source>phase margin</source>
+        <translation>marge de phase</translation>
+    </message>
+    <message>
+        <source>Constants in the call: %1. Write Parameters changes them in the text and in the running controller by an online change.</source>
+        <translation>Constantes dans l’appel&#xa0;: %1. «&#xa0;Écrire les paramètres&#xa0;» les change dans le texte et, par une modification en ligne, dans l’automate en marche.</translation>
+    </message>
+    <message>
+        <source>Computed in the call and not written: %1.</source>
+        <translation>Calculé dans l’appel et non écrit&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>The recorded disturbance with these settings</source>
+        <translation>La perturbation enregistrée avec ces paramètres</translation>
+    </message>
+    <message>
+        <source>The recorded step with these settings</source>
+        <translation>L’échelon enregistré avec ces paramètres</translation>
+    </message>
+    <message>
+        <source>The text was changed since the controller was started: change the constants after the next start or online change.</source>
+        <translation>Le texte a été modifié depuis le démarrage de l’automate&#xa0;: changez les constantes après le prochain démarrage ou la prochaine modification en ligne.</translation>
+    </message>
+    <message>
+        <source>Responses</source>
+        <translation>Réponses</translation>
+    </message>
+    <message>
+        <source>Start the controller or open a recording; it is looked at for steps.</source>
+        <translation>Démarrez l’automate ou ouvrez un enregistrement&#x202f;; des échelons y sont recherchés.</translation>
+    </message>
+    <message>
+        <source>disturbance</source>
+        <translation>perturbation</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::WatchView</name>
@@ -10463,6 +10559,34 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <message>
         <source>Remove the Row %1</source>
         <translation>Supprimer la ligne %1</translation>
+    </message>
+    <message>
+        <source>A recipe needs a name.</source>
+        <translation>Une recette doit avoir un nom.</translation>
+    </message>
+    <message>
+        <source>There is a recipe &quot;%1&quot; already.</source>
+        <translation>Une recette «&#xa0;%1&#xa0;» existe déjà.</translation>
+    </message>
+    <message>
+        <source>A set needs a name.</source>
+        <translation>Un jeu de valeurs doit avoir un nom.</translation>
+    </message>
+    <message>
+        <source>There is a set &quot;%1&quot; already.</source>
+        <translation>Un jeu de valeurs «&#xa0;%1&#xa0;» existe déjà.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a number; a limit is written like 12.5.</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un nombre&#x202f;; une limite s’écrit par exemple 12.5.</translation>
+    </message>
+    <message>
+        <source>A row needs a variable; Remove Row or Set takes the row away.</source>
+        <translation>Une ligne doit avoir une variable&#x202f;; «&#xa0;Retirer la ligne ou le jeu&#xa0;» la supprime.</translation>
+    </message>
+    <message>
+        <source>%1 is in the recipe already.</source>
+        <translation>%1 est déjà dans la recette.</translation>
     </message>
 </context>
 <context>

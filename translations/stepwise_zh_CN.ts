@@ -2906,6 +2906,14 @@
         <source>The library {0} is part of this import; its names are written without {0} in front</source>
         <translation>库 {0} 是此次导入的一部分；其名称前不写 {0}</translation>
     </message>
+    <message>
+        <source>Stepwise has the names of the library {0} itself; they are written without {0} in front</source>
+        <translation>Stepwise 自身已有库 {0} 中的名称；书写时前面不带 {0}</translation>
+    </message>
+    <message>
+        <source>The program uses __NEW; &quot;memoryForNew&quot; in project.json sets 65536 bytes aside for it</source>
+        <translation>程序使用 __NEW；project.json 中的“memoryForNew”为其预留 65536 字节</translation>
+    </message>
 </context>
 <context>
     <name>Fixes</name>
@@ -4972,6 +4980,10 @@
         <source>{0} gets an expression in the call; give the measured value a variable of its own to try settings</source>
         <translation>{0} 在调用中得到表达式；请为测量值建立单独的变量以试验设置</translation>
     </message>
+    <message>
+        <source>The call has constants; settings in their place can only be tried on the recording of the running controller</source>
+        <translation>调用中含有常量；只能在运行中控制器的记录上试用替代它们的设置</translation>
+    </message>
 </context>
 <context>
     <name>MarkText</name>
@@ -5751,6 +5763,22 @@
     <message>
         <source>{0} % of what the measured value does is noise.</source>
         <translation>测量值变化的 {0} % 是噪声。</translation>
+    </message>
+    <message>
+        <source>the output did not answer: the controller was not in charge</source>
+        <translation>输出没有响应：控制器未起作用</translation>
+    </message>
+    <message>
+        <source>too short: not at rest again before the next change</source>
+        <translation>过短：下一次变化前尚未恢复平稳</translation>
+    </message>
+    <message>
+        <source>The recording has {0} {0:disturbance|disturbances}, but no step that a model can be made from; change the set point or the output by hand once and record that</source>
+        <translation>记录中有 {0} 次扰动，但没有可建立模型的阶跃；请手动改变一次设定值或输出并记录下来</translation>
+    </message>
+    <message>
+        <source>Change {0} is a disturbance: what caused it is not known, so it makes no model</source>
+        <translation>变化 {0} 是扰动：原因未知，因此无法建立模型</translation>
     </message>
 </context>
 <context>
@@ -7528,7 +7556,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     </message>
     <message>
         <source>Blocks</source>
-        <translation>块</translation>
+        <translation>功能块</translation>
     </message>
     <message>
         <source>Functions</source>
@@ -8192,6 +8220,10 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Values of the frame</source>
         <translation>调用层的值</translation>
+    </message>
+    <message>
+        <source>This scan has run to its end: it has no call stack.</source>
+        <translation>此扫描周期已执行完毕：没有调用栈。</translation>
     </message>
 </context>
 <context>
@@ -9568,6 +9600,70 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <source>recorded less model</source>
         <translation>记录值减模型值</translation>
     </message>
+    <message>
+        <source>loop now</source>
+        <translation>当前回路</translation>
+    </message>
+    <message>
+        <source>loop as proposed</source>
+        <translation>建议的回路</translation>
+    </message>
+    <message>
+        <source>Bode plot</source>
+        <translation>伯德图</translation>
+    </message>
+    <message>
+        <source>Bode Plot</source>
+        <translation>伯德图</translation>
+    </message>
+    <message>
+        <source>frequency [rad/s]</source>
+        <translation>频率 [rad/s]</translation>
+    </message>
+    <message>
+        <source>process</source>
+        <translation>过程</translation>
+    </message>
+    <message>
+        <source>gain margin</source>
+        <translation>幅值裕度</translation>
+    </message>
+    <message>
+        <source>phase margin</source>
+        <translation>相位裕度</translation>
+    </message>
+    <message>
+        <source>Constants in the call: %1. Write Parameters changes them in the text and in the running controller by an online change.</source>
+        <translation>调用中的常量：%1。“写入参数”会在文本中修改它们，并通过在线修改作用于运行中的控制器。</translation>
+    </message>
+    <message>
+        <source>Computed in the call and not written: %1.</source>
+        <translation>在调用中计算，未写入：%1。</translation>
+    </message>
+    <message>
+        <source>The recorded disturbance with these settings</source>
+        <translation>使用这些设置时记录的扰动</translation>
+    </message>
+    <message>
+        <source>The recorded step with these settings</source>
+        <translation>使用这些设置时记录的阶跃</translation>
+    </message>
+    <message>
+        <source>The text was changed since the controller was started: change the constants after the next start or online change.</source>
+        <translation>控制器启动后文本已更改：请在下次启动或在线修改后更改常量。</translation>
+    </message>
+    <message>
+        <source>Responses</source>
+        <translation>响应</translation>
+    </message>
+    <message>
+        <source>Start the controller or open a recording; it is looked at for steps.</source>
+        <translation>请启动控制器或打开记录；将在其中查找阶跃。</translation>
+    </message>
+    <message>
+        <source>disturbance</source>
+        <translation>扰动</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::WatchView</name>
@@ -10447,6 +10543,34 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Remove the Row %1</source>
         <translation>移除行 %1</translation>
+    </message>
+    <message>
+        <source>A recipe needs a name.</source>
+        <translation>配方需要名称。</translation>
+    </message>
+    <message>
+        <source>There is a recipe &quot;%1&quot; already.</source>
+        <translation>已存在配方“%1”。</translation>
+    </message>
+    <message>
+        <source>A set needs a name.</source>
+        <translation>数据组需要名称。</translation>
+    </message>
+    <message>
+        <source>There is a set &quot;%1&quot; already.</source>
+        <translation>已存在数据组“%1”。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a number; a limit is written like 12.5.</source>
+        <translation>“%1”不是数字；限值的写法例如 12.5。</translation>
+    </message>
+    <message>
+        <source>A row needs a variable; Remove Row or Set takes the row away.</source>
+        <translation>每行需要一个变量；“移除行或数据组”可删除该行。</translation>
+    </message>
+    <message>
+        <source>%1 is in the recipe already.</source>
+        <translation>%1 已在配方中。</translation>
     </message>
 </context>
 <context>
