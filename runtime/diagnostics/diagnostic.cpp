@@ -1,5 +1,7 @@
 #include "runtime/diagnostics/diagnostic.h"
 
+#include "runtime/diagnostics/severity_name.h"
+
 #include "runtime/base/text.h"
 
 #include <algorithm>
@@ -39,6 +41,16 @@ std::string jsonString(std::string_view text) {
     }
     return out + '"';
 }
+std::string rangeJson(const SourceSet& sources, SourceRange range) {
+    const SourceText& file = sources[range.file];
+    const LineColumn begin = file.lineColumn(range.begin), end = file.lineColumn(range.end);
+    return "{\"line\":" + std::to_string(begin.line) + ",\"column\":" + std::to_string(begin.column) +
+           ",\"endLine\":" + std::to_string(end.line) + ",\"endColumn\":" + std::to_string(end.column) + "}";
+}
+} // namespace
+
+std::string_view codeOf(Kind kind) { return entry(kind).code; }
+std::string_view nameOf(Kind kind) { return entry(kind).name; }
 std::string_view severityName(Severity severity) {
     switch (severity) {
     case Severity::Error:
@@ -50,16 +62,7 @@ std::string_view severityName(Severity severity) {
     }
     return {};
 }
-std::string rangeJson(const SourceSet& sources, SourceRange range) {
-    const SourceText& file = sources[range.file];
-    const LineColumn begin = file.lineColumn(range.begin), end = file.lineColumn(range.end);
-    return "{\"line\":" + std::to_string(begin.line) + ",\"column\":" + std::to_string(begin.column) +
-           ",\"endLine\":" + std::to_string(end.line) + ",\"endColumn\":" + std::to_string(end.column) + "}";
-}
-} // namespace
 
-std::string_view codeOf(Kind kind) { return entry(kind).code; }
-std::string_view nameOf(Kind kind) { return entry(kind).name; }
 Severity severityOf(Kind kind) { return entry(kind).severity; }
 
 Diagnostic& Sink::emit(SourceRange range, Finding finding) {

@@ -42,10 +42,10 @@ bool isPossible(Context& context, const syntax::Expr& e, size_t least, size_t mo
 
 /// One of the two functions of the memory, which the driver adds to the standard library.
 Operand callMemory(Context& context, const char* name, Operand argument, SourceRange range) {
-    const Found known = lookup(context.world, context.scope, context.world.key(name));
+    const Found known = lookup(context.world, context.scope, context.key(name));
     Unit* unit = known.entity.unit;
     if (!unit) return unknown(context, range);
-    completeUnit(context.world, *unit, range);
+    completeUnit(context, *unit, range);
     Denoted callee;
     callee.kind = Denoted::Kind::Unit;
     callee.unit = unit;
@@ -89,7 +89,7 @@ TypeId namedType(Context& context, const syntax::Expr& e) {
         context.emit(e.range, findings::AbstractInstance(unit->name));
         return {};
     }
-    return completeType(context.world, type, e.range) ? type : TypeId();
+    return completeType(context, type, e.range) ? type : TypeId();
 }
 
 tree::Place* behind(Context& context, Operand pointer, TypeId type, SourceRange range) {
@@ -140,7 +140,7 @@ std::vector<tree::Stmt*> initialisation(Context& context, tree::Place* made, tre
         construction.isConstruction = true;
         construction.scope = context.scope;
         emitDynamics(
-            context.world, context, {construction}, [&](const DynamicInit&) { return element(); }, loop->body);
+            context, {construction}, [&](const DynamicInit&) { return element(); }, loop->body);
     }
     return {loop};
 }
@@ -197,9 +197,9 @@ Operand deleteCall(Context& context, const syntax::Expr& e) {
     tree::Stmt* choice = newStmt(context, tree::StmtKind::If, {});
     choice->a = inverted(context, isNull(context, load(context, pointer, e.range), e.range), e.range).expr;
     Unit* unit = context.world.unitOf(type);
-    const Member end = unit ? findMember(context.world, *unit, context.world.key("FB_Exit")) : Member{};
+    const Member end = unit ? findMember(*unit, context.key("FB_Exit")) : Member{};
     if (end.unit && end.unit->kind == UnitKind::Method && end.unit->parameters.size() <= 1) {
-        completeUnit(context.world, *end.unit, e.range);
+        completeUnit(context, *end.unit, e.range);
         Denoted callee;
         callee.kind = Denoted::Kind::Unit;
         callee.unit = end.unit;

@@ -134,7 +134,7 @@ Operand sizeCall(Context& context, const syntax::Expr& e, TypeKind result) {
         context.emit(argument.range, findings::NoValue(context.textOf(argument.range)));
         return unknown(context, e.range);
     }
-    if (!context.isExpression) completeType(context.world, type, argument.range);
+    if (!context.isExpression) completeType(context, type, argument.range);
     (void)result;
     return constant(context, {context.elementary(TypeKind::Lint), int64_t(context.types[type].size)}, e.range, true);
 }

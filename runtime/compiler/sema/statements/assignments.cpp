@@ -50,7 +50,7 @@ static Denoted placeTarget(Context& context, const syntax::Expr& e, Denoted deno
 static tree::Place* behindProperty(Context& context, const Denoted& denoted, SourceRange range) {
     const Property& property = *denoted.property;
     if (property.set || !property.get || !property.get->resultVariable) return nullptr;
-    if (!context.isKind(typeOf(context.world, *property.get->resultVariable), TypeKind::Reference)) return nullptr;
+    if (!context.isKind(typeOf(context, *property.get->resultVariable), TypeKind::Reference)) return nullptr;
     const Operand reference = propertyValue(context, denoted, range);
     if (reference.isUnknown()) return nullptr;
     tree::Place* place = context.arena.make<tree::Place>();
@@ -81,7 +81,7 @@ Denoted target(Context& context, const syntax::Expr& e, TypeId* type) {
             context.emit(e.range, findings::NotAssignable(phrases::PropertyWithoutSet(denoted.property->name)));
             return {};
         }
-        if (type) *type = typeOf(context.world, denoted.property->set->variables.front());
+        if (type) *type = typeOf(context, denoted.property->set->variables.front());
         return denoted;
     default:
         context.emit(e.range, findings::NotAssignable(context.textOf(e.range)));
@@ -93,9 +93,9 @@ Denoted target(Context& context, const syntax::Expr& e, TypeId* type) {
 static void assignProperty(Context& context, const Denoted& target, Operand value, SourceRange range,
                            std::vector<tree::Stmt*>& out) {
     Unit& set = *target.property->set;
-    completeUnit(context.world, set, range);
+    completeUnit(context, set, range);
     checkAccess(context, set.access, target.property->owner, target.property->name, value.expr->range);
-    const Operand fitting = converted(context, value, typeOf(context.world, set.variables.front()));
+    const Operand fitting = converted(context, value, typeOf(context, set.variables.front()));
     if (fitting.isUnknown()) return;
     tree::Expr* e = context.arena.make<tree::Expr>();
     e->kind = tree::ExprKind::Call;
@@ -180,7 +180,7 @@ void assignAggregate(Context& context, tree::Place* place, const syntax::Expr& v
     InitialValue initial;
     initial.bytes = context.types[place->type].initial;
     initial.bytes.resize(context.types[place->type].size);
-    initialise(context.world, initial, place->type, 0, -1, &value, context.scope, nullptr);
+    initialise(context, initial, place->type, 0, -1, &value, context.scope, nullptr);
     const Operand whole = constant(context, types::readValue(context.types, place->type, initial.bytes), value.range);
     out.push_back(assignStmt(context, place, whole.expr, range));
     for (const DynamicInit& dynamic : initial.dynamics) {
@@ -201,7 +201,7 @@ bool isAssociable(Context& context, const syntax::Stmt& stmt) {
     if (!name.name.isValid()) return true;
     const Found found = lookup(context.world, context.scope, context.key(name.name.text));
     Variable* variable = found.member.variable ? found.member.variable : found.entity.variable;
-    const TypeId type = variable ? typeOf(context.world, *variable) : TypeId();
+    const TypeId type = variable ? typeOf(context, *variable) : TypeId();
     if (variable ? context.isKind(type, TypeKind::Unknown) || context.types.storageKind(type) == TypeKind::Bool
                  : found.member.property != nullptr || !found.ambiguous.empty())
         return true;
@@ -210,7 +210,7 @@ bool isAssociable(Context& context, const syntax::Stmt& stmt) {
     for (Unit* unit = context.scope.unit ? context.scope.unit->self() : nullptr; unit; unit = unit->base) {
         for (const Unit* action : unit->actions) candidates.push_back(action->name);
         for (Variable& own : unit->variables)
-            if (!own.name.starts_with("__") && context.types.storageKind(typeOf(context.world, own)) == TypeKind::Bool)
+            if (!own.name.starts_with("__") && context.types.storageKind(typeOf(context, own)) == TypeKind::Bool)
                 candidates.push_back(own.name);
     }
     suggest(context, context.emit(name.range, findings::UnknownAction(name.name.text)), name.range, name.name.text,
