@@ -6,6 +6,7 @@
 #include "runtime/base/result.h"
 #include "runtime/image/address.h"
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
@@ -23,6 +24,8 @@ struct Imported {
     std::vector<ImportedFile> files;
     std::set<std::string> libraries;                                // of ours
     std::set<std::string> namespaces;                               // of the imported projects themselves
+    std::set<std::string> projectNames;                             // theirs, folded
+    std::map<std::string, std::string> aliases;                     // namespace that a reference gives → its library
     std::set<std::string> coveredNamespaces = {"Tc2_System"};       // of foreign libraries whose names are here, too
     uint32_t memoryForNew = 0;                                      // bytes, for programs that use __NEW
     image::Addressing addressing = image::Addressing::Bytes;        // what %MW1 counts in the tool it comes from

@@ -63,6 +63,11 @@ void dropOwnNamespaces(Imported& imported) {
     Libraries libraries = {{std::string(kTypeClasses), "IBaseLibrary"}};
     for (const std::string& name : imported.namespaces) libraries.emplace(foldCase(name), name);
     for (const std::string& name : imported.coveredNamespaces) libraries.emplace(foldCase(name), name);
+    for (const auto& [alias, library] : imported.aliases)
+        if (imported.projectNames.count(foldCase(library))) {
+            imported.namespaces.insert(alias);
+            libraries.emplace(foldCase(alias), alias);
+        }
     for (const ImportedFile& file : imported.files) leaveOutDeclared(file, libraries);
     std::set<std::string> dropped;
     for (ImportedFile& file : imported.files) dropIn(file, libraries, dropped);

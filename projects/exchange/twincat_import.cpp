@@ -321,11 +321,15 @@ void readTwinCatProject(const XmlFile& file, Imported& imported, std::set<std::s
         std::string space = trimmed(textOf(childOf(group, "DefaultNamespace")));
         if (space.empty()) space = trimmed(textOf(childOf(group, "Name")));
         if (is(group, "PropertyGroup") && !space.empty()) imported.namespaces.insert(space);
+        if (is(group, "PropertyGroup")) imported.projectNames.insert(foldCase(trimmed(textOf(childOf(group, "Name")))));
         for (const pugi::xml_node item : group.children())
             if (is(item, "PlaceholderReference") || is(item, "LibraryReference")) {
                 useLibrary(imported, attribute(item, "Include"), false,
                            file.place() + ":" + std::to_string(file.lineOf(item)));
                 imported.side["project"]["libraries"].push_back(toXml(item));
+                const std::string library = attribute(item, "Include");
+                if (std::string alias = trimmed(textOf(childOf(item, "Namespace"))); !alias.empty())
+                    imported.aliases.emplace(std::move(alias), trimmed(library.substr(0, library.find(','))));
             }
     }
 }

@@ -558,8 +558,8 @@ Stmt* Parser::parseTry() {
         IfBranch branch;
         const size_t first = mark();
         advance();
-        if (isCatch) {
-            expect(TokenKind::LeftParen);
+        if (isCatch && at(TokenKind::LeftParen)) { // without a code: whatever the fault is
+            advance();
             branch.condition = parsePlace();
             expect(TokenKind::RightParen);
         }

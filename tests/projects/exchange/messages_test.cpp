@@ -6,15 +6,16 @@ namespace {
 
 class ForeignCode : public ::testing::Test {
 protected:
-    /// Everything that the check says about a program with these variables and statements.
-    static std::string said(const std::string& variables, const std::string& statements) {
+    /// What the check says about a program with these variables and statements.
+    static std::string said(const std::string& variables, const std::string& statements,
+                            diagnostics::Severity least = diagnostics::Severity::Warning) {
         driver::BuildInput input;
         input.files.push_back(
             {"p.st", "PROGRAM P\nVAR\n" + variables + "\nEND_VAR\n" + statements + "\nEND_PROGRAM\n"});
         const driver::Checked checked = driver::check(std::move(input));
         std::string out;
         for (const diagnostics::Diagnostic& each : checked.analysis->diagnostics)
-            out += diagnostics::renderText(*checked.sources, each, false);
+            if (each.severity <= least) out += diagnostics::renderText(*checked.sources, each, false);
         return out;
     }
 };
@@ -52,6 +53,11 @@ TEST_F(ForeignCode, MessagesOfListsOfInstructionsHaveNoNamesOfTheCompiler) {
 
 TEST_F(ForeignCode, BytesBehindTheAddressOfATextNeedNoWarning) {
     EXPECT_EQ(said("p : POINTER TO BYTE; s : STRING; b : BYTE;", "p := ADR(s);\nb := p^;\ns := '';"), "");
+}
+
+TEST_F(ForeignCode, AConversionOfBitsToANumberSaysWhatItConverts) {
+    const std::string text = said("r : REAL; d : DWORD;", "r := DWORD_TO_REAL(d);", diagnostics::Severity::Info);
+    EXPECT_NE(text.find("DWORD_TO_REAL converts the number"), std::string::npos) << text;
 }
 
 TEST_F(ForeignCode, APointerToAnotherTypeStillHasItsWarning) {

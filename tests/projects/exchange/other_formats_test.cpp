@@ -55,6 +55,26 @@ TEST_F(OtherFormats, ALibraryAndTheProjectThatUsesItBecomeOneProject) {
         << fileOf(imported, "src/App/MAIN.st");
 }
 
+TEST_F(OtherFormats, AReferenceMayGiveALibraryAnotherNamespace) {
+    const auto project = [](const std::string& name, const std::string& more) {
+        return "<?xml version=\"1.0\"?><Project xmlns=\"http://schemas.microsoft.com/developer/msbuild/2003\">"
+               "<PropertyGroup><Name>" +
+               name + "</Name></PropertyGroup><ItemGroup>" + more + "</ItemGroup></Project>";
+    };
+    write("tree/Core/My_Core.plcproj", project("My_Core", ""));
+    write("tree/Core/FB_Task.TcPOU", object("<POU Name=\"FB_Task\">" +
+                                            cdata("Declaration", "FUNCTION_BLOCK FB_Task\r\nVAR_OUTPUT\r\n\tn : INT;"
+                                                                 "\r\nEND_VAR\r\n") +
+                                            st("n := n + 1;") + "</POU>"));
+    write("tree/App/App.plcproj", project("App", "<PlaceholderReference Include=\"My_Core\"><Namespace>Core</Namespace>"
+                                                 "</PlaceholderReference>"));
+    write("tree/App/MAIN.TcPOU",
+          object("<POU Name=\"MAIN\">" +
+                 cdata("Declaration", "PROGRAM MAIN\r\nVAR\r\n\ttask : Core.FB_Task;\r\nEND_VAR\r\n") + st("task();") +
+                 "</POU>"));
+    EXPECT_EQ(errorsOf(folder("tree")), "");
+}
+
 TEST_F(OtherFormats, ATwinCatTreeBecomesAProjectWithFoldersTasksAndMembers) {
     write("tc/P/P.plcproj",
           "<?xml version=\"1.0\"?><Project "

@@ -1,6 +1,7 @@
 #include "runtime/compiler/sema/statements/protected.h"
 
 #include "runtime/compiler/sema/names/names.h"
+#include "runtime/compiler/sema/names/places.h"
 #include "runtime/compiler/sema/statements/statements.h"
 
 namespace plc::sema {
@@ -55,6 +56,12 @@ void part(Context& context, const syntax::Block& block, std::vector<tree::Stmt*>
     statements(context, block, out);
 }
 
+/// Where __CATCH without a variable puts the code.
+tree::Place* unusedCode(Context& context, SourceRange range) {
+    const TypeId dword = context.elementary(TypeKind::Dword);
+    return localPlace(context, newLocal(context, "code", dword), dword, range);
+}
+
 } // namespace
 
 ///   ok:    __TRY x := 1 / n; __CATCH(code) x := 0; __FINALLY n := 1; __ENDTRY
@@ -72,7 +79,8 @@ void tryStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree::
     if (stmt.branches.size() > 1) {
         context.flow = before;
         const syntax::IfBranch& handler = stmt.branches[1];
-        made->place = handler.condition ? exceptionVariable(context, *handler.condition) : nullptr;
+        made->place =
+            handler.condition ? exceptionVariable(context, *handler.condition) : unusedCode(context, stmt.range);
         isGood = made->place != nullptr;
         part(context, handler.body, made->elseBody);
         after = {after.isReachable || context.flow.isReachable,
