@@ -5,6 +5,7 @@
 #include "editor/kit/long_task.h"
 #include "editor/kit/message_text.h"
 #include "editor/kit/own_keys.h"
+#include "editor/kit/paper.h"
 #include "editor/kit/theme.h"
 #include "editor/plot/plot_export.h"
 #include "editor/plot/plot_table.h"
@@ -264,13 +265,13 @@ void TraceView::makeActions(QToolBar* bar) {
                                : tr("Save as %1…").arg(QString(QLatin1String(suffix)).toUpper()),
                            this, [this, suffix] { exportTo(QLatin1String(suffix)); });
     exports->addAction(kit::icon(kit::Icon::Print), tr("Print…"), this, [this] {
-        QPrinter printer(QPrinter::HighResolution);
+        QPrinter printer;
+        printer.setResolution(96); // fonts are in points: at a finer one they would grow twice
         printer.setPageOrientation(QPageLayout::Landscape);
         QPrintDialog dialog(&printer, this);
         if (dialog.exec() != QDialog::Accepted) return;
+        const kit::PaperColors paper;
         QPainter painter(&printer);
-        const double scale = printer.resolution() / 96.0; // laid out in screen units, printed finer
-        painter.scale(scale, scale);
         plot::printPlot(m_plot->model(), painter, QRectF(QPointF(), printer.pageLayout().paintRectPixels(96).size()));
     });
     addAction(kit::makeUndoAction(m_undo, this));

@@ -2,6 +2,7 @@
 
 #include "editor/kit/message_text.h"
 #include "editor/plot/figure_view.h"
+#include "editor/plot/plot_sample.h"
 #include "editor/plot/plot_scale.h"
 #include "projects/loops/errors.h"
 #include "projects/tuning/bode_plot.h"
@@ -250,7 +251,8 @@ namespace {
 QStringList described(const std::vector<loops::ParameterWrite>& writes) {
     QStringList out;
     for (const loops::ParameterWrite& write : writes)
-        out << QStringLiteral("%1 := %2").arg(text(write.path), plot::valueText(write.value, 6));
+        out << QStringLiteral("%1 := %2")
+                   .arg(text(write.path), text(plot::exactText(write.value, plot::PlotValueKind::Single)));
     return out;
 }
 
