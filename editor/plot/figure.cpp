@@ -105,7 +105,7 @@ void paintAxes(QPainter& painter, const Chart& chart, const FigureFrame& frame, 
         painter.setPen(colors.plotAxis);
         drawText(painter, {x, frame.area.bottom() + 3}, Qt::AlignHCenter | Qt::AlignTop, tick.label);
     }
-    for (const PlotTick& tick : ticksOf(frame.y, frame.isLogarithmicY, std::max(int(frame.area.height()) / 32, 2))) {
+    for (const PlotTick& tick : ticksOf(frame.y, frame.isLogarithmicY, std::max(int(frame.area.height()) / 24, 3))) {
         const double y = std::round(frame.yOf(tick.value)) + 0.5;
         painter.setPen(colors.plotGrid);
         painter.drawLine(QPointF(frame.area.left(), y), QPointF(frame.area.right(), y));
@@ -278,7 +278,7 @@ std::vector<FigureFrame> framesOf(const Figure& figure, const QRectF& rect, cons
         frame.place = QRectF(rect.left() + (isBeside ? wide * static_cast<double>(i) : 0), top, wide, 0);
         frame.area = QRectF(frame.place.left(), top + head, wide, std::max(each, 1.0));
         if (!isBeside) top += head + each + ticks + (frame.hasTitleX ? title : 0);
-        for (const PlotTick& tick : ticksOf(frame.y, frame.isLogarithmicY, std::max(int(frame.area.height()) / 32, 2)))
+        for (const PlotTick& tick : ticksOf(frame.y, frame.isLogarithmicY, std::max(int(frame.area.height()) / 24, 3)))
             widest = std::max(widest, metrics.horizontalAdvance(tick.label));
         out.push_back(frame);
     }

@@ -317,9 +317,9 @@ void TraceView::exportSamples(const QString& path) {
 void TraceView::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     const QList<int> sizes = m_sides->sizes();
-    constexpr int LeastPlot = 360, LeastChannels = 120;
+    constexpr int LeastPlot = 360, LeastChannels = 120, UsualChannels = 260;
     if (sizes.value(0) > 0 && sizes.value(1) < LeastPlot && sizes.value(0) > sizes.value(1) / 2) {
-        const int channels = std::min(sizes.value(0), std::max(LeastChannels, width() - LeastPlot));
+        const int channels = std::clamp(width() - LeastPlot, LeastChannels, UsualChannels);
         m_sides->setSizes({channels, std::max(width() - channels, 1)});
     }
     // one above the other needs height, which a dock below the editor does not have

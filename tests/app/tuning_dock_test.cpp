@@ -244,9 +244,12 @@ TEST_F(TuningDockWithLoad, ADisturbanceIsListedAndTried) {
     EXPECT_EQ(found.front()->text(5), "usable");
     ASSERT_TRUE(waitForTrial());
     EXPECT_EQ(chart("tuningTrial").title, "The recorded step with these settings");
+    steps->scrollToItem(found.front());
     QTest::mouseClick(steps->viewport(), Qt::LeftButton, {}, steps->visualItemRect(found.front()).center());
+    ASSERT_EQ(steps->currentItem(), found.front());
     ASSERT_TRUE(
-        waitFor([&] { return chart("tuningTrial").title == "The recorded disturbance with these settings"; }, 20'000));
+        waitFor([&] { return chart("tuningTrial").title == "The recorded disturbance with these settings"; }, 20'000))
+        << chart("tuningTrial").title;
     ASSERT_EQ(chart("tuningTrial").curves.size(), 2U);
     const auto& recorded = chart("tuningTrial").curves[0];
     EXPECT_NEAR(recorded.x.front(), 90, 10); // scan 9000 of 10 ms

@@ -20,18 +20,19 @@ Heat := pid.Y;
 END_FUNCTION_BLOCK
 PROGRAM Main
 VAR
-    Measured : REAL;
+    Measured, plant : REAL;
     SetPoint : REAL := 10.0;
     fast : BOOL;
     Gain : REAL := 3.0;
     pid, second : util.PID;
     zone : Zone;
 END_VAR
-Measured := Measured + 0.05 * (pid.Y - Measured); // what the block then sees
+plant := plant + 0.05 * (pid.Y - plant);
+Measured := plant;
 IF fast THEN
     pid(ACTUAL := Measured, SET_POINT := SetPoint, KP := 4.0 (* brisk *), TN := 2.0);
 ELSE
-    pid(ACTUAL := Measured, SET_POINT := SetPoint, kp := REAL#2.5, TN := -1.0 + 3.0, TV := MAX(1.0, 2.0));
+    pid(ACTUAL := Measured, SET_POINT := SetPoint, kp := REAL#2.5, TN := -1.0 + 3.0, TV := MAX(0.0, 0.0));
 END_IF
 second(KP := Gain);
 zone(Measured := Measured);
