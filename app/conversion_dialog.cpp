@@ -38,10 +38,11 @@ ConversionDialog::ConversionDialog(const std::string& before, const std::string&
         tr("Both give the same results. Replacing is one step of undo; comments stay, each above its statement."),
         this);
     note->setWordWrap(true);
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    auto* buttons = new QDialogButtonBox(this);
     QPushButton* replace = buttons->addButton(tr("Replace the Text"), QDialogButtonBox::AcceptRole);
     replace->setObjectName("replace");
     QPushButton* copy = buttons->addButton(tr("Copy"), QDialogButtonBox::ActionRole);
+    QPushButton* close = buttons->addButton(QDialogButtonBox::Close);
     connect(copy, &QPushButton::clicked, this,
             [this] { QApplication::clipboard()->setText(QString::fromStdString(m_result)); });
     connect(buttons, &QDialogButtonBox::accepted, this, [this] {
@@ -53,6 +54,8 @@ ConversionDialog::ConversionDialog(const std::string& before, const std::string&
     layout->addWidget(sides, 1);
     layout->addWidget(note);
     layout->addWidget(buttons);
+    setTabOrder(copy, replace);
+    setTabOrder(replace, close);
 }
 
 } // namespace plc::app

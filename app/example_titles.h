@@ -1,4 +1,5 @@
-// The titles of the examples in the language of the studio: what their project.json calls them, translated. GUI thread.
+// What the start page writes on the cards of the examples, in the language of the studio: the title as in their
+// project.json, and one sentence about each. GUI thread.
 #pragma once
 #include <QString>
 
@@ -6,5 +7,7 @@ namespace plc::app {
 
 /// A title that is none of an example comes back as it is.
 [[nodiscard]] QString exampleTitle(const QString& title);
+/// What the example of this title shows; empty for a project that is none of them.
+[[nodiscard]] QString exampleSummary(const QString& title);
 
 } // namespace plc::app

@@ -153,6 +153,9 @@ ImportDialog::ImportDialog(const QString& projectsFolder, QWidget* parent)
     layout->addWidget(m_summary);
     layout->addWidget(m_complaint);
     layout->addWidget(buttons);
+    setTabOrder(m_source, file);
+    setTabOrder(file, folder);
+    setTabOrder(folder, m_target);
 
     connect(file, &QPushButton::clicked, this, [this] { choose(false); });
     connect(folder, &QPushButton::clicked, this, [this] { choose(true); });

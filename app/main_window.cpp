@@ -49,6 +49,19 @@
 
 namespace plc::app {
 
+namespace {
+
+// The menu has a word of its own where a language has two for Run.
+[[maybe_unused]] constexpr const char* kMenus[] = {
+    QT_TRANSLATE_NOOP("plc::app::Menu", "File"), QT_TRANSLATE_NOOP("plc::app::Menu", "Edit"),
+    QT_TRANSLATE_NOOP("plc::app::Menu", "Run"),  QT_TRANSLATE_NOOP("plc::app::Menu", "Time"),
+    QT_TRANSLATE_NOOP("plc::app::Menu", "View"), QT_TRANSLATE_NOOP("plc::app::Menu", "Help"),
+};
+
+QString titleOfMenu(const char* english) { return QCoreApplication::translate("plc::app::Menu", english); }
+
+} // namespace
+
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent), m_workspace(new editor::Workspace(this)),
       m_control(new editor::RunControl(*m_workspace, this)) {
@@ -157,6 +170,7 @@ void MainWindow::makeDocks() {
     tabifyDockWidget(log, tests);
     auto* tuning = new editor::TuningView(*m_control);
     connect(tuning, &editor::TuningView::message, this, &MainWindow::say);
+    connect(tuning, &editor::TuningView::textEdits, this, [this](const auto& edits) { m_tabs->applyEdits(edits); });
     auto* roomForTuning = new QScrollArea; // four charts and a column of settings: wider than a small screen
     roomForTuning->setFrameShape(QFrame::NoFrame);
     roomForTuning->setWidgetResizable(true);
@@ -211,7 +225,7 @@ void MainWindow::showDock(const QString& name) {
 void MainWindow::makeActions() {
     std::map<QString, QMenu*> menus;
     for (const ActionSpec& spec : actionTable()) {
-        const QString menuName = tr(spec.menu);
+        const QString menuName = titleOfMenu(spec.menu);
         QMenu*& menu = menus[menuName];
         if (!menu) {
             menu = menuBar()->addMenu(menuName);
@@ -247,7 +261,7 @@ void MainWindow::makeActions() {
               "run.releaseAll", "view.values", "view.zoomOut", "view.system"})
             if (id == last) menu->addSeparator();
     }
-    QMenu* view = menus[tr("View")];
+    QMenu* view = menus[titleOfMenu("View")];
     view->addSeparator();
     for (QDockWidget* each : findChildren<QDockWidget*>()) {
         QAction* toggle = each->toggleViewAction();

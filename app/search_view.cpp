@@ -36,8 +36,8 @@ SearchView::SearchView(editor::Workspace& workspace, QWidget* parent) : QWidget(
     m_replacement = new QLineEdit(this);
     m_replacement->setPlaceholderText(tr("Replace with"));
     m_replacement->setAccessibleName(tr("Replacement in all files"));
-    m_regex = new QCheckBox(tr("Regular expression"), this);
     m_case = new QCheckBox(tr("Match case"), this);
+    m_regex = new QCheckBox(tr("Regular expression"), this);
     auto* find = new QPushButton(tr("Find"), this);
     auto* replace = new QPushButton(tr("Replace All"), this);
     m_summary = new QLabel(this);

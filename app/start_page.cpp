@@ -26,9 +26,9 @@ namespace {
 
 constexpr int kCardWidth = 236, kPictureHeight = 124, kPadding = 6;
 
-/// As high as its picture, its name and two lines about it.
+/// As high as its picture, its name and three lines about it: what English says in two takes others three.
 QSize cardSize(const QFontMetrics& font) {
-    return {std::max(kCardWidth, font.averageCharWidth() * 36), kPictureHeight + 3 * font.lineSpacing() + 3 * kPadding};
+    return {std::max(kCardWidth, font.averageCharWidth() * 38), kPictureHeight + 4 * font.lineSpacing() + 3 * kPadding};
 }
 
 QString titleOf(const QString& folder) {
@@ -40,8 +40,9 @@ QString titleOf(const QString& folder) {
     return QDir(folder).dirName();
 }
 
-/// The first paragraph of the README below its heading.
+/// What is known of an example; of another project, the first paragraph of its README below the heading.
 QString summaryOf(const QString& folder) {
+    if (const QString known = exampleSummary(titleOf(folder)); !known.isEmpty()) return known;
     QFile file(folder + "/README.md");
     if (!file.open(QIODevice::ReadOnly)) return {};
     for (const QString& line : QString::fromUtf8(file.readAll()).split('\n')) {
@@ -100,11 +101,11 @@ public:
             QFontMetrics(bold).elidedText(index.data().toString(), Qt::ElideRight, static_cast<int>(name.width())));
         painter->setFont(option.font);
         painter->setPen(c.muted);
-        const QRectF line(card.left() + 12, name.bottom(), card.width() - 24, 2 * option.fontMetrics.lineSpacing());
+        const QRectF line(card.left() + 12, name.bottom(), card.width() - 24, 3 * option.fontMetrics.lineSpacing());
         painter->drawText(line, Qt::AlignTop | Qt::TextWordWrap,
                           QFontMetrics(option.font)
                               .elidedText(index.data(Qt::UserRole + 2).toString(), Qt::ElideRight,
-                                          static_cast<int>(line.width() * 1.8)));
+                                          static_cast<int>(line.width() * 2.8)));
         painter->setPen(QPen(hot ? c.accent : c.border, hot ? 1.6 : 1));
         painter->drawPath(shape);
         painter->restore();
@@ -211,7 +212,7 @@ void StartPage::reload() {
     m_recent->clear();
     for (const QString& folder : m_settings.recentProjects()) {
         const QString name =
-            titleOf(folder) + QChar::LineSeparator + QDir::toNativeSeparators(QFileInfo(folder).path());
+            exampleTitle(titleOf(folder)) + QChar::LineSeparator + QDir::toNativeSeparators(QFileInfo(folder).path());
         auto* item = new QListWidgetItem(kit::icon(kit::Icon::Project), name, m_recent);
         item->setToolTip(folder);
         item->setData(Qt::UserRole, folder);
@@ -224,11 +225,12 @@ void StartPage::reload() {
     for (const QString& name : names) {
         const QString project = folder + "/" + name;
         if (!QFile::exists(project + "/project.json")) continue;
+        const QString summary = summaryOf(project);
         auto* item = new QListWidgetItem(exampleTitle(titleOf(project)), m_examples);
         item->setData(Qt::UserRole, project);
         item->setData(Qt::UserRole + 1, pictureOf(project));
-        item->setData(Qt::UserRole + 2, summaryOf(project));
-        item->setToolTip(summaryOf(project));
+        item->setData(Qt::UserRole + 2, summary);
+        item->setToolTip(summary);
     }
 }
 

@@ -72,14 +72,6 @@
         <translation>{0} er ikke en seriel port; skriv dens sti, for eksempel /dev/ttyUSB0</translation>
     </message>
     <message>
-        <source>{0} and {1} are both unit {2} of {3}</source>
-        <translation>{0} og {1} er begge enhed {2} på {3}</translation>
-    </message>
-    <message>
-        <source>{0} and {1} use {2} with different baud rates, parities or bits</source>
-        <translation>{0} og {1} bruger {2} med forskellig baudrate, paritet eller bitantal</translation>
-    </message>
-    <message>
         <source>{0} and {1} both listen at port {2}; give one another port</source>
         <translation>{0} og {1} lytter begge på port {2}; giv den ene en anden port</translation>
     </message>
@@ -162,10 +154,6 @@
     <message>
         <source>{0} is a constant and cannot be written</source>
         <translation>{0} er en konstant og kan ikke skrives</translation>
-    </message>
-    <message>
-        <source>{0} and {1} both set {2} {3}</source>
-        <translation>{0} og {1} sætter begge {2} {3}</translation>
     </message>
     <message>
         <source>{0} says whether the channel is good and must be a BOOL or an integer</source>
@@ -291,6 +279,18 @@
         <source>cannot connect to {0}: {1}; check the address and the cable</source>
         <translation>kan ikke forbinde til {0}: {1}; kontroller adressen og kablet</translation>
     </message>
+    <message>
+        <source>{0} and {1} are both unit {2} of {3}; give one of them another number</source>
+        <translation>{0} og {1} har begge adressen {2} på {3}; giv den ene en anden</translation>
+    </message>
+    <message>
+        <source>{0} and {1} use {2} with different baud rates, parities or bits; set the same for both</source>
+        <translation>{0} og {1} bruger {2} med forskellig baudrate, paritet eller bitantal; indstil det samme for begge</translation>
+    </message>
+    <message>
+        <source>{0} and {1} both set {2} {3}; give each its own</source>
+        <translation>{0} og {1} sætter begge {2} {3}; giv hver sit eget</translation>
+    </message>
 </context>
 <context>
     <name>Diagnostics</name>
@@ -307,10 +307,6 @@
         <translation>Dette er ikke gyldig UTF-8; gem filen som UTF-8</translation>
     </message>
     <message>
-        <source>{0} is not a valid {1} literal</source>
-        <translation>{0} er ikke en gyldig literal ({1})</translation>
-    </message>
-    <message>
         <source>Expected {0} before {1}</source>
         <translation>{0} forventes før {1}</translation>
     </message>
@@ -321,10 +317,6 @@
     <message>
         <source>{0} is missing for this {1}</source>
         <translation>{0} mangler til denne {1}</translation>
-    </message>
-    <message>
-        <source>Unexpected {0}</source>
-        <translation>Uventet {0}</translation>
     </message>
     <message>
         <source>This comparison has no effect; use := to assign</source>
@@ -347,10 +339,6 @@
         <translation>En åben grænse skrives ARRAY[*] og er kun tilladt for VAR_IN_OUT</translation>
     </message>
     <message>
-        <source>The pragma {0} is not known and has no effect</source>
-        <translation>Pragmaet {0} er ukendt og uden virkning</translation>
-    </message>
-    <message>
         <source>{0} is missing; the program unit ends here</source>
         <translation>{0} mangler; programenheden slutter her</translation>
     </message>
@@ -359,68 +347,16 @@
         <translation>Her mangler et semikolon; sætningen slutter her</translation>
     </message>
     <message>
-        <source>{0} is not declared</source>
-        <translation>{0} er ikke erklæret</translation>
-    </message>
-    <message>
-        <source>{0} has no member {1}</source>
-        <translation>{0} har intet medlem {1}</translation>
-    </message>
-    <message>
-        <source>{0} cannot be converted to {1}</source>
-        <translation>{0} kan ikke konverteres til {1}</translation>
-    </message>
-    <message>
         <source>Implicit conversion from {0} to {1} may lose data; convert it explicitly</source>
         <translation>Implicit konvertering fra {0} til {1} kan miste data; konverter eksplicit</translation>
-    </message>
-    <message>
-        <source>{0} cannot be assigned to</source>
-        <translation>{0} kan ikke tildeles en værdi</translation>
-    </message>
-    <message>
-        <source>{0} cannot be used with {1}</source>
-        <translation>{0} kan ikke bruges med {1}</translation>
-    </message>
-    <message>
-        <source>{0} cannot combine {1} and {2}</source>
-        <translation>{0} kan ikke kombinere {1} og {2}</translation>
-    </message>
-    <message>
-        <source>{0} cannot be called</source>
-        <translation>{0} kan ikke kaldes</translation>
-    </message>
-    <message>
-        <source>{0} has no parameter {1}</source>
-        <translation>{0} har ingen parameter {1}</translation>
-    </message>
-    <message>
-        <source>The argument for {1} of {0} is missing</source>
-        <translation>Argumentet for {1} i {0} mangler</translation>
-    </message>
-    <message>
-        <source>{0} takes {1} {1:argument|arguments}</source>
-        <translation>{0} tager {1} {1:argument|argumenter}</translation>
     </message>
     <message>
         <source>{0} is an IN_OUT parameter and needs a variable of type {1}</source>
         <translation>{0} er en IN_OUT-parameter og kræver en variabel af typen {1}</translation>
     </message>
     <message>
-        <source>The index {0} is outside {1}..{2}</source>
-        <translation>Indekset {0} ligger uden for {1}..{2}</translation>
-    </message>
-    <message>
-        <source>{0} does not fit into {1}</source>
-        <translation>{0} kan ikke være i {1}</translation>
-    </message>
-    <message>
         <source>{0} has only the bits 0 to {1}</source>
         <translation>{0} har kun bittene 0 til {1}</translation>
-    </message>
-    <message>
-        <source>The condition must be BOOL, not {0}</source>
-        <translation>Betingelsen skal være BOOL, ikke {0}</translation>
     </message>
     <message>
         <source>{0} is ambiguous: {1}; write the namespace before it</source>
@@ -439,20 +375,8 @@
         <translation>{0} kontrolleres ikke mod enumerationen {1}; brug et af dens navne</translation>
     </message>
     <message>
-        <source>The address {0} is outside {1}</source>
-        <translation>Adressen {0} ligger uden for {1}</translation>
-    </message>
-    <message>
-        <source>{0} is not allowed in a watch or binding, which cannot have side effects</source>
-        <translation>{0} er ikke tilladt i en overvågning eller binding, som ikke må have sideeffekter</translation>
-    </message>
-    <message>
         <source>{0} is {1}; write {2}</source>
         <translation>{0} er {1}; skriv {2}</translation>
-    </message>
-    <message>
-        <source>A reference needs a variable that has an address</source>
-        <translation>En reference kræver en variabel, der har en adresse</translation>
     </message>
     <message>
         <source>{0} contains itself; use a REFERENCE TO</source>
@@ -461,18 +385,6 @@
     <message>
         <source>The parameters of {0} must match those of the overridden method</source>
         <translation>Parametrene i {0} skal svare til den tilsidesatte metodes</translation>
-    </message>
-    <message>
-        <source>{1} cannot extend {0}</source>
-        <translation>{1} kan ikke udvide {0}</translation>
-    </message>
-    <message>
-        <source>{0} is not allowed {1}</source>
-        <translation>{0} er ikke tilladt {1}</translation>
-    </message>
-    <message>
-        <source>{0} is only allowed inside a loop</source>
-        <translation>{0} er kun tilladt i en løkke</translation>
     </message>
     <message>
         <source>There are several programs and no CONFIGURATION; name one of them Main or write a CONFIGURATION</source>
@@ -491,10 +403,6 @@
         <translation>{0} kan kalde sig selv; rekursionsdybden er begrænset under kørslen</translation>
     </message>
     <message>
-        <source>Step {0} can become active twice at the same time: the branches from here do not join</source>
-        <translation>Trin {0} kan blive aktivt to gange samtidig: grenene herfra samles ikke</translation>
-    </message>
-    <message>
         <source>The steps before this transition cannot be active together; start them from one simultaneous branch</source>
         <translation>Trinnene før denne transition kan ikke være aktive samtidig; start dem fra én parallelgren</translation>
     </message>
@@ -509,10 +417,6 @@
     <message>
         <source>{0} needs a current result; load one with LD</source>
         <translation>{0} kræver et aktuelt resultat; indlæs et med LD</translation>
-    </message>
-    <message>
-        <source>{0} is only allowed in a TEST</source>
-        <translation>{0} er kun tilladt i en TEST</translation>
     </message>
     <message>
         <source>{0} is not a value of the strict enumeration {1}; use one of its names</source>
@@ -563,10 +467,6 @@
         <translation>{0} er også en variabel; trin og kald betyder aktionen</translation>
     </message>
     <message>
-        <source>{0} is a keyword and cannot be used as a name</source>
-        <translation>{0} er et nøgleord og kan ikke bruges som navn</translation>
-    </message>
-    <message>
         <source>Use {1} instead of {0} in Structured Text</source>
         <translation>Brug {1} i stedet for {0} i struktureret tekst</translation>
     </message>
@@ -581,10 +481,6 @@
     <message>
         <source>The address {0} has {1} {1:bit|bits}, {2} has {3}; write {4}</source>
         <translation>Adressen {0} har {1} bit, {2} har {3}; skriv {4}</translation>
-    </message>
-    <message>
-        <source>An index must be an integer, not {0}</source>
-        <translation>Et indeks skal være et heltal, ikke {0}</translation>
     </message>
     <message>
         <source>{0}</source>
@@ -814,6 +710,110 @@
         <source>This array has {0} {0:dimension|dimensions}, not {1}; write an index for each</source>
         <translation>Dette array har {0} {0:dimension|dimensioner}, ikke {1}; skriv et indeks for hver</translation>
     </message>
+    <message>
+        <source>{0} is not a valid {1} literal; check its prefix, digits and units</source>
+        <translation>{0} er ikke en gyldig literal ({1}); kontroller præfiks, cifre og enheder</translation>
+    </message>
+    <message>
+        <source>Unexpected {0}; remove it or complete the statement before it</source>
+        <translation>Uventet {0}; fjern det, eller fuldend sætningen før det</translation>
+    </message>
+    <message>
+        <source>The pragma {0} is not known and has no effect; remove it or correct its name</source>
+        <translation>Pragmaet {0} er ukendt og uden virkning; fjern det, eller ret navnet</translation>
+    </message>
+    <message>
+        <source>{0} is a keyword and cannot be used as a name; choose another name</source>
+        <translation>{0} er et nøgleord og kan ikke bruges som navn; vælg et andet navn</translation>
+    </message>
+    <message>
+        <source>{0} is not declared; declare it or correct the name</source>
+        <translation>{0} er ikke erklæret; erklær det, eller ret navnet</translation>
+    </message>
+    <message>
+        <source>{0} has no member {1}; correct the name or add the member</source>
+        <translation>{0} har intet medlem {1}; ret navnet, eller tilføj medlemmet</translation>
+    </message>
+    <message>
+        <source>{0} cannot be converted to {1}; use a value of that type or a conversion function</source>
+        <translation>{0} kan ikke konverteres til {1}; brug en værdi af denne type eller en konverteringsfunktion</translation>
+    </message>
+    <message>
+        <source>{0} cannot be assigned to; assign to a variable</source>
+        <translation>{0} kan ikke tildeles en værdi; tildel til en variabel</translation>
+    </message>
+    <message>
+        <source>{0} cannot be used with {1}; convert the operand first</source>
+        <translation>{0} kan ikke bruges med {1}; konverter operanden først</translation>
+    </message>
+    <message>
+        <source>{0} cannot combine {1} and {2}; convert one of them</source>
+        <translation>{0} kan ikke kombinere {1} og {2}; konverter den ene</translation>
+    </message>
+    <message>
+        <source>{0} cannot be called; call a function, a method or an instance of a block</source>
+        <translation>{0} kan ikke kaldes; kald en funktion, en metode eller en blokinstans</translation>
+    </message>
+    <message>
+        <source>{0} has no parameter {1}; correct the name or declare the parameter</source>
+        <translation>{0} har ingen parameter {1}; ret navnet, eller erklær parameteren</translation>
+    </message>
+    <message>
+        <source>The argument for {1} of {0} is missing; add it to the call</source>
+        <translation>Argumentet for {1} i {0} mangler; tilføj det i kaldet</translation>
+    </message>
+    <message>
+        <source>{0} takes {1} {1:argument|arguments}; remove the others</source>
+        <translation>{0} tager {1} {1:argument|argumenter}; fjern resten</translation>
+    </message>
+    <message>
+        <source>The index {0} is outside {1}..{2}; correct it or enlarge the array</source>
+        <translation>Indekset {0} ligger uden for {1}..{2}; ret indekset, eller gør arrayet større</translation>
+    </message>
+    <message>
+        <source>{0} does not fit into {1}; use another value or a larger type</source>
+        <translation>{0} kan ikke være i {1}; brug en anden værdi eller en større type</translation>
+    </message>
+    <message>
+        <source>The condition must be BOOL, not {0}; add a comparison</source>
+        <translation>Betingelsen skal være BOOL, ikke {0}; tilføj en sammenligning</translation>
+    </message>
+    <message>
+        <source>The address {0} is outside {1}; use an address in that range</source>
+        <translation>Adressen {0} ligger uden for {1}; brug en adresse i dette område</translation>
+    </message>
+    <message>
+        <source>{0} is not allowed in a watch or binding, which cannot have side effects; do it in the program</source>
+        <translation>{0} er ikke tilladt i en overvågning eller binding, som ikke må have sideeffekter; gør det i programmet</translation>
+    </message>
+    <message>
+        <source>A reference needs a variable that has an address; assign the value to a variable first</source>
+        <translation>En reference kræver en variabel, der har en adresse; tildel først værdien til en variabel</translation>
+    </message>
+    <message>
+        <source>An index must be an integer, not {0}; convert it</source>
+        <translation>Et indeks skal være et heltal, ikke {0}; konverter det</translation>
+    </message>
+    <message>
+        <source>{1} cannot extend {0}; choose a base of the same kind</source>
+        <translation>{1} kan ikke udvide {0}; vælg en basis af samme slags</translation>
+    </message>
+    <message>
+        <source>{0} is not allowed {1}; move or remove it</source>
+        <translation>{0} er ikke tilladt {1}; flyt eller fjern det</translation>
+    </message>
+    <message>
+        <source>{0} is only allowed inside a loop; move or remove it</source>
+        <translation>{0} er kun tilladt i en løkke; flyt eller fjern det</translation>
+    </message>
+    <message>
+        <source>Step {0} can become active twice at the same time: the branches from here do not join; join them with one transition</source>
+        <translation>Trin {0} kan blive aktivt to gange samtidig: grenene herfra samles ikke; saml dem med én transition</translation>
+    </message>
+    <message>
+        <source>{0} is only allowed in a TEST; move it there</source>
+        <translation>{0} er kun tilladt i en TEST; flyt det dertil</translation>
+    </message>
 </context>
 <context>
     <name>DiskChange</name>
@@ -868,32 +868,12 @@
         <translation>indeks {0} ligger uden for {1}..{2}</translation>
     </message>
     <message>
-        <source>the reference is NULL</source>
-        <translation>referencen er NULL</translation>
-    </message>
-    <message>
-        <source>the reference does not point to a variable of its type</source>
-        <translation>referencen peger ikke på en variabel af sin type</translation>
-    </message>
-    <message>
-        <source>a VAR_IN_OUT is not connected to a variable</source>
-        <translation>en VAR_IN_OUT er ikke forbundet med en variabel</translation>
-    </message>
-    <message>
         <source>character {0} is read from an empty string</source>
         <translation>adgang til tegn {0} i en tom tekst</translation>
     </message>
     <message>
         <source>character {0} is outside {1}..{2} of the string</source>
         <translation>tegn {0} ligger uden for {1}..{2} i teksten</translation>
-    </message>
-    <message>
-        <source>the watchdog stopped a task that did not end</source>
-        <translation>watchdoggen afbrød en task, der ikke sluttede</translation>
-    </message>
-    <message>
-        <source>the task ran longer than its watchdog time of {0}</source>
-        <translation>tasken kørte længere end sin watchdogtid på {0}</translation>
     </message>
     <message>
         <source>calls are nested too deeply; check for endless recursion</source>
@@ -972,28 +952,12 @@
         <translation>det er ikke en mappe</translation>
     </message>
     <message>
-        <source>the file system is read-only</source>
-        <translation>filsystemet er skrivebeskyttet</translation>
-    </message>
-    <message>
         <source>the device reports a read or write error</source>
         <translation>drevet melder en læse- eller skrivefejl</translation>
     </message>
     <message>
-        <source>the file name is too long</source>
-        <translation>filnavnet er for langt</translation>
-    </message>
-    <message>
         <source>it already exists</source>
         <translation>det findes allerede</translation>
-    </message>
-    <message>
-        <source>the folder is not empty</source>
-        <translation>mappen er ikke tom</translation>
-    </message>
-    <message>
-        <source>too many files are open</source>
-        <translation>der er for mange åbne filer</translation>
     </message>
     <message>
         <source>the file is too large</source>
@@ -1022,10 +986,6 @@
     <message>
         <source>The recording cannot be read: {0}</source>
         <translation>Optagelsen kan ikke læses: {0}</translation>
-    </message>
-    <message>
-        <source>The file is damaged or is not a recording</source>
-        <translation>Filen er beskadiget eller er ikke en optagelse</translation>
     </message>
     <message>
         <source>This version of Stepwise lays out the program&apos;s variables differently; open the recording with the version that made it</source>
@@ -1072,10 +1032,6 @@
         <translation>der er ingen variabel ”{0}”</translation>
     </message>
     <message>
-        <source>&apos;{0}&apos; is reached through a reference, which a path cannot follow</source>
-        <translation>”{0}” nås kun gennem en reference, som en sti ikke kan følge</translation>
-    </message>
-    <message>
         <source>a variable of type {1} has no member &apos;{0}&apos;</source>
         <translation>en variabel af typen {1} har intet medlem ”{0}”</translation>
     </message>
@@ -1084,20 +1040,8 @@
         <translation>”{0}” er en VAR_IN_OUT; skriv den variabel, der er forbundet med den</translation>
     </message>
     <message>
-        <source>a string has one index</source>
-        <translation>en tekst har ét indeks</translation>
-    </message>
-    <message>
-        <source>a variable of type {0} has no elements</source>
-        <translation>en variabel af typen {0} har ingen elementer</translation>
-    </message>
-    <message>
         <source>{0} needs {1} {1:index|indices}, not {2}</source>
         <translation>{0} kræver {1} {1:indeks|indekser}, ikke {2}</translation>
-    </message>
-    <message>
-        <source>a variable of type {0} has no bits</source>
-        <translation>en variabel af typen {0} har ingen bit</translation>
     </message>
     <message>
         <source>bit {0} is outside 0..{1}</source>
@@ -1112,24 +1056,12 @@
         <translation>”{0}” er ikke en adresse; skriv for eksempel %IX0.0, %QB4 eller %MW2</translation>
     </message>
     <message>
-        <source>the program does not use the address &apos;{0}&apos;</source>
-        <translation>programmet bruger ikke adressen ”{0}”</translation>
-    </message>
-    <message>
-        <source>the path is empty</source>
-        <translation>stien er tom</translation>
-    </message>
-    <message>
         <source>the path cannot be read from &apos;{0}&apos; on</source>
         <translation>stien kan ikke læses fra ”{0}”</translation>
     </message>
     <message>
         <source>{0} is forced; release the force before writing</source>
         <translation>{0} er forceret; ophæv forceringen før skrivning</translation>
-    </message>
-    <message>
-        <source>a constant cannot be written</source>
-        <translation>en konstant kan ikke skrives</translation>
     </message>
     <message>
         <source>the variable is not forced</source>
@@ -1146,10 +1078,6 @@
     <message>
         <source>The retain file cannot be read: {0}</source>
         <translation>Retain-filen kan ikke læses: {0}</translation>
-    </message>
-    <message>
-        <source>The retain file is not a regular file</source>
-        <translation>Retain-filen er ikke en almindelig fil</translation>
     </message>
     <message>
         <source>The retain file is damaged; the program starts with its initial values</source>
@@ -1178,18 +1106,6 @@
     <message>
         <source>a character of the text does not fit into a STRING; use a WSTRING</source>
         <translation>et tegn i teksten kan ikke være i en STRING; brug en WSTRING</translation>
-    </message>
-    <message>
-        <source>the text has {0} characters, the maximum is {1}</source>
-        <translation>teksten har {0} tegn, maksimum er {1}</translation>
-    </message>
-    <message>
-        <source>{0} has {1} {1:part|parts}, the value has {2}</source>
-        <translation>{0} har {1} {1:del|dele}, værdien har {2}</translation>
-    </message>
-    <message>
-        <source>there is no value to write</source>
-        <translation>der er ingen værdi at skrive</translation>
     </message>
     <message>
         <source>a reference can only be set to NULL from outside</source>
@@ -1256,14 +1172,6 @@
         <translation>Der er intet program at optimere</translation>
     </message>
     <message>
-        <source>The expression is nested too deeply</source>
-        <translation>Udtrykket er indlejret for dybt</translation>
-    </message>
-    <message>
-        <source>this is not an expression</source>
-        <translation>det er ikke et udtryk</translation>
-    </message>
-    <message>
         <source>this is local to a running call and has no address of its own</source>
         <translation>dette er lokalt i et kørende kald og har ingen egen adresse</translation>
     </message>
@@ -1284,20 +1192,12 @@
         <translation>dette array med variabel længde har ingen adresse her</translation>
     </message>
     <message>
-        <source>this is not an array</source>
-        <translation>dette er ikke et array</translation>
-    </message>
-    <message>
         <source>the array has no such dimension</source>
         <translation>arrayet har ingen sådan dimension</translation>
     </message>
     <message>
         <source>this has no value</source>
         <translation>dette har ingen værdi</translation>
-    </message>
-    <message>
-        <source>an expression cannot have side effects</source>
-        <translation>et udtryk må ikke have sideeffekter</translation>
     </message>
     <message>
         <source>only standard functions can be called here</source>
@@ -1352,10 +1252,6 @@
         <translation>{0} har intet modstykke i en instruktionsliste</translation>
     </message>
     <message>
-        <source>There is no body in ST or IL here</source>
-        <translation>Her er ingen krop i ST eller IL</translation>
-    </message>
-    <message>
         <source>{0} is already written in ST</source>
         <translation>{0} er allerede skrevet i ST</translation>
     </message>
@@ -1400,10 +1296,6 @@
         <translation>project.json skal indeholde ét JSON-objekt</translation>
     </message>
     <message>
-        <source>This folder contains neither a project.json nor ST files</source>
-        <translation>Denne mappe indeholder hverken en project.json eller ST-filer</translation>
-    </message>
-    <message>
         <source>There is no library &quot;{0}&quot;; available are {1}</source>
         <translation>Der er intet bibliotek ”{0}”; der findes {1}</translation>
     </message>
@@ -1412,16 +1304,8 @@
         <translation>Der er intet bibliotek {0}; mente du {1}?</translation>
     </message>
     <message>
-        <source>There is no library {0}</source>
-        <translation>Der er intet bibliotek {0}</translation>
-    </message>
-    <message>
         <source>Specify a project folder or ST files</source>
         <translation>Angiv en projektmappe eller ST-filer</translation>
-    </message>
-    <message>
-        <source>There is no such file or folder</source>
-        <translation>Filen eller mappen findes ikke</translation>
     </message>
     <message>
         <source>Specify one project folder or ST files, not both</source>
@@ -1434,14 +1318,6 @@
     <message>
         <source>{0} is not a valid name; use letters, digits and _, start with a letter and avoid keywords</source>
         <translation>{0} er ikke et gyldigt navn; brug bogstaver, cifre og _, begynd med et bogstav og undgå nøgleord</translation>
-    </message>
-    <message>
-        <source>{0} already exists in the project</source>
-        <translation>{0} findes allerede i projektet</translation>
-    </message>
-    <message>
-        <source>{0} already exists in {1}</source>
-        <translation>{0} findes allerede i {1}</translation>
     </message>
     <message>
         <source>The folder cannot be created: {0}</source>
@@ -1466,10 +1342,6 @@
     <message>
         <source>There is no such file in the project</source>
         <translation>Filen findes ikke i projektet</translation>
-    </message>
-    <message>
-        <source>The file is read-only and was not overwritten</source>
-        <translation>Filen er skrivebeskyttet og blev ikke overskrevet</translation>
     </message>
     <message>
         <source>The file&apos;s permissions cannot be changed</source>
@@ -1668,10 +1540,6 @@
         <translation>{0} er ikke et gyldigt navn; brug bogstaver, cifre og understreg</translation>
     </message>
     <message>
-        <source>Nothing would lead to the join after this step</source>
-        <translation>Intet ville føre til sammenføringen efter dette trin</translation>
-    </message>
-    <message>
         <source>The initial step stays at the top</source>
         <translation>Starttrinnet bliver øverst</translation>
     </message>
@@ -1692,10 +1560,6 @@
         <translation>Dette trin fører kun til sig selv</translation>
     </message>
     <message>
-        <source>There is no branch here</source>
-        <translation>Her er ingen gren</translation>
-    </message>
-    <message>
         <source>A transition needs a condition</source>
         <translation>En transition kræver en betingelse</translation>
     </message>
@@ -1708,16 +1572,8 @@
         <translation>Intet følger efter dette trin endnu; indsæt først et trin efter det</translation>
     </message>
     <message>
-        <source>The last branch does not lead to a step</source>
-        <translation>Den sidste gren fører ikke til et trin</translation>
-    </message>
-    <message>
         <source>There is no such action</source>
         <translation>Aktionen findes ikke</translation>
-    </message>
-    <message>
-        <source>There is no chart yet</source>
-        <translation>Der er endnu intet SFC-diagram</translation>
     </message>
     <message>
         <source>The initial step cannot be deleted; make another step the initial step first</source>
@@ -1760,10 +1616,6 @@
         <translation>Hver alarm og hver alarmklasse skal være et JSON-objekt</translation>
     </message>
     <message>
-        <source>An alarm has no id</source>
-        <translation>En alarm har intet id</translation>
-    </message>
-    <message>
         <source>This line is not valid UTF-8; save the file as UTF-8</source>
         <translation>Denne linje er ikke gyldig UTF-8; gem filen som UTF-8</translation>
     </message>
@@ -1776,16 +1628,8 @@
         <translation>Den første linje skal være {0} og et sprogmærke pr. kolonne</translation>
     </message>
     <message>
-        <source>Column {0} has no language tag</source>
-        <translation>Kolonne {0} har intet sprogmærke</translation>
-    </message>
-    <message>
         <source>This line has {0} {0:field|fields}, the header has {1}</source>
         <translation>Denne linje har {0} {0:felt|felter}, hovedet har {1}</translation>
-    </message>
-    <message>
-        <source>This line has no key</source>
-        <translation>Denne linje har ingen nøgle</translation>
     </message>
     <message>
         <source>The alarm history cannot be opened: {0}</source>
@@ -1828,10 +1672,6 @@
         <translation>Teksten ”{0}” har ingen nøgle og kan derfor ikke oversættes</translation>
     </message>
     <message>
-        <source>The key {0} is not in the text table</source>
-        <translation>Nøglen {0} er ikke i teksttabellen</translation>
-    </message>
-    <message>
         <source>The text needs a value for {0}; specify it in &quot;Values in texts&quot;</source>
         <translation>Teksten kræver en værdi for {0}; angiv den under ”Værdier i tekster”</translation>
     </message>
@@ -1844,40 +1684,8 @@
         <translation>Denne version kender ikke elementarten ”{0}”; den bevares uændret</translation>
     </message>
     <message>
-        <source>The project has no language {0}</source>
-        <translation>Projektet har ikke sproget {0}</translation>
-    </message>
-    <message>
-        <source>The file {0} does not exist</source>
-        <translation>Filen {0} findes ikke</translation>
-    </message>
-    <message>
-        <source>There is no panel {0}</source>
-        <translation>Der er intet panel {0}</translation>
-    </message>
-    <message>
         <source>The format {0} is not known; use for example {1} or {2}</source>
         <translation>Formatet {0} er ukendt; brug for eksempel {1} eller {2}</translation>
-    </message>
-    <message>
-        <source>There is no alarm class {0}</source>
-        <translation>Der er ingen alarmklasse {0}</translation>
-    </message>
-    <message>
-        <source>No panel and no alarm uses the key {0}</source>
-        <translation>Intet panel og ingen alarm bruger nøglen {0}</translation>
-    </message>
-    <message>
-        <source>The placeholders differ: {0} has {1}, {2} has {3}</source>
-        <translation>Pladsholderne er forskellige: {0} har {1}, {2} har {3}</translation>
-    </message>
-    <message>
-        <source>The font {0} is not installed here, so texts cannot be measured</source>
-        <translation>Skrifttypen {0} er ikke installeret her, så tekster kan ikke måles</translation>
-    </message>
-    <message>
-        <source>No font has the character {0}</source>
-        <translation>Ingen skrifttype har tegnet {0}</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; does not fit: it needs {1} px, the maximum is {2}</source>
@@ -1885,7 +1693,7 @@
     </message>
     <message>
         <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}</source>
-        <translation>”{0}” kan ikke være der: kræver en højde på {1} px, der er {2}</translation>
+        <translation>”{0}” passer ikke: kræver en højde på {1} px, højst {2} er mulig</translation>
     </message>
     <message>
         <source>{0}; did you mean {1}?</source>
@@ -2040,24 +1848,8 @@
         <translation>mere end {0} arbejdsenheder (løkkegennemløb, kald, kopier) i én kørsel af tasken; kontroller for en endeløs løkke</translation>
     </message>
     <message>
-        <source>{0} is not a whole number</source>
-        <translation>{0} er ikke et heltal</translation>
-    </message>
-    <message>
-        <source>{0} is not a number of scans</source>
-        <translation>{0} er ikke et antal scan</translation>
-    </message>
-    <message>
         <source>{0} is not a name: use letters, digits and underscores.</source>
         <translation>{0} er ikke et gyldigt navn; brug bogstaver, cifre og understreg.</translation>
-    </message>
-    <message>
-        <source>{0} is not a time</source>
-        <translation>{0} er ikke en tid</translation>
-    </message>
-    <message>
-        <source>This is not an XLIFF file</source>
-        <translation>Dette er ikke en XLIFF-fil</translation>
     </message>
     <message>
         <source>The XLIFF version {0} is not known; save the file as 1.2 or 2.0</source>
@@ -2172,14 +1964,6 @@
         <translation>{0} ({1}) skal være større end {2} ({3})</translation>
     </message>
     <message>
-        <source>The panel has no group or tab {0}</source>
-        <translation>Panelet har ingen gruppe og ingen faner {0}</translation>
-    </message>
-    <message>
-        <source>The group {0} contains itself</source>
-        <translation>Gruppen {0} indeholder sig selv</translation>
-    </message>
-    <message>
         <source>{0} has no page {1}; its {2} {2:page is|pages are} numbered from 0</source>
         <translation>{0} har ingen side {1}; dens {2} {2:side er|sider er} nummereret fra 0</translation>
     </message>
@@ -2244,18 +2028,6 @@
         <translation>Scannet før er ikke i optagelsen, så de værdier, som dette scan begyndte med, er ikke kendt.</translation>
     </message>
     <message>
-        <source>A role has no name</source>
-        <translation>En rolle har intet navn</translation>
-    </message>
-    <message>
-        <source>There is no role {0}</source>
-        <translation>Rollen {0} findes ikke</translation>
-    </message>
-    <message>
-        <source>A user has no name</source>
-        <translation>En bruger har intet navn</translation>
-    </message>
-    <message>
         <source>There is no user {0}</source>
         <translation>Brugeren {0} findes ikke</translation>
     </message>
@@ -2288,20 +2060,8 @@
         <translation>Kun for rollerne {0}, men projektet har ingen brugere; enhver må betjene det</translation>
     </message>
     <message>
-        <source>A recipe has no name</source>
-        <translation>En recept har intet navn</translation>
-    </message>
-    <message>
         <source>A row of a recipe names no variable</source>
         <translation>En række i en recept angiver ingen variabel</translation>
-    </message>
-    <message>
-        <source>The recipe has the variable {0} twice</source>
-        <translation>Recepten har variablen {0} to gange</translation>
-    </message>
-    <message>
-        <source>A set of a recipe has no name</source>
-        <translation>Et sæt i en recept har intet navn</translation>
     </message>
     <message>
         <source>The first column must be named variable, and each set has a column of its own</source>
@@ -2318,10 +2078,6 @@
     <message>
         <source>The recipe {0} has no set {1}</source>
         <translation>Recepten {0} har intet sæt {1}</translation>
-    </message>
-    <message>
-        <source>The set {0} has no value for {1}</source>
-        <translation>Sættet {0} har ingen værdi for {1}</translation>
     </message>
     <message>
         <source>{0} is outside the limits of {1}, {2} to {3}</source>
@@ -2412,14 +2168,6 @@
         <translation>Panelet viser {0} ting at læse eller trykke på; ved dets størrelse kan {1} overskues</translation>
     </message>
     <message>
-        <source>{0} covers a part of it</source>
-        <translation>{0} dækker en del af det</translation>
-    </message>
-    <message>
-        <source>No button, navigation bar or alarm leads to the panel {0}</source>
-        <translation>Ingen knap, navigationslinje eller alarm fører til panelet {0}</translation>
-    </message>
-    <message>
         <source>The panel {0} is {1} presses away from the start panel; {2} should do</source>
         <translation>Panelet {0} er {1} tryk fra startpanelet; {2} bør række</translation>
     </message>
@@ -2430,22 +2178,6 @@
     <message>
         <source>{0} is at another place on the panel {1}</source>
         <translation>{0} er et andet sted på panelet {1}</translation>
-    </message>
-    <message>
-        <source>{0} of {1} alarms have the highest priority</source>
-        <translation>{0} af {1} alarmer har den højeste prioritet</translation>
-    </message>
-    <message>
-        <source>The project has {0} {0:alarm|alarms}, but no panel has an alarm list or banner</source>
-        <translation>Projektet har {0} {0:alarm|alarmer}, men intet panel har en alarmliste eller et alarmbanner</translation>
-    </message>
-    <message>
-        <source>{0} is critical after project.json, but one press writes it</source>
-        <translation>{0} er kritisk ifølge project.json, men ét tryk skriver den</translation>
-    </message>
-    <message>
-        <source>{0} suppresses alarms, but one press writes it</source>
-        <translation>{0} undertrykker alarmer, men ét tryk skriver den</translation>
     </message>
     <message>
         <source>What is normal is grey, so that the eye finds what is not (ISA-101). Use a role of the theme such as surface, off or running, and give colour only to conditions.</source>
@@ -2541,7 +2273,7 @@
     </message>
     <message>
         <source>There is no built-in theme &quot;{0}&quot;; a base is light, dark or contrast</source>
-        <translation>Der er intet indbygget tema ”{0}”; en base er light, dark eller contrast</translation>
+        <translation>Der er intet indbygget tema ”{0}”; basen skal være light, dark eller contrast</translation>
     </message>
     <message>
         <source>There is no colour role {0}</source>
@@ -2711,6 +2443,274 @@
         <source>The help of the alarm {0} does not say what to do; add the operator&apos;s next step</source>
         <translation>Hjælpen til alarmen {0} siger ikke, hvad der skal gøres; tilføj operatørens næste skridt</translation>
     </message>
+    <message>
+        <source>the reference is NULL; assign a variable to it, or compare it with NULL first</source>
+        <translation>referencen er NULL; tildel den en variabel, eller sammenlign den først med NULL</translation>
+    </message>
+    <message>
+        <source>the reference does not point to a variable of its type; assign one to it</source>
+        <translation>referencen peger ikke på en variabel af sin type; tildel den en variabel af typen</translation>
+    </message>
+    <message>
+        <source>a VAR_IN_OUT is not connected to a variable; connect it in the call</source>
+        <translation>en VAR_IN_OUT er ikke forbundet med en variabel; forbind den i kaldet</translation>
+    </message>
+    <message>
+        <source>the watchdog stopped a task that did not end; check for an endless loop</source>
+        <translation>watchdoggen afbrød en task, der ikke sluttede; kontroller, om en løkke aldrig slutter</translation>
+    </message>
+    <message>
+        <source>the task ran longer than its watchdog time of {0}; shorten its work or raise the time</source>
+        <translation>tasken kørte længere end sin watchdogtid på {0}; gør dens arbejde kortere, eller forlæng tiden</translation>
+    </message>
+    <message>
+        <source>the file name is too long; choose a shorter one</source>
+        <translation>filnavnet er for langt; vælg et kortere</translation>
+    </message>
+    <message>
+        <source>the folder is not empty; choose another one</source>
+        <translation>mappen er ikke tom; vælg en anden</translation>
+    </message>
+    <message>
+        <source>the file system is read-only; choose another folder</source>
+        <translation>filsystemet er skrivebeskyttet; vælg en anden mappe</translation>
+    </message>
+    <message>
+        <source>too many files are open; close some of them</source>
+        <translation>der er for mange åbne filer; luk nogle af dem</translation>
+    </message>
+    <message>
+        <source>The file is damaged or is not a recording; choose a file that Stepwise wrote (.rec)</source>
+        <translation>Filen er beskadiget eller er ikke en optagelse; vælg en fil, som Stepwise har skrevet (.rec)</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; is reached through a reference, which a path cannot follow; name the variable it refers to</source>
+        <translation>”{0}” nås kun gennem en reference, som en sti ikke kan følge; angiv den variabel, den peger på</translation>
+    </message>
+    <message>
+        <source>a string has one index; remove the others</source>
+        <translation>en tekst har ét indeks; fjern de andre</translation>
+    </message>
+    <message>
+        <source>a variable of type {0} has no elements; remove the index</source>
+        <translation>en variabel af typen {0} har ingen elementer; fjern indekset</translation>
+    </message>
+    <message>
+        <source>a variable of type {0} has no bits; remove the bit number</source>
+        <translation>en variabel af typen {0} har ingen bit; fjern bitnummeret</translation>
+    </message>
+    <message>
+        <source>the program does not use the address &apos;{0}&apos;; declare a variable AT this address</source>
+        <translation>programmet bruger ikke adressen ”{0}”; erklær en variabel AT denne adresse</translation>
+    </message>
+    <message>
+        <source>the path is empty; write for example Main.x</source>
+        <translation>stien er tom; skriv for eksempel Main.x</translation>
+    </message>
+    <message>
+        <source>a constant cannot be written; change it in the program</source>
+        <translation>en konstant kan ikke skrives; ret den i programmet</translation>
+    </message>
+    <message>
+        <source>The retain file is not a regular file; remove it or choose another one</source>
+        <translation>Retain-filen er ikke en almindelig fil; fjern den, eller vælg en anden</translation>
+    </message>
+    <message>
+        <source>the text has {0} characters, the maximum is {1}; shorten it</source>
+        <translation>teksten har {0} tegn, maksimum er {1}; gør den kortere</translation>
+    </message>
+    <message>
+        <source>{0} has {1} {1:part|parts}, the value has {2}; write one value for each</source>
+        <translation>{0} har {1} {1:del|dele}, værdien har {2}; skriv en værdi for hver</translation>
+    </message>
+    <message>
+        <source>there is no value to write; enter one first</source>
+        <translation>der er ingen værdi at skrive; indtast først en værdi</translation>
+    </message>
+    <message>
+        <source>The expression is nested too deeply; divide it into several</source>
+        <translation>Udtrykket er indlejret for dybt; del det i flere</translation>
+    </message>
+    <message>
+        <source>this is not an expression; write for example Main.x &gt; 5</source>
+        <translation>det er ikke et udtryk; skriv for eksempel Main.x &gt; 5</translation>
+    </message>
+    <message>
+        <source>this is not an array; remove the index</source>
+        <translation>dette er ikke et array; fjern indekset</translation>
+    </message>
+    <message>
+        <source>an expression cannot have side effects; use variables, operators and standard functions only</source>
+        <translation>et udtryk må ikke have sideeffekter; brug kun variable, operatorer og standardfunktioner</translation>
+    </message>
+    <message>
+        <source>There is no body in ST or IL here; put the cursor into one</source>
+        <translation>Her er ingen krop i ST eller IL; sæt markøren i en</translation>
+    </message>
+    <message>
+        <source>There is no library {0}; check &quot;libraries&quot; in project.json</source>
+        <translation>Der er intet bibliotek {0}; kontroller ”libraries” i project.json</translation>
+    </message>
+    <message>
+        <source>This folder contains neither a project.json nor ST files; choose another folder or create a project</source>
+        <translation>Denne mappe indeholder hverken en project.json eller ST-filer; vælg en anden mappe, eller opret et projekt</translation>
+    </message>
+    <message>
+        <source>There is no such file or folder; check the path</source>
+        <translation>Filen eller mappen findes ikke; kontroller stien</translation>
+    </message>
+    <message>
+        <source>{0} already exists in the project; choose another name</source>
+        <translation>{0} findes allerede i projektet; vælg et andet navn</translation>
+    </message>
+    <message>
+        <source>{0} already exists in {1}; choose another name</source>
+        <translation>{0} findes allerede i {1}; vælg et andet navn</translation>
+    </message>
+    <message>
+        <source>The file is read-only and was not overwritten; make it writable or choose another name</source>
+        <translation>Filen er skrivebeskyttet og blev ikke overskrevet; gør den skrivbar, eller vælg et andet navn</translation>
+    </message>
+    <message>
+        <source>{0} is not a time; write for example T#2s</source>
+        <translation>{0} er ikke en tid; skriv for eksempel T#2s</translation>
+    </message>
+    <message>
+        <source>{0} is not a whole number; write for example 5</source>
+        <translation>{0} er ikke et heltal; skriv for eksempel 5</translation>
+    </message>
+    <message>
+        <source>{0} is not a number of scans; write for example 10</source>
+        <translation>{0} er ikke et antal scan; skriv for eksempel 10</translation>
+    </message>
+    <message>
+        <source>Nothing would lead to the join after this step; delete the join first</source>
+        <translation>Intet ville føre til sammenføringen efter dette trin; slet først sammenføringen</translation>
+    </message>
+    <message>
+        <source>There is no branch here; choose a step or transition in a branch</source>
+        <translation>Her er ingen gren; vælg et trin eller en transition i en gren</translation>
+    </message>
+    <message>
+        <source>The last branch does not lead to a step; connect it first</source>
+        <translation>Den sidste gren fører ikke til et trin; forbind den først</translation>
+    </message>
+    <message>
+        <source>There is no chart yet; write an INITIAL_STEP first</source>
+        <translation>Der er endnu intet SFC-diagram; skriv først et INITIAL_STEP</translation>
+    </message>
+    <message>
+        <source>An alarm has no id; give it one</source>
+        <translation>En alarm har intet id; giv den et</translation>
+    </message>
+    <message>
+        <source>Column {0} has no language tag; write one such as de or en-GB</source>
+        <translation>Kolonne {0} har intet sprogmærke; skriv for eksempel de eller en-GB</translation>
+    </message>
+    <message>
+        <source>This line has no key; write one in the first column</source>
+        <translation>Denne linje har ingen nøgle; skriv en i første kolonne</translation>
+    </message>
+    <message>
+        <source>This is not an XLIFF file; choose one that was exported for translation</source>
+        <translation>Dette er ikke en XLIFF-fil; vælg en, der er eksporteret til oversættelse</translation>
+    </message>
+    <message>
+        <source>There is no panel {0}; create it or choose another one</source>
+        <translation>Der er intet panel {0}; opret det, eller vælg et andet</translation>
+    </message>
+    <message>
+        <source>The key {0} is not in the text table; add it there</source>
+        <translation>Nøglen {0} er ikke i teksttabellen; tilføj den dér</translation>
+    </message>
+    <message>
+        <source>The project has no language {0}; add a column for it to texts.csv</source>
+        <translation>Projektet har ikke sproget {0}; tilføj en kolonne til det i texts.csv</translation>
+    </message>
+    <message>
+        <source>The file {0} does not exist; add it to the project or choose another one</source>
+        <translation>Filen {0} findes ikke; føj den til projektet, eller vælg en anden</translation>
+    </message>
+    <message>
+        <source>The panel has no group or tab {0}; create it or choose another one</source>
+        <translation>Panelet har ingen gruppe og ingen faner {0}; opret den, eller vælg en anden</translation>
+    </message>
+    <message>
+        <source>The group {0} contains itself; choose another parent</source>
+        <translation>Gruppen {0} indeholder sig selv; vælg en anden overordnet</translation>
+    </message>
+    <message>
+        <source>A role has no name; give it one</source>
+        <translation>En rolle har intet navn; giv den et</translation>
+    </message>
+    <message>
+        <source>A user has no name; give it one</source>
+        <translation>En bruger har intet navn; giv brugeren et</translation>
+    </message>
+    <message>
+        <source>There is no role {0}; create it or choose another one</source>
+        <translation>Rollen {0} findes ikke; opret den, eller vælg en anden</translation>
+    </message>
+    <message>
+        <source>A recipe has no name; give it one</source>
+        <translation>En recept har intet navn; giv den et</translation>
+    </message>
+    <message>
+        <source>A set of a recipe has no name; give it one</source>
+        <translation>Et sæt i en recept har intet navn; giv det et</translation>
+    </message>
+    <message>
+        <source>The recipe has the variable {0} twice; remove one of the two</source>
+        <translation>Recepten har variablen {0} to gange; fjern den ene</translation>
+    </message>
+    <message>
+        <source>The set {0} has no value for {1}; enter one</source>
+        <translation>Sættet {0} har ingen værdi for {1}; indtast en</translation>
+    </message>
+    <message>
+        <source>There is no alarm class {0}; add it or choose another one</source>
+        <translation>Der er ingen alarmklasse {0}; tilføj den, eller vælg en anden</translation>
+    </message>
+    <message>
+        <source>No panel and no alarm uses the key {0}; use it or remove it</source>
+        <translation>Intet panel og ingen alarm bruger nøglen {0}; brug eller fjern den</translation>
+    </message>
+    <message>
+        <source>The placeholders differ: {0} has {1}, {2} has {3}; use the same in both</source>
+        <translation>Pladsholderne er forskellige: {0} har {1}, {2} har {3}; brug de samme i begge</translation>
+    </message>
+    <message>
+        <source>The font {0} is not installed here, so texts cannot be measured; install it</source>
+        <translation>Skrifttypen {0} er ikke installeret her, så tekster kan ikke måles; installer den</translation>
+    </message>
+    <message>
+        <source>No font has the character {0}; use another one</source>
+        <translation>Ingen skrifttype har tegnet {0}; brug et andet</translation>
+    </message>
+    <message>
+        <source>{0} covers a part of it; move one of the two</source>
+        <translation>{0} dækker en del af det; flyt et af de to</translation>
+    </message>
+    <message>
+        <source>No button, navigation bar or alarm leads to the panel {0}; add one of them</source>
+        <translation>Ingen knap, navigationslinje eller alarm fører til panelet {0}; tilføj en af dem</translation>
+    </message>
+    <message>
+        <source>{0} of {1} alarms have the highest priority; keep it for the few that cannot wait</source>
+        <translation>{0} af {1} alarmer har den højeste prioritet; brug den kun til de få, der ikke kan vente</translation>
+    </message>
+    <message>
+        <source>The project has {0} {0:alarm|alarms}, but no panel has an alarm list or banner; add one</source>
+        <translation>Projektet har {0} {0:alarm|alarmer}, men intet panel har en alarmliste eller et alarmbanner; tilføj en</translation>
+    </message>
+    <message>
+        <source>{0} is critical after project.json, but one press writes it; set &quot;Writes are confirmed&quot;</source>
+        <translation>{0} er kritisk ifølge project.json, men ét tryk skriver den; slå ”Skrivninger bekræftes” til</translation>
+    </message>
+    <message>
+        <source>{0} suppresses alarms, but one press writes it; set &quot;Writes are confirmed&quot;</source>
+        <translation>{0} undertrykker alarmer, men ét tryk skriver den; slå ”Skrivninger bekræftes” til</translation>
+    </message>
 </context>
 <context>
     <name>Exchange</name>
@@ -2808,31 +2808,31 @@
     </message>
     <message>
         <source>PLCopen XML has no place for panels; they were left out</source>
-        <translation>PLCopen XML har ingen plads til paneler; de blev udeladt</translation>
+        <translation>PLCopen XML understøtter ikke paneler; de blev udeladt</translation>
     </message>
     <message>
         <source>PLCopen XML has no place for traces; they were left out</source>
-        <translation>PLCopen XML har ingen plads til traces; de blev udeladt</translation>
+        <translation>PLCopen XML understøtter ikke traces; de blev udeladt</translation>
     </message>
     <message>
         <source>PLCopen XML has no place for tests; they were left out</source>
-        <translation>PLCopen XML har ingen plads til tests; de blev udeladt</translation>
+        <translation>PLCopen XML understøtter ikke tests; de blev udeladt</translation>
     </message>
     <message>
         <source>PLCopen XML has no place for tests; the TEST &apos;{0}&apos; was left out</source>
-        <translation>PLCopen XML har ingen plads til tests; TEST ”{0}” blev udeladt</translation>
+        <translation>PLCopen XML understøtter ikke tests; TEST ”{0}” blev udeladt</translation>
     </message>
     <message>
         <source>PLCopen XML has no place for namespaces; a NAMESPACE was left out with its units</source>
-        <translation>PLCopen XML har ingen plads til navnerum; et NAMESPACE blev udeladt med sine programenheder</translation>
+        <translation>PLCopen XML understøtter ikke navnerum; et NAMESPACE blev udeladt med sine programenheder</translation>
     </message>
     <message>
         <source>PLCopen XML has no place for USING; it was left out</source>
-        <translation>PLCopen XML har ingen plads til USING; det blev udeladt</translation>
+        <translation>PLCopen XML understøtter ikke USING; det blev udeladt</translation>
     </message>
     <message>
         <source>PLCopen XML has no place for the name of the transition {0}; it was left out</source>
-        <translation>PLCopen XML har ingen plads til navnet på transitionen {0}; det blev udeladt</translation>
+        <translation>PLCopen XML understøtter ikke navnet på transitionen {0}; det blev udeladt</translation>
     </message>
     <message>
         <source>PLCopen XML has one indicator per action; {0} was left out</source>
@@ -2864,19 +2864,19 @@
     </message>
     <message>
         <source>Version 0201 has no place for the pragma {0} of a step; it was left out</source>
-        <translation>Version 0201 har ingen plads til pragmaet {0} på et trin; det blev udeladt</translation>
+        <translation>Version 0201 understøtter ikke pragmaet {0} på et trin; det blev udeladt</translation>
     </message>
     <message>
         <source>Version 0201 has no place for {0} of a task; it was left out</source>
-        <translation>Version 0201 har ingen plads til {0} for en task; det blev udeladt</translation>
+        <translation>Version 0201 understøtter ikke {0} for en task; det blev udeladt</translation>
     </message>
     <message>
         <source>Version 0201 has no place for the connections of the program {0}; they were left out</source>
-        <translation>Version 0201 har ingen plads til forbindelserne for programmet {0}; de blev udeladt</translation>
+        <translation>Version 0201 understøtter ikke forbindelserne for programmet {0}; de blev udeladt</translation>
     </message>
     <message>
         <source>Version 0201 has no place for libraries; {0} was left out</source>
-        <translation>Version 0201 har ingen plads til biblioteker; {0} blev udeladt</translation>
+        <translation>Version 0201 understøtter ikke biblioteker; {0} blev udeladt</translation>
     </message>
     <message>
         <source>The file is no program source and was left out</source>
@@ -3386,7 +3386,7 @@
     </message>
     <message>
         <source>Colour off</source>
-        <translation>Farve fra</translation>
+        <translation>Farve (fra)</translation>
     </message>
     <message>
         <source>Colour running</source>
@@ -3454,7 +3454,7 @@
     </message>
     <message>
         <source>Colour on</source>
-        <translation>Farve til</translation>
+        <translation>Farve (til)</translation>
     </message>
     <message>
         <source>Rotary selector</source>
@@ -3670,7 +3670,7 @@
     </message>
     <message>
         <source>Show the numbers</source>
-        <translation>Vis numrene</translation>
+        <translation>Vis numre</translation>
     </message>
     <message>
         <source>Table</source>
@@ -5587,7 +5587,7 @@
     </message>
     <message>
         <source>The rule looks at one lag only; check the margins.</source>
-        <translation>Reglen ser kun på én forsinkelse; kontroller marginerne.</translation>
+        <translation>Reglen ser kun på én tidskonstant; kontroller marginerne.</translation>
     </message>
     <message>
         <source>gain and dead time</source>
@@ -5611,11 +5611,11 @@
     </message>
     <message>
         <source>two equal lags</source>
-        <translation>to ens forsinkelser</translation>
+        <translation>to ens tidskonstanter</translation>
     </message>
     <message>
         <source>two equal lags with dead time</source>
-        <translation>to ens forsinkelser med dødtid</translation>
+        <translation>to ens tidskonstanter med dødtid</translation>
     </message>
     <message>
         <source>oscillating</source>
@@ -5627,7 +5627,7 @@
     </message>
     <message>
         <source>oscillating with a lag</source>
-        <translation>svingende med en forsinkelse</translation>
+        <translation>svingende med en tidskonstant</translation>
     </message>
     <message>
         <source>second order with a zero</source>
@@ -5639,47 +5639,47 @@
     </message>
     <message>
         <source>three equal lags</source>
-        <translation>tre ens forsinkelser</translation>
+        <translation>tre ens tidskonstanter</translation>
     </message>
     <message>
         <source>three equal lags with a zero</source>
-        <translation>tre ens forsinkelser med et nulpunkt</translation>
+        <translation>tre ens tidskonstanter med et nulpunkt</translation>
     </message>
     <message>
         <source>four equal lags</source>
-        <translation>fire ens forsinkelser</translation>
+        <translation>fire ens tidskonstanter</translation>
     </message>
     <message>
         <source>five equal lags</source>
-        <translation>fem ens forsinkelser</translation>
+        <translation>fem ens tidskonstanter</translation>
     </message>
     <message>
         <source>six equal lags</source>
-        <translation>seks ens forsinkelser</translation>
+        <translation>seks ens tidskonstanter</translation>
     </message>
     <message>
         <source>seven equal lags</source>
-        <translation>syv ens forsinkelser</translation>
+        <translation>syv ens tidskonstanter</translation>
     </message>
     <message>
         <source>eight equal lags</source>
-        <translation>otte ens forsinkelser</translation>
+        <translation>otte ens tidskonstanter</translation>
     </message>
     <message>
         <source>three equal lags with dead time</source>
-        <translation>tre ens forsinkelser med dødtid</translation>
+        <translation>tre ens tidskonstanter med dødtid</translation>
     </message>
     <message>
         <source>three lags</source>
-        <translation>tre forsinkelser</translation>
+        <translation>tre tidskonstanter</translation>
     </message>
     <message>
         <source>three lags with dead time</source>
-        <translation>tre forsinkelser med dødtid</translation>
+        <translation>tre tidskonstanter med dødtid</translation>
     </message>
     <message>
         <source>four lags</source>
-        <translation>fire forsinkelser</translation>
+        <translation>fire tidskonstanter</translation>
     </message>
     <message>
         <source>integrating</source>
@@ -5691,15 +5691,15 @@
     </message>
     <message>
         <source>integrating with a lag</source>
-        <translation>integrerende med en forsinkelse</translation>
+        <translation>integrerende med en tidskonstant</translation>
     </message>
     <message>
         <source>integrating with a lag and dead time</source>
-        <translation>integrerende med en forsinkelse og dødtid</translation>
+        <translation>integrerende med en tidskonstant og dødtid</translation>
     </message>
     <message>
         <source>integrating with two equal lags</source>
-        <translation>integrerende med to ens forsinkelser</translation>
+        <translation>integrerende med to ens tidskonstanter</translation>
     </message>
     <message>
         <source>SIMC</source>
@@ -6251,7 +6251,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <name>plc::app::MainWindow</name>
     <message>
         <source>A panel&apos;s name cannot contain / or \</source>
-        <translation>Et panels navn er et filnavn: uden / og uden \</translation>
+        <translation>Et panels navn kan ikke indeholde / eller \</translation>
     </message>
     <message>
         <source>Name of the panel:</source>
@@ -7185,7 +7185,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Recipes</source>
-        <translation>Opskrifter</translation>
+        <translation>Recepter</translation>
     </message>
     <message>
         <source>Users and Rights</source>
@@ -7453,7 +7453,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Recipes</source>
-        <translation>Opskrifter</translation>
+        <translation>Recepter</translation>
     </message>
     <message>
         <source>Users and Rights</source>
@@ -7619,7 +7619,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Recipes</source>
-        <translation>Opskrifter</translation>
+        <translation>Recepter</translation>
     </message>
     <message>
         <source>Users and Rights</source>
@@ -9082,11 +9082,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Step over</source>
-        <translation>Skridt over</translation>
+        <translation>Trin over</translation>
     </message>
     <message>
         <source>Step out</source>
-        <translation>Skridt ud</translation>
+        <translation>Trin ud</translation>
     </message>
     <message>
         <source>On to the next breakpoint, or to the scan&apos;s end</source>
@@ -10366,7 +10366,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <name>plc::hmi::RecipeEditor</name>
     <message>
         <source>Add a Recipe</source>
-        <translation>Tilføj en opskrift</translation>
+        <translation>Tilføj en recept</translation>
     </message>
     <message>
         <source>Add a Variable</source>
@@ -10382,7 +10382,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Remove Recipe</source>
-        <translation>Fjern opskrift</translation>
+        <translation>Fjern recept</translation>
     </message>
     <message>
         <source>Tables (*.csv)</source>
@@ -10398,15 +10398,15 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Recipes</source>
-        <translation>Opskrifter</translation>
+        <translation>Recepter</translation>
     </message>
     <message>
         <source>Variables and sets of the recipe</source>
-        <translation>Opskriftens variabler og sæt</translation>
+        <translation>Receptens variabler og sæt</translation>
     </message>
     <message>
         <source>Rename Recipe</source>
-        <translation>Omdøb opskrift</translation>
+        <translation>Omdøb recept</translation>
     </message>
     <message>
         <source>Rename Set</source>
@@ -10426,7 +10426,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Add a recipe, then its variables, then a set for each product.</source>
-        <translation>Tilføj en opskrift, derefter dens variabler, derefter et sæt for hvert produkt.</translation>
+        <translation>Tilføj en recept, derefter dens variabler, derefter et sæt for hvert produkt.</translation>
     </message>
     <message>
         <source>Variable</source>
@@ -11454,10 +11454,6 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
 <context>
     <name>Examples</name>
     <message>
-        <source>Automatic guided vehicle</source>
-        <translation>Førerløst køretøj</translation>
-    </message>
-    <message>
         <source>Alarm texts in five languages</source>
         <translation>Alarmtekster på fem sprog</translation>
     </message>
@@ -11483,7 +11479,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>Motor valve with command monitor</source>
-        <translation>Motorventil med kommandoovervågning</translation>
+        <translation>Motorventil med overvågning</translation>
     </message>
     <message>
         <source>Conveyor with a sequence</source>
@@ -11554,14 +11550,6 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
         <translation>PID-sløjfe på en førsteordensproces</translation>
     </message>
     <message>
-        <source>First-order filter and two sines a decade apart</source>
-        <translation>Førsteordensfilter og to sinussignaler med en dekades afstand</translation>
-    </message>
-    <message>
-        <source>Pump that looks for its cheapest speed</source>
-        <translation>Pumpe, der finder sit billigste omdrejningstal</translation>
-    </message>
-    <message>
         <source>Two pumps in a well</source>
         <translation>To pumper i en brønd</translation>
     </message>
@@ -11583,7 +11571,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>Two level sensors that watch each other</source>
-        <translation>To niveausensorer, der overvåger hinanden</translation>
+        <translation>To niveausensorer sammenlignes</translation>
     </message>
     <message>
         <source>Pumping station with six pumps</source>
@@ -11636,6 +11624,202 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     <message>
         <source>Tank over Modbus</source>
         <translation>Tank over Modbus</translation>
+    </message>
+    <message>
+        <source>A vehicle between two limit switches, driven by two linked sequential function charts</source>
+        <translation>En vogn mellem to endestop, styret af to forbundne SFC-diagrammer</translation>
+    </message>
+    <message>
+        <source>A motor with three alarms that operators read in five languages</source>
+        <translation>En motor med tre alarmer, som operatøren kan læse på fem sprog</translation>
+    </message>
+    <message>
+        <source>One control loop with a block for each task: filter, monitor, ramp, PID, transfer</source>
+        <translation>En reguleringssløjfe med en blok til hver opgave: filter, overvågning, rampe, PID, omskift</translation>
+    </message>
+    <message>
+        <source>Filler, capper and labeller with buffers between them, controlled as PackML units</source>
+        <translation>Fylder, lukker og etiketteringsmaskine med buffere imellem, styret efter PackML</translation>
+    </message>
+    <message>
+        <source>A robot parks cars by their number plates and fetches them again</source>
+        <translation>En robot parkerer biler efter nummerplade og henter dem igen</translation>
+    </message>
+    <message>
+        <source>Five wash programmes, each with a price and a recipe that the owner can edit</source>
+        <translation>Fem vaskeprogrammer, hvert med pris og recept, som ejeren kan ændre</translation>
+    </message>
+    <message>
+        <source>Cascade control: a slow loop for the room, a fast one for the supply air</source>
+        <translation>Kaskaderegulering: en langsom sløjfe til rummet, en hurtig til indblæsningen</translation>
+    </message>
+    <message>
+        <source>A motor valve whose travel is monitored; if it takes too long, an alarm sounds</source>
+        <translation>En motorventil med overvåget gangtid; tager det for lang tid, lyder en alarm</translation>
+    </message>
+    <message>
+        <source>A belt carries an item to the right, waits ten seconds and carries it back</source>
+        <translation>Et transportbånd fører et emne til højre, venter ti sekunder og fører det tilbage</translation>
+    </message>
+    <message>
+        <source>Four belts take boxes off pallets; the settings of one can be copied to another</source>
+        <translation>Fire bånd tager kasser af paller; indstillingerne kan kopieres mellem dem</translation>
+    </message>
+    <message>
+        <source>Heating and hot water from a district-heating network, with frost protection and summer mode</source>
+        <translation>Varme og varmt brugsvand fra fjernvarme, med frostsikring og sommerdrift</translation>
+    </message>
+    <message>
+        <source>A valve doses in pulses and pauses until the batch is complete</source>
+        <translation>En ventil doserer i pulser og pauser, til batchen er fuldendt</translation>
+    </message>
+    <message>
+        <source>The pressure drop shows how dirty a filter is; an alarm reports when it is out of range</source>
+        <translation>Tryktabet viser, hvor snavset et filter er; uden for området kommer en alarm</translation>
+    </message>
+    <message>
+        <source>Silo, bin, conveyor and truck, controlled by three sequential function charts side by side</source>
+        <translation>Silo, beholder, transportbånd og lastbil, styret af tre SFC-diagrammer side om side</translation>
+    </message>
+    <message>
+        <source>Two on-off controls: a heater with a set point, and a valve that opens on a pump alarm</source>
+        <translation>To on/off-reguleringer: et varmelegeme med setpunkt og en ventil, der åbner ved pumpealarm</translation>
+    </message>
+    <message>
+        <source>An hour meter that is loaded, enabled and held, which draws a saw-tooth</source>
+        <translation>En timetæller, der indlæses, aktiveres og holdes: en savtand</translation>
+    </message>
+    <message>
+        <source>A press makes items; a table counts how many in each hour of the day</source>
+        <translation>En presse laver emner; en tabel tæller, hvor mange hver time</translation>
+    </message>
+    <message>
+        <source>Counts items, energy and water; the counts survive a power failure</source>
+        <translation>Tæller emner, energi og vand; tallene overlever et strømsvigt</translation>
+    </message>
+    <message>
+        <source>A level sensor of 4 to 20 mA, three lamps and the detection of a wire break</source>
+        <translation>En niveausensor på 4 til 20 mA, tre lamper og registrering af ledningsbrud</translation>
+    </message>
+    <message>
+        <source>Three signals of a machine on three lamps that flash or stay on</source>
+        <translation>Tre signaler fra en maskine på tre lamper, der blinker eller lyser</translation>
+    </message>
+    <message>
+        <source>A heat exchanger that oscillates; an experiment and its recording give better settings</source>
+        <translation>En varmeveksler svinger; et forsøg og dets optagelse giver bedre parametre</translation>
+    </message>
+    <message>
+        <source>Liquids are weighed while a belt brings two bricks; then the mixer turns and tips</source>
+        <translation>Væsker vejes, mens et bånd bringer to blokke; derefter blander og tipper mixeren</translation>
+    </message>
+    <message>
+        <source>Start, stop and a contactor that holds itself, written in four ways that agree</source>
+        <translation>Start, stop og en kontaktor med selvhold, skrevet på fire ens måder</translation>
+    </message>
+    <message>
+        <source>The local control box or the panel: one block decides which of them is in control</source>
+        <translation>Lokal betjening eller panel: en blok afgør, hvem der har styringen</translation>
+    </message>
+    <message>
+        <source>The same process with and without a PID controller, side by side in one trace</source>
+        <translation>Den samme proces med og uden PID-regulator, side om side i én trace</translation>
+    </message>
+    <message>
+        <source>One filter, two sines: the slow one passes, the fast one is damped and lags behind</source>
+        <translation>Ét filter, to sinussignaler: det langsomme passerer, det hurtige dæmpes og forsinkes</translation>
+    </message>
+    <message>
+        <source>A pump tries out its speeds and keeps the one with the least energy per cubic metre</source>
+        <translation>En pumpe prøver omdrejningstal og beholder det med mindst energi pr. kubikmeter</translation>
+    </message>
+    <message>
+        <source>Two pumps take turns; a float counts only after two steady seconds</source>
+        <translation>To pumper skiftes; en svømmer tæller først efter to rolige sekunder</translation>
+    </message>
+    <message>
+        <source>A sine becomes pulses for two outputs, as for a motor in two directions</source>
+        <translation>En sinus bliver til pulser på to udgange, som til en motor med to retninger</translation>
+    </message>
+    <message>
+        <source>A robot counts encoder pulses to store and fetch loads on twelve shelves</source>
+        <translation>En robot tæller encoderpulser for at lægge last på tolv hylder og hente den igen</translation>
+    </message>
+    <message>
+        <source>A robot takes 25 items one by one to a CNC machine and back</source>
+        <translation>En robot bringer 25 emner ét for ét til en CNC-maskine og tilbage</translation>
+    </message>
+    <message>
+        <source>A robot puts three items into each box; a camera checks the result</source>
+        <translation>En robot lægger tre emner i hver kasse; et kamera kontrollerer resultatet</translation>
+    </message>
+    <message>
+        <source>Two sensors are compared; a faulty one is replaced by the healthy one without a bump</source>
+        <translation>To sensorer sammenlignes; en defekt erstattes stødfrit af den raske</translation>
+    </message>
+    <message>
+        <source>Starts and stops six pumps by level and running hours, as a town&apos;s day flows in</source>
+        <translation>Starter og stopper seks pumper efter niveau og driftstimer gennem en bys døgn</translation>
+    </message>
+    <message>
+        <source>A rotary switch selects the speed of a motor, a number what a module does</source>
+        <translation>En drejekontakt vælger en motors omdrejningstal, et tal vælger et moduls funktion</translation>
+    </message>
+    <message>
+        <source>Last in, first out: push, pop and reset, in ST and as an instruction list</source>
+        <translation>Sidst ind, først ud: push, pop og reset, i ST og som instruktionsliste</translation>
+    </message>
+    <message>
+        <source>The same sequence twice: with CASE and as a chart of steps; either can be in control</source>
+        <translation>Det samme forløb to gange: med CASE og som SFC-diagram; begge kan styre</translation>
+    </message>
+    <message>
+        <source>Fill, empty and stir with three switches; two level switches prevent mistakes</source>
+        <translation>Fyld, tøm og rør med tre kontakter; to niveaukontakter forhindrer fejl</translation>
+    </message>
+    <message>
+        <source>A current of 4 to 20 mA becomes a level, and the level becomes a volume</source>
+        <translation>En strøm på 4 til 20 mA bliver til et niveau, og niveauet til et volumen</translation>
+    </message>
+    <message>
+        <source>Red, yellow and green from one counter of seconds, written in three ways</source>
+        <translation>Rødt, gult og grønt fra én sekundtæller, skrevet på tre måder</translation>
+    </message>
+    <message>
+        <source>Five tanks, three pipelines, fifteen valves; two tanks never feed the same pipeline</source>
+        <translation>Fem tanke, tre rørledninger, femten ventiler; aldrig to tanke på samme ledning</translation>
+    </message>
+    <message>
+        <source>A motor valve, a spring-return valve and a control valve, each with its block</source>
+        <translation>En motorventil, en ventil med fjederretur og en reguleringsventil, hver med sin blok</translation>
+    </message>
+    <message>
+        <source>A float in waves: the pump starts and stops only after five steady seconds</source>
+        <translation>En svømmer i bølger: pumpen kobler først efter fem rolige sekunder</translation>
+    </message>
+    <message>
+        <source>Four BCD digits become the net weight once the scale has come to rest</source>
+        <translation>Fire BCD-cifre bliver til nettovægten, når vægten er i ro</translation>
+    </message>
+    <message>
+        <source>Samples of the language on four pages, each a program of its own with a test</source>
+        <translation>Sprogeksempler på fire sider, hvert et program for sig med en test</translation>
+    </message>
+    <message>
+        <source>Automated guided vehicle</source>
+        <translation>Førerløst køretøj</translation>
+    </message>
+    <message>
+        <source>First-order filter and two sines</source>
+        <translation>Førsteordensfilter og to sinussignaler</translation>
+    </message>
+    <message>
+        <source>Pump at its most efficient speed</source>
+        <translation>Pumpe ved bedste omdrejningstal</translation>
+    </message>
+    <message>
+        <source>A controller and a tank, connected on this computer by real Modbus TCP</source>
+        <translation>En styring og en tank, forbundet med ægte Modbus TCP på denne computer</translation>
     </message>
 </context>
 <context>
@@ -11819,7 +12003,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     <name>plc::plot::PlotView</name>
     <message>
         <source>Chart</source>
-        <translation>SFC-diagram</translation>
+        <translation>Diagram</translation>
     </message>
     <message>
         <source>%1
@@ -12109,6 +12293,33 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     <message>
         <source>The controller&apos;s program cannot be built here as it is there; use the same version of Stepwise on both sides</source>
         <translation>Styringens program kan ikke oversættes her, som det er dér; brug samme version af Stepwise på begge sider</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::Menu</name>
+    <message>
+        <source>File</source>
+        <translation>Fil</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Rediger</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Kør</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tid</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vis</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hjælp</translation>
     </message>
 </context>
 </TS>

@@ -72,14 +72,6 @@
         <translation>{0} ist keine serielle Schnittstelle; schreiben Sie ihren Pfad, zum Beispiel /dev/ttyUSB0</translation>
     </message>
     <message>
-        <source>{0} and {1} are both unit {2} of {3}</source>
-        <translation>{0} und {1} sind beide Einheit {2} von {3}</translation>
-    </message>
-    <message>
-        <source>{0} and {1} use {2} with different baud rates, parities or bits</source>
-        <translation>{0} und {1} verwenden {2} mit verschiedenen Baudraten, Paritäten oder Bits</translation>
-    </message>
-    <message>
         <source>{0} and {1} both listen at port {2}; give one another port</source>
         <translation>{0} und {1} warten beide an Port {2}; geben Sie einem einen anderen Port</translation>
     </message>
@@ -162,10 +154,6 @@
     <message>
         <source>{0} is a constant and cannot be written</source>
         <translation>{0} ist eine Konstante und kann nicht geschrieben werden</translation>
-    </message>
-    <message>
-        <source>{0} and {1} both set {2} {3}</source>
-        <translation>{0} und {1} setzen beide {2} {3}</translation>
     </message>
     <message>
         <source>{0} says whether the channel is good and must be a BOOL or an integer</source>
@@ -291,6 +279,18 @@
         <source>cannot connect to {0}: {1}; check the address and the cable</source>
         <translation>keine Verbindung zu {0}: {1}; prüfen Sie Adresse und Kabel</translation>
     </message>
+    <message>
+        <source>{0} and {1} are both unit {2} of {3}; give one of them another number</source>
+        <translation>{0} und {1} haben beide die Adresse {2} an {3}; geben Sie einem davon eine andere</translation>
+    </message>
+    <message>
+        <source>{0} and {1} use {2} with different baud rates, parities or bits; set the same for both</source>
+        <translation>{0} und {1} verwenden {2} mit verschiedenen Baudraten, Paritäten oder Bits; stellen Sie für beide dasselbe ein</translation>
+    </message>
+    <message>
+        <source>{0} and {1} both set {2} {3}; give each its own</source>
+        <translation>{0} und {1} setzen beide {2} {3}; geben Sie jedem ein eigenes</translation>
+    </message>
 </context>
 <context>
     <name>Diagnostics</name>
@@ -307,10 +307,6 @@
         <translation>Das ist kein gültiges UTF-8; die Datei als UTF-8 speichern</translation>
     </message>
     <message>
-        <source>{0} is not a valid {1} literal</source>
-        <translation>{0} ist kein gültiges Literal ({1})</translation>
-    </message>
-    <message>
         <source>Expected {0} before {1}</source>
         <translation>{0} wird vor {1} erwartet</translation>
     </message>
@@ -321,10 +317,6 @@
     <message>
         <source>{0} is missing for this {1}</source>
         <translation>{0} fehlt zu diesem {1}</translation>
-    </message>
-    <message>
-        <source>Unexpected {0}</source>
-        <translation>Unerwartet: {0}</translation>
     </message>
     <message>
         <source>This comparison has no effect; use := to assign</source>
@@ -347,10 +339,6 @@
         <translation>Eine offene Grenze wird ARRAY[*] geschrieben und ist nur bei VAR_IN_OUT erlaubt</translation>
     </message>
     <message>
-        <source>The pragma {0} is not known and has no effect</source>
-        <translation>Das Pragma {0} ist unbekannt und ohne Wirkung</translation>
-    </message>
-    <message>
         <source>{0} is missing; the program unit ends here</source>
         <translation>{0} fehlt; der Baustein endet hier</translation>
     </message>
@@ -359,68 +347,16 @@
         <translation>Hier fehlt ein Semikolon; die Anweisung endet hier</translation>
     </message>
     <message>
-        <source>{0} is not declared</source>
-        <translation>{0} ist nicht deklariert</translation>
-    </message>
-    <message>
-        <source>{0} has no member {1}</source>
-        <translation>{0} hat kein Element {1}</translation>
-    </message>
-    <message>
-        <source>{0} cannot be converted to {1}</source>
-        <translation>{0} kann nicht in {1} konvertiert werden</translation>
-    </message>
-    <message>
         <source>Implicit conversion from {0} to {1} may lose data; convert it explicitly</source>
         <translation>Bei der impliziten Konvertierung von {0} nach {1} können Daten verloren gehen; explizit konvertieren</translation>
-    </message>
-    <message>
-        <source>{0} cannot be assigned to</source>
-        <translation>{0} kann nichts zugewiesen werden</translation>
-    </message>
-    <message>
-        <source>{0} cannot be used with {1}</source>
-        <translation>{0} kann nicht mit {1} verwendet werden</translation>
-    </message>
-    <message>
-        <source>{0} cannot combine {1} and {2}</source>
-        <translation>{0} kann {1} und {2} nicht verknüpfen</translation>
-    </message>
-    <message>
-        <source>{0} cannot be called</source>
-        <translation>{0} kann nicht aufgerufen werden</translation>
-    </message>
-    <message>
-        <source>{0} has no parameter {1}</source>
-        <translation>{0} hat keinen Parameter {1}</translation>
-    </message>
-    <message>
-        <source>The argument for {1} of {0} is missing</source>
-        <translation>Das Argument für {1} von {0} fehlt</translation>
-    </message>
-    <message>
-        <source>{0} takes {1} {1:argument|arguments}</source>
-        <translation>{0} hat {1} {1:Argument|Argumente}</translation>
     </message>
     <message>
         <source>{0} is an IN_OUT parameter and needs a variable of type {1}</source>
         <translation>{0} ist ein IN_OUT-Parameter und braucht eine Variable vom Typ {1}</translation>
     </message>
     <message>
-        <source>The index {0} is outside {1}..{2}</source>
-        <translation>Der Index {0} liegt außerhalb von {1}..{2}</translation>
-    </message>
-    <message>
-        <source>{0} does not fit into {1}</source>
-        <translation>{0} passt nicht in {1}</translation>
-    </message>
-    <message>
         <source>{0} has only the bits 0 to {1}</source>
         <translation>{0} hat nur die Bits 0 bis {1}</translation>
-    </message>
-    <message>
-        <source>The condition must be BOOL, not {0}</source>
-        <translation>Die Bedingung muss BOOL sein, nicht {0}</translation>
     </message>
     <message>
         <source>{0} is ambiguous: {1}; write the namespace before it</source>
@@ -439,20 +375,8 @@
         <translation>{0} wird nicht gegen die Enumeration {1} geprüft; einen ihrer Namen verwenden</translation>
     </message>
     <message>
-        <source>The address {0} is outside {1}</source>
-        <translation>Die Adresse {0} liegt außerhalb von {1}</translation>
-    </message>
-    <message>
-        <source>{0} is not allowed in a watch or binding, which cannot have side effects</source>
-        <translation>{0} ist in Überwachungen und Variablenbindungen nicht erlaubt; dort sind keine Seiteneffekte zulässig</translation>
-    </message>
-    <message>
         <source>{0} is {1}; write {2}</source>
         <translation>{0} ist {1}; {2} schreiben</translation>
-    </message>
-    <message>
-        <source>A reference needs a variable that has an address</source>
-        <translation>Eine Referenz braucht eine Variable mit Adresse</translation>
     </message>
     <message>
         <source>{0} contains itself; use a REFERENCE TO</source>
@@ -461,18 +385,6 @@
     <message>
         <source>The parameters of {0} must match those of the overridden method</source>
         <translation>Die Parameter von {0} müssen mit denen der überschriebenen Methode übereinstimmen</translation>
-    </message>
-    <message>
-        <source>{1} cannot extend {0}</source>
-        <translation>{1} kann {0} nicht erweitern</translation>
-    </message>
-    <message>
-        <source>{0} is not allowed {1}</source>
-        <translation>{0} ist {1} nicht erlaubt</translation>
-    </message>
-    <message>
-        <source>{0} is only allowed inside a loop</source>
-        <translation>{0} ist nur in einer Schleife erlaubt</translation>
     </message>
     <message>
         <source>There are several programs and no CONFIGURATION; name one of them Main or write a CONFIGURATION</source>
@@ -491,10 +403,6 @@
         <translation>{0} kann sich selbst aufrufen; die Rekursionstiefe ist zur Laufzeit begrenzt</translation>
     </message>
     <message>
-        <source>Step {0} can become active twice at the same time: the branches from here do not join</source>
-        <translation>Schritt {0} kann zweimal gleichzeitig aktiv werden: Die Zweige von hier werden nicht zusammengeführt</translation>
-    </message>
-    <message>
         <source>The steps before this transition cannot be active together; start them from one simultaneous branch</source>
         <translation>Die Schritte vor dieser Transition können nicht gemeinsam aktiv sein; aus einem Parallelzweig starten</translation>
     </message>
@@ -509,10 +417,6 @@
     <message>
         <source>{0} needs a current result; load one with LD</source>
         <translation>{0} braucht ein aktuelles Ergebnis; mit LD laden</translation>
-    </message>
-    <message>
-        <source>{0} is only allowed in a TEST</source>
-        <translation>{0} ist nur in einem TEST erlaubt</translation>
     </message>
     <message>
         <source>{0} is not a value of the strict enumeration {1}; use one of its names</source>
@@ -563,10 +467,6 @@
         <translation>{0} ist auch eine Variable; Schritte und Aufrufe meinen die ACTION</translation>
     </message>
     <message>
-        <source>{0} is a keyword and cannot be used as a name</source>
-        <translation>{0} ist ein Schlüsselwort und kann nicht als Name verwendet werden</translation>
-    </message>
-    <message>
         <source>Use {1} instead of {0} in Structured Text</source>
         <translation>In Strukturiertem Text {1} statt {0} verwenden</translation>
     </message>
@@ -581,10 +481,6 @@
     <message>
         <source>The address {0} has {1} {1:bit|bits}, {2} has {3}; write {4}</source>
         <translation>Die Adresse {0} hat {1} Bit, {2} hat {3}; {4} schreiben</translation>
-    </message>
-    <message>
-        <source>An index must be an integer, not {0}</source>
-        <translation>Ein Index muss eine Ganzzahl sein, nicht {0}</translation>
     </message>
     <message>
         <source>{0}</source>
@@ -814,6 +710,110 @@
         <source>This array has {0} {0:dimension|dimensions}, not {1}; write an index for each</source>
         <translation>Dieses Array hat {0} {0:Dimension|Dimensionen}, nicht {1}; für jede einen Index schreiben</translation>
     </message>
+    <message>
+        <source>{0} is not a valid {1} literal; check its prefix, digits and units</source>
+        <translation>{0} ist kein gültiges Literal ({1}); Präfix, Ziffern und Einheiten prüfen</translation>
+    </message>
+    <message>
+        <source>Unexpected {0}; remove it or complete the statement before it</source>
+        <translation>Unerwartet: {0}; entfernen oder die Anweisung davor vervollständigen</translation>
+    </message>
+    <message>
+        <source>The pragma {0} is not known and has no effect; remove it or correct its name</source>
+        <translation>Das Pragma {0} ist unbekannt und ohne Wirkung; entfernen oder den Namen korrigieren</translation>
+    </message>
+    <message>
+        <source>{0} is a keyword and cannot be used as a name; choose another name</source>
+        <translation>{0} ist ein Schlüsselwort und kann nicht als Name verwendet werden; einen anderen Namen wählen</translation>
+    </message>
+    <message>
+        <source>{0} is not declared; declare it or correct the name</source>
+        <translation>{0} ist nicht deklariert; deklarieren oder den Namen korrigieren</translation>
+    </message>
+    <message>
+        <source>{0} has no member {1}; correct the name or add the member</source>
+        <translation>{0} hat kein Element {1}; den Namen korrigieren oder das Element hinzufügen</translation>
+    </message>
+    <message>
+        <source>{0} cannot be converted to {1}; use a value of that type or a conversion function</source>
+        <translation>{0} kann nicht in {1} konvertiert werden; einen Wert dieses Typs oder eine Konvertierungsfunktion verwenden</translation>
+    </message>
+    <message>
+        <source>{0} cannot be assigned to; assign to a variable</source>
+        <translation>{0} kann nichts zugewiesen werden; einer Variablen zuweisen</translation>
+    </message>
+    <message>
+        <source>{0} cannot be used with {1}; convert the operand first</source>
+        <translation>{0} kann nicht mit {1} verwendet werden; den Operanden zuerst konvertieren</translation>
+    </message>
+    <message>
+        <source>{0} cannot combine {1} and {2}; convert one of them</source>
+        <translation>{0} kann {1} und {2} nicht verknüpfen; einen von beiden konvertieren</translation>
+    </message>
+    <message>
+        <source>{0} cannot be called; call a function, a method or an instance of a block</source>
+        <translation>{0} kann nicht aufgerufen werden; eine Funktion, eine Methode oder eine Bausteininstanz aufrufen</translation>
+    </message>
+    <message>
+        <source>{0} has no parameter {1}; correct the name or declare the parameter</source>
+        <translation>{0} hat keinen Parameter {1}; den Namen korrigieren oder den Parameter deklarieren</translation>
+    </message>
+    <message>
+        <source>The argument for {1} of {0} is missing; add it to the call</source>
+        <translation>Das Argument für {1} von {0} fehlt; im Aufruf ergänzen</translation>
+    </message>
+    <message>
+        <source>{0} takes {1} {1:argument|arguments}; remove the others</source>
+        <translation>{0} hat {1} {1:Argument|Argumente}; die übrigen entfernen</translation>
+    </message>
+    <message>
+        <source>The index {0} is outside {1}..{2}; correct it or enlarge the array</source>
+        <translation>Der Index {0} liegt außerhalb von {1}..{2}; den Index korrigieren oder das Array vergrößern</translation>
+    </message>
+    <message>
+        <source>{0} does not fit into {1}; use another value or a larger type</source>
+        <translation>{0} passt nicht in {1}; einen anderen Wert oder einen größeren Typ verwenden</translation>
+    </message>
+    <message>
+        <source>The condition must be BOOL, not {0}; add a comparison</source>
+        <translation>Die Bedingung muss BOOL sein, nicht {0}; einen Vergleich hinzufügen</translation>
+    </message>
+    <message>
+        <source>The address {0} is outside {1}; use an address in that range</source>
+        <translation>Die Adresse {0} liegt außerhalb von {1}; eine Adresse in diesem Bereich verwenden</translation>
+    </message>
+    <message>
+        <source>{0} is not allowed in a watch or binding, which cannot have side effects; do it in the program</source>
+        <translation>{0} ist in Überwachungen und Variablenbindungen nicht erlaubt; dort sind keine Seiteneffekte zulässig; im Programm ausführen</translation>
+    </message>
+    <message>
+        <source>A reference needs a variable that has an address; assign the value to a variable first</source>
+        <translation>Eine Referenz braucht eine Variable mit Adresse; den Wert zuerst einer Variablen zuweisen</translation>
+    </message>
+    <message>
+        <source>An index must be an integer, not {0}; convert it</source>
+        <translation>Ein Index muss eine Ganzzahl sein, nicht {0}; konvertieren</translation>
+    </message>
+    <message>
+        <source>{1} cannot extend {0}; choose a base of the same kind</source>
+        <translation>{1} kann {0} nicht erweitern; eine Basis derselben Art wählen</translation>
+    </message>
+    <message>
+        <source>{0} is not allowed {1}; move or remove it</source>
+        <translation>{0} ist {1} nicht erlaubt; verschieben oder entfernen</translation>
+    </message>
+    <message>
+        <source>{0} is only allowed inside a loop; move or remove it</source>
+        <translation>{0} ist nur in einer Schleife erlaubt; verschieben oder entfernen</translation>
+    </message>
+    <message>
+        <source>Step {0} can become active twice at the same time: the branches from here do not join; join them with one transition</source>
+        <translation>Schritt {0} kann zweimal gleichzeitig aktiv werden: Die Zweige von hier werden nicht zusammengeführt; mit einer Transition zusammenführen</translation>
+    </message>
+    <message>
+        <source>{0} is only allowed in a TEST; move it there</source>
+        <translation>{0} ist nur in einem TEST erlaubt; dorthin verschieben</translation>
+    </message>
 </context>
 <context>
     <name>DiskChange</name>
@@ -868,32 +868,12 @@
         <translation>Index {0} liegt außerhalb von {1}..{2}</translation>
     </message>
     <message>
-        <source>the reference is NULL</source>
-        <translation>die Referenz ist NULL</translation>
-    </message>
-    <message>
-        <source>the reference does not point to a variable of its type</source>
-        <translation>die Referenz zeigt auf keine Variable ihres Typs</translation>
-    </message>
-    <message>
-        <source>a VAR_IN_OUT is not connected to a variable</source>
-        <translation>ein VAR_IN_OUT ist mit keiner Variablen verbunden</translation>
-    </message>
-    <message>
         <source>character {0} is read from an empty string</source>
         <translation>Zugriff auf Zeichen {0} einer leeren Zeichenkette</translation>
     </message>
     <message>
         <source>character {0} is outside {1}..{2} of the string</source>
         <translation>Zeichen {0} liegt außerhalb von {1}..{2} der Zeichenkette</translation>
-    </message>
-    <message>
-        <source>the watchdog stopped a task that did not end</source>
-        <translation>der Watchdog hat eine Task abgebrochen, die nicht endete</translation>
-    </message>
-    <message>
-        <source>the task ran longer than its watchdog time of {0}</source>
-        <translation>die Task lief länger als ihre Watchdog-Zeit von {0}</translation>
     </message>
     <message>
         <source>calls are nested too deeply; check for endless recursion</source>
@@ -972,28 +952,12 @@
         <translation>es ist kein Ordner</translation>
     </message>
     <message>
-        <source>the file system is read-only</source>
-        <translation>das Dateisystem ist schreibgeschützt</translation>
-    </message>
-    <message>
         <source>the device reports a read or write error</source>
         <translation>der Datenträger meldet einen Lese- oder Schreibfehler</translation>
     </message>
     <message>
-        <source>the file name is too long</source>
-        <translation>der Dateiname ist zu lang</translation>
-    </message>
-    <message>
         <source>it already exists</source>
         <translation>es ist bereits vorhanden</translation>
-    </message>
-    <message>
-        <source>the folder is not empty</source>
-        <translation>der Ordner ist nicht leer</translation>
-    </message>
-    <message>
-        <source>too many files are open</source>
-        <translation>zu viele Dateien sind geöffnet</translation>
     </message>
     <message>
         <source>the file is too large</source>
@@ -1022,10 +986,6 @@
     <message>
         <source>The recording cannot be read: {0}</source>
         <translation>Die Aufzeichnung kann nicht gelesen werden: {0}</translation>
-    </message>
-    <message>
-        <source>The file is damaged or is not a recording</source>
-        <translation>Die Datei ist beschädigt oder keine Aufzeichnung</translation>
     </message>
     <message>
         <source>This version of Stepwise lays out the program&apos;s variables differently; open the recording with the version that made it</source>
@@ -1072,10 +1032,6 @@
         <translation>es gibt keine Variable „{0}“</translation>
     </message>
     <message>
-        <source>&apos;{0}&apos; is reached through a reference, which a path cannot follow</source>
-        <translation>„{0}“ ist nur über eine Referenz erreichbar, der ein Pfad nicht folgt</translation>
-    </message>
-    <message>
         <source>a variable of type {1} has no member &apos;{0}&apos;</source>
         <translation>eine Variable vom Typ {1} hat kein Element „{0}“</translation>
     </message>
@@ -1084,20 +1040,8 @@
         <translation>„{0}“ ist ein VAR_IN_OUT; schreiben Sie die damit verbundene Variable</translation>
     </message>
     <message>
-        <source>a string has one index</source>
-        <translation>eine Zeichenkette hat einen Index</translation>
-    </message>
-    <message>
-        <source>a variable of type {0} has no elements</source>
-        <translation>eine Variable vom Typ {0} hat keine Elemente</translation>
-    </message>
-    <message>
         <source>{0} needs {1} {1:index|indices}, not {2}</source>
         <translation>{0} braucht {1} {1:Index|Indizes}, nicht {2}</translation>
-    </message>
-    <message>
-        <source>a variable of type {0} has no bits</source>
-        <translation>eine Variable vom Typ {0} hat keine Bits</translation>
     </message>
     <message>
         <source>bit {0} is outside 0..{1}</source>
@@ -1112,24 +1056,12 @@
         <translation>„{0}“ ist keine Adresse; schreiben Sie zum Beispiel %IX0.0, %QB4 oder %MW2</translation>
     </message>
     <message>
-        <source>the program does not use the address &apos;{0}&apos;</source>
-        <translation>das Programm verwendet die Adresse „{0}“ nicht</translation>
-    </message>
-    <message>
-        <source>the path is empty</source>
-        <translation>der Pfad ist leer</translation>
-    </message>
-    <message>
         <source>the path cannot be read from &apos;{0}&apos; on</source>
         <translation>der Pfad ist ab „{0}“ nicht lesbar</translation>
     </message>
     <message>
         <source>{0} is forced; release the force before writing</source>
         <translation>{0} ist geforct; heben Sie das Forcen vor dem Schreiben auf</translation>
-    </message>
-    <message>
-        <source>a constant cannot be written</source>
-        <translation>eine Konstante kann nicht geschrieben werden</translation>
     </message>
     <message>
         <source>the variable is not forced</source>
@@ -1146,10 +1078,6 @@
     <message>
         <source>The retain file cannot be read: {0}</source>
         <translation>Die Retain-Datei kann nicht gelesen werden: {0}</translation>
-    </message>
-    <message>
-        <source>The retain file is not a regular file</source>
-        <translation>Die Retain-Datei ist keine gewöhnliche Datei</translation>
     </message>
     <message>
         <source>The retain file is damaged; the program starts with its initial values</source>
@@ -1178,18 +1106,6 @@
     <message>
         <source>a character of the text does not fit into a STRING; use a WSTRING</source>
         <translation>ein Zeichen des Textes passt nicht in einen STRING; verwenden Sie einen WSTRING</translation>
-    </message>
-    <message>
-        <source>the text has {0} characters, the maximum is {1}</source>
-        <translation>der Text hat {0} Zeichen, das Maximum ist {1}</translation>
-    </message>
-    <message>
-        <source>{0} has {1} {1:part|parts}, the value has {2}</source>
-        <translation>{0} hat {1} {1:Teil|Teile}, der Wert hat {2}</translation>
-    </message>
-    <message>
-        <source>there is no value to write</source>
-        <translation>kein Wert zum Schreiben vorhanden</translation>
     </message>
     <message>
         <source>a reference can only be set to NULL from outside</source>
@@ -1256,14 +1172,6 @@
         <translation>Kein Programm zum Optimieren vorhanden</translation>
     </message>
     <message>
-        <source>The expression is nested too deeply</source>
-        <translation>Der Ausdruck ist zu tief geschachtelt</translation>
-    </message>
-    <message>
-        <source>this is not an expression</source>
-        <translation>das ist kein Ausdruck</translation>
-    </message>
-    <message>
         <source>this is local to a running call and has no address of its own</source>
         <translation>das ist lokal in einem laufenden Aufruf und hat keine eigene Adresse</translation>
     </message>
@@ -1284,20 +1192,12 @@
         <translation>dieses Array variabler Länge hat hier keine Adresse</translation>
     </message>
     <message>
-        <source>this is not an array</source>
-        <translation>das ist kein Array</translation>
-    </message>
-    <message>
         <source>the array has no such dimension</source>
         <translation>das Array hat keine solche Dimension</translation>
     </message>
     <message>
         <source>this has no value</source>
         <translation>das hat keinen Wert</translation>
-    </message>
-    <message>
-        <source>an expression cannot have side effects</source>
-        <translation>ein Ausdruck darf keine Seiteneffekte haben</translation>
     </message>
     <message>
         <source>only standard functions can be called here</source>
@@ -1352,10 +1252,6 @@
         <translation>{0} hat in einer Anweisungsliste keine Entsprechung</translation>
     </message>
     <message>
-        <source>There is no body in ST or IL here</source>
-        <translation>Hier ist kein Rumpf in ST oder AWL</translation>
-    </message>
-    <message>
         <source>{0} is already written in ST</source>
         <translation>{0} ist bereits in ST geschrieben</translation>
     </message>
@@ -1400,10 +1296,6 @@
         <translation>project.json muss ein JSON-Objekt enthalten</translation>
     </message>
     <message>
-        <source>This folder contains neither a project.json nor ST files</source>
-        <translation>Dieser Ordner enthält weder eine project.json noch ST-Dateien</translation>
-    </message>
-    <message>
         <source>There is no library &quot;{0}&quot;; available are {1}</source>
         <translation>Es gibt keine Bibliothek „{0}“; verfügbar sind {1}</translation>
     </message>
@@ -1412,16 +1304,8 @@
         <translation>Es gibt keine Bibliothek {0}; meinten Sie {1}?</translation>
     </message>
     <message>
-        <source>There is no library {0}</source>
-        <translation>Es gibt keine Bibliothek {0}</translation>
-    </message>
-    <message>
         <source>Specify a project folder or ST files</source>
         <translation>Geben Sie einen Projektordner oder ST-Dateien an</translation>
-    </message>
-    <message>
-        <source>There is no such file or folder</source>
-        <translation>Datei oder Ordner nicht gefunden</translation>
     </message>
     <message>
         <source>Specify one project folder or ST files, not both</source>
@@ -1434,14 +1318,6 @@
     <message>
         <source>{0} is not a valid name; use letters, digits and _, start with a letter and avoid keywords</source>
         <translation>{0} ist kein gültiger Name; verwenden Sie Buchstaben, Ziffern und _, am Anfang einen Buchstaben, und keine Schlüsselwörter</translation>
-    </message>
-    <message>
-        <source>{0} already exists in the project</source>
-        <translation>{0} ist im Projekt bereits vorhanden</translation>
-    </message>
-    <message>
-        <source>{0} already exists in {1}</source>
-        <translation>{0} ist in {1} bereits vorhanden</translation>
     </message>
     <message>
         <source>The folder cannot be created: {0}</source>
@@ -1466,10 +1342,6 @@
     <message>
         <source>There is no such file in the project</source>
         <translation>Diese Datei ist im Projekt nicht vorhanden</translation>
-    </message>
-    <message>
-        <source>The file is read-only and was not overwritten</source>
-        <translation>Die Datei ist schreibgeschützt und wurde nicht überschrieben</translation>
     </message>
     <message>
         <source>The file&apos;s permissions cannot be changed</source>
@@ -1668,10 +1540,6 @@
         <translation>{0} ist kein gültiger Name; verwenden Sie Buchstaben, Ziffern und Unterstriche</translation>
     </message>
     <message>
-        <source>Nothing would lead to the join after this step</source>
-        <translation>Zur Zusammenführung nach diesem Schritt würde nichts mehr führen</translation>
-    </message>
-    <message>
         <source>The initial step stays at the top</source>
         <translation>Der Initialschritt bleibt oben</translation>
     </message>
@@ -1692,10 +1560,6 @@
         <translation>Dieser Schritt führt nur zu sich selbst</translation>
     </message>
     <message>
-        <source>There is no branch here</source>
-        <translation>Hier gibt es keinen Zweig</translation>
-    </message>
-    <message>
         <source>A transition needs a condition</source>
         <translation>Eine Transition braucht eine Bedingung</translation>
     </message>
@@ -1708,16 +1572,8 @@
         <translation>Auf diesen Schritt folgt noch nichts; fügen Sie zuerst einen Schritt danach ein</translation>
     </message>
     <message>
-        <source>The last branch does not lead to a step</source>
-        <translation>Der letzte Zweig führt zu keinem Schritt</translation>
-    </message>
-    <message>
         <source>There is no such action</source>
         <translation>Diese Aktion ist nicht vorhanden</translation>
-    </message>
-    <message>
-        <source>There is no chart yet</source>
-        <translation>Es gibt noch keine Schrittkette</translation>
     </message>
     <message>
         <source>The initial step cannot be deleted; make another step the initial step first</source>
@@ -1760,10 +1616,6 @@
         <translation>Jeder Alarm und jede Alarmklasse muss ein JSON-Objekt sein</translation>
     </message>
     <message>
-        <source>An alarm has no id</source>
-        <translation>Ein Alarm hat keine Kennung</translation>
-    </message>
-    <message>
         <source>This line is not valid UTF-8; save the file as UTF-8</source>
         <translation>Diese Zeile ist kein gültiges UTF-8; speichern Sie die Datei als UTF-8</translation>
     </message>
@@ -1776,16 +1628,8 @@
         <translation>Die erste Zeile muss {0} und ein Sprachkürzel je Spalte sein</translation>
     </message>
     <message>
-        <source>Column {0} has no language tag</source>
-        <translation>Spalte {0} hat kein Sprachkürzel</translation>
-    </message>
-    <message>
         <source>This line has {0} {0:field|fields}, the header has {1}</source>
         <translation>Diese Zeile hat {0} {0:Feld|Felder}, die Kopfzeile hat {1}</translation>
-    </message>
-    <message>
-        <source>This line has no key</source>
-        <translation>Diese Zeile hat keinen Schlüssel</translation>
     </message>
     <message>
         <source>The alarm history cannot be opened: {0}</source>
@@ -1828,10 +1672,6 @@
         <translation>Der Text „{0}“ hat keinen Schlüssel und kann deshalb nicht übersetzt werden</translation>
     </message>
     <message>
-        <source>The key {0} is not in the text table</source>
-        <translation>Der Schlüssel {0} ist nicht in der Texttabelle</translation>
-    </message>
-    <message>
         <source>The text needs a value for {0}; specify it in &quot;Values in texts&quot;</source>
         <translation>Der Text braucht einen Wert für {0}; geben Sie ihn unter „Werte in Texten“ an</translation>
     </message>
@@ -1844,40 +1684,8 @@
         <translation>Diese Version kennt die Elementart „{0}“ nicht; sie bleibt unverändert</translation>
     </message>
     <message>
-        <source>The project has no language {0}</source>
-        <translation>Das Projekt hat keine Sprache {0}</translation>
-    </message>
-    <message>
-        <source>The file {0} does not exist</source>
-        <translation>Die Datei {0} ist nicht vorhanden</translation>
-    </message>
-    <message>
-        <source>There is no panel {0}</source>
-        <translation>Es gibt kein Panel {0}</translation>
-    </message>
-    <message>
         <source>The format {0} is not known; use for example {1} or {2}</source>
         <translation>Das Format {0} ist nicht bekannt; verwenden Sie zum Beispiel {1} oder {2}</translation>
-    </message>
-    <message>
-        <source>There is no alarm class {0}</source>
-        <translation>Es gibt keine Alarmklasse {0}</translation>
-    </message>
-    <message>
-        <source>No panel and no alarm uses the key {0}</source>
-        <translation>Kein Panel und kein Alarm verwendet den Schlüssel {0}</translation>
-    </message>
-    <message>
-        <source>The placeholders differ: {0} has {1}, {2} has {3}</source>
-        <translation>Die Platzhalter sind unterschiedlich: {0} hat {1}, {2} hat {3}</translation>
-    </message>
-    <message>
-        <source>The font {0} is not installed here, so texts cannot be measured</source>
-        <translation>Die Schrift {0} ist hier nicht installiert, deshalb können Texte nicht gemessen werden</translation>
-    </message>
-    <message>
-        <source>No font has the character {0}</source>
-        <translation>Keine Schrift hat das Zeichen {0}</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; does not fit: it needs {1} px, the maximum is {2}</source>
@@ -2040,24 +1848,8 @@
         <translation>mehr als {0} Arbeitseinheiten (Schleifendurchläufe, Aufrufe, Kopien) in einem Lauf der Task; auf eine Endlosschleife prüfen</translation>
     </message>
     <message>
-        <source>{0} is not a whole number</source>
-        <translation>{0} ist keine ganze Zahl</translation>
-    </message>
-    <message>
-        <source>{0} is not a number of scans</source>
-        <translation>{0} ist keine Anzahl von Zyklen</translation>
-    </message>
-    <message>
         <source>{0} is not a name: use letters, digits and underscores.</source>
         <translation>{0} ist kein gültiger Name; verwenden Sie Buchstaben, Ziffern und Unterstriche.</translation>
-    </message>
-    <message>
-        <source>{0} is not a time</source>
-        <translation>{0} ist keine Zeit</translation>
-    </message>
-    <message>
-        <source>This is not an XLIFF file</source>
-        <translation>Das ist keine XLIFF-Datei</translation>
     </message>
     <message>
         <source>The XLIFF version {0} is not known; save the file as 1.2 or 2.0</source>
@@ -2172,14 +1964,6 @@
         <translation>{0} ({1}) muss größer als {2} ({3}) sein</translation>
     </message>
     <message>
-        <source>The panel has no group or tab {0}</source>
-        <translation>Das Panel hat keine Gruppe und keine Registerkarten {0}</translation>
-    </message>
-    <message>
-        <source>The group {0} contains itself</source>
-        <translation>Die Gruppe {0} enthält sich selbst</translation>
-    </message>
-    <message>
         <source>{0} has no page {1}; its {2} {2:page is|pages are} numbered from 0</source>
         <translation>{0} hat keine Seite {1}; die {2} {2:Seite ist|Seiten sind} ab 0 nummeriert</translation>
     </message>
@@ -2244,18 +2028,6 @@
         <translation>Der Zyklus davor ist nicht in der Aufzeichnung; die Werte, mit denen dieser Zyklus begann, sind daher nicht bekannt.</translation>
     </message>
     <message>
-        <source>A role has no name</source>
-        <translation>Eine Rolle hat keinen Namen</translation>
-    </message>
-    <message>
-        <source>There is no role {0}</source>
-        <translation>Die Rolle {0} gibt es nicht</translation>
-    </message>
-    <message>
-        <source>A user has no name</source>
-        <translation>Ein Benutzer hat keinen Namen</translation>
-    </message>
-    <message>
         <source>There is no user {0}</source>
         <translation>Den Benutzer {0} gibt es nicht</translation>
     </message>
@@ -2288,20 +2060,8 @@
         <translation>Nur für die Rollen {0}, aber das Projekt hat keine Benutzer; jeder darf es bedienen</translation>
     </message>
     <message>
-        <source>A recipe has no name</source>
-        <translation>Ein Rezept hat keinen Namen</translation>
-    </message>
-    <message>
         <source>A row of a recipe names no variable</source>
-        <translation>Eine Zeile eines Rezepts nennt keine Variable</translation>
-    </message>
-    <message>
-        <source>The recipe has the variable {0} twice</source>
-        <translation>Das Rezept enthält die Variable {0} doppelt</translation>
-    </message>
-    <message>
-        <source>A set of a recipe has no name</source>
-        <translation>Ein Datensatz eines Rezepts hat keinen Namen</translation>
+        <translation>Eine Zeile einer Rezeptur nennt keine Variable</translation>
     </message>
     <message>
         <source>The first column must be named variable, and each set has a column of its own</source>
@@ -2309,19 +2069,15 @@
     </message>
     <message>
         <source>The recipe {0} has no variable {1}</source>
-        <translation>Das Rezept {0} hat keine Variable {1}</translation>
+        <translation>Die Rezeptur {0} hat keine Variable {1}</translation>
     </message>
     <message>
         <source>There is no recipe {0}</source>
-        <translation>Das Rezept {0} gibt es nicht</translation>
+        <translation>Die Rezeptur {0} gibt es nicht</translation>
     </message>
     <message>
         <source>The recipe {0} has no set {1}</source>
-        <translation>Das Rezept {0} hat keinen Datensatz {1}</translation>
-    </message>
-    <message>
-        <source>The set {0} has no value for {1}</source>
-        <translation>Der Datensatz {0} hat keinen Wert für {1}</translation>
+        <translation>Die Rezeptur {0} hat keinen Datensatz {1}</translation>
     </message>
     <message>
         <source>{0} is outside the limits of {1}, {2} to {3}</source>
@@ -2412,14 +2168,6 @@
         <translation>Auf dem Panel werden {0} Dinge zum Lesen oder Drücken angezeigt; bei seiner Größe lassen sich {1} überblicken</translation>
     </message>
     <message>
-        <source>{0} covers a part of it</source>
-        <translation>{0} verdeckt einen Teil davon</translation>
-    </message>
-    <message>
-        <source>No button, navigation bar or alarm leads to the panel {0}</source>
-        <translation>Keine Schaltfläche, Navigationsleiste und kein Alarm führt zum Panel {0}</translation>
-    </message>
-    <message>
         <source>The panel {0} is {1} presses away from the start panel; {2} should do</source>
         <translation>Das Panel {0} ist {1} Tastendrücke vom Startpanel entfernt; {2} sollten reichen</translation>
     </message>
@@ -2430,22 +2178,6 @@
     <message>
         <source>{0} is at another place on the panel {1}</source>
         <translation>{0} ist auf dem Panel {1} an einer anderen Stelle</translation>
-    </message>
-    <message>
-        <source>{0} of {1} alarms have the highest priority</source>
-        <translation>{0} von {1} Alarmen haben die höchste Priorität</translation>
-    </message>
-    <message>
-        <source>The project has {0} {0:alarm|alarms}, but no panel has an alarm list or banner</source>
-        <translation>Das Projekt hat {0} {0:Alarm|Alarme}, aber kein Panel hat eine Alarmliste oder ein Alarmbanner</translation>
-    </message>
-    <message>
-        <source>{0} is critical after project.json, but one press writes it</source>
-        <translation>{0} ist laut project.json kritisch, doch ein Druck schreibt es</translation>
-    </message>
-    <message>
-        <source>{0} suppresses alarms, but one press writes it</source>
-        <translation>{0} unterdrückt Alarme, doch ein Druck schreibt es</translation>
     </message>
     <message>
         <source>What is normal is grey, so that the eye finds what is not (ISA-101). Use a role of the theme such as surface, off or running, and give colour only to conditions.</source>
@@ -2541,7 +2273,7 @@
     </message>
     <message>
         <source>There is no built-in theme &quot;{0}&quot;; a base is light, dark or contrast</source>
-        <translation>Es gibt kein eingebautes Farbschema „{0}“; eine Basis ist light, dark oder contrast</translation>
+        <translation>Es gibt kein eingebautes Farbschema „{0}“; die Basis muss light, dark oder contrast sein</translation>
     </message>
     <message>
         <source>There is no colour role {0}</source>
@@ -2645,7 +2377,7 @@
     </message>
     <message>
         <source>The recipes are not valid JSON; look for a missing comma, quote or bracket</source>
-        <translation>Die Rezepte sind kein gültiges JSON; suchen Sie nach einem fehlenden Komma, Anführungszeichen oder einer Klammer</translation>
+        <translation>Die Rezepturen sind kein gültiges JSON; suchen Sie nach einem fehlenden Komma, Anführungszeichen oder einer Klammer</translation>
     </message>
     <message>
         <source>The users and roles are not valid JSON; look for a missing comma, quote or bracket</source>
@@ -2681,11 +2413,11 @@
     </message>
     <message>
         <source>Two recipes are named {0}; rename one</source>
-        <translation>Zwei Rezepte heißen {0}; bitte eines umbenennen</translation>
+        <translation>Zwei Rezepturen heißen {0}; bitte eine umbenennen</translation>
     </message>
     <message>
         <source>Two sets of the recipe are named {0}; rename one</source>
-        <translation>Zwei Datensätze des Rezepts heißen {0}; bitte einen umbenennen</translation>
+        <translation>Zwei Datensätze der Rezeptur heißen {0}; bitte einen umbenennen</translation>
     </message>
     <message>
         <source>The alarm has no condition; enter one</source>
@@ -2710,6 +2442,274 @@
     <message>
         <source>The help of the alarm {0} does not say what to do; add the operator&apos;s next step</source>
         <translation>Die Hilfe des Alarms {0} sagt nicht, was zu tun ist; ergänzen Sie den nächsten Schritt des Bedieners</translation>
+    </message>
+    <message>
+        <source>the reference is NULL; assign a variable to it, or compare it with NULL first</source>
+        <translation>die Referenz ist NULL; weisen Sie ihr eine Variable zu, oder vergleichen Sie sie zuerst mit NULL</translation>
+    </message>
+    <message>
+        <source>the reference does not point to a variable of its type; assign one to it</source>
+        <translation>die Referenz zeigt auf keine Variable ihres Typs; weisen Sie ihr eine zu</translation>
+    </message>
+    <message>
+        <source>a VAR_IN_OUT is not connected to a variable; connect it in the call</source>
+        <translation>ein VAR_IN_OUT ist mit keiner Variablen verbunden; verbinden Sie ihn im Aufruf</translation>
+    </message>
+    <message>
+        <source>the watchdog stopped a task that did not end; check for an endless loop</source>
+        <translation>der Watchdog hat eine Task abgebrochen, die nicht endete; prüfen Sie, ob eine Schleife nicht endet</translation>
+    </message>
+    <message>
+        <source>the task ran longer than its watchdog time of {0}; shorten its work or raise the time</source>
+        <translation>die Task lief länger als ihre Watchdog-Zeit von {0}; verkürzen Sie ihre Arbeit, oder erhöhen Sie die Zeit</translation>
+    </message>
+    <message>
+        <source>the file name is too long; choose a shorter one</source>
+        <translation>der Dateiname ist zu lang; wählen Sie einen kürzeren</translation>
+    </message>
+    <message>
+        <source>the folder is not empty; choose another one</source>
+        <translation>der Ordner ist nicht leer; wählen Sie einen anderen</translation>
+    </message>
+    <message>
+        <source>the file system is read-only; choose another folder</source>
+        <translation>das Dateisystem ist schreibgeschützt; wählen Sie einen anderen Ordner</translation>
+    </message>
+    <message>
+        <source>too many files are open; close some of them</source>
+        <translation>zu viele Dateien sind geöffnet; schließen Sie einige davon</translation>
+    </message>
+    <message>
+        <source>The file is damaged or is not a recording; choose a file that Stepwise wrote (.rec)</source>
+        <translation>Die Datei ist beschädigt oder keine Aufzeichnung; wählen Sie eine von Stepwise geschriebene Datei (.rec)</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; is reached through a reference, which a path cannot follow; name the variable it refers to</source>
+        <translation>„{0}“ ist nur über eine Referenz erreichbar, der ein Pfad nicht folgt; geben Sie die Variable an, auf die sie zeigt</translation>
+    </message>
+    <message>
+        <source>a string has one index; remove the others</source>
+        <translation>eine Zeichenkette hat einen Index; entfernen Sie die übrigen</translation>
+    </message>
+    <message>
+        <source>a variable of type {0} has no elements; remove the index</source>
+        <translation>eine Variable vom Typ {0} hat keine Elemente; entfernen Sie den Index</translation>
+    </message>
+    <message>
+        <source>a variable of type {0} has no bits; remove the bit number</source>
+        <translation>eine Variable vom Typ {0} hat keine Bits; entfernen Sie die Bitnummer</translation>
+    </message>
+    <message>
+        <source>the program does not use the address &apos;{0}&apos;; declare a variable AT this address</source>
+        <translation>das Programm verwendet die Adresse „{0}“ nicht; deklarieren Sie eine Variable mit AT an dieser Adresse</translation>
+    </message>
+    <message>
+        <source>the path is empty; write for example Main.x</source>
+        <translation>der Pfad ist leer; schreiben Sie zum Beispiel Main.x</translation>
+    </message>
+    <message>
+        <source>a constant cannot be written; change it in the program</source>
+        <translation>eine Konstante kann nicht geschrieben werden; ändern Sie sie im Programm</translation>
+    </message>
+    <message>
+        <source>The retain file is not a regular file; remove it or choose another one</source>
+        <translation>Die Retain-Datei ist keine gewöhnliche Datei; löschen Sie sie, oder wählen Sie eine andere</translation>
+    </message>
+    <message>
+        <source>the text has {0} characters, the maximum is {1}; shorten it</source>
+        <translation>der Text hat {0} Zeichen, das Maximum ist {1}; kürzen Sie ihn</translation>
+    </message>
+    <message>
+        <source>{0} has {1} {1:part|parts}, the value has {2}; write one value for each</source>
+        <translation>{0} hat {1} {1:Teil|Teile}, der Wert hat {2}; schreiben Sie für jedes Teil einen Wert</translation>
+    </message>
+    <message>
+        <source>there is no value to write; enter one first</source>
+        <translation>kein Wert zum Schreiben vorhanden; geben Sie zuerst einen ein</translation>
+    </message>
+    <message>
+        <source>The expression is nested too deeply; divide it into several</source>
+        <translation>Der Ausdruck ist zu tief geschachtelt; teilen Sie ihn in mehrere auf</translation>
+    </message>
+    <message>
+        <source>this is not an expression; write for example Main.x &gt; 5</source>
+        <translation>das ist kein Ausdruck; schreiben Sie zum Beispiel Main.x &gt; 5</translation>
+    </message>
+    <message>
+        <source>this is not an array; remove the index</source>
+        <translation>das ist kein Array; entfernen Sie den Index</translation>
+    </message>
+    <message>
+        <source>an expression cannot have side effects; use variables, operators and standard functions only</source>
+        <translation>ein Ausdruck darf keine Seiteneffekte haben; verwenden Sie nur Variablen, Operatoren und Standardfunktionen</translation>
+    </message>
+    <message>
+        <source>There is no body in ST or IL here; put the cursor into one</source>
+        <translation>Hier ist kein Rumpf in ST oder AWL; setzen Sie den Cursor in einen</translation>
+    </message>
+    <message>
+        <source>There is no library {0}; check &quot;libraries&quot; in project.json</source>
+        <translation>Es gibt keine Bibliothek {0}; prüfen Sie „libraries“ in project.json</translation>
+    </message>
+    <message>
+        <source>This folder contains neither a project.json nor ST files; choose another folder or create a project</source>
+        <translation>Dieser Ordner enthält weder eine project.json noch ST-Dateien; wählen Sie einen anderen Ordner, oder legen Sie ein Projekt an</translation>
+    </message>
+    <message>
+        <source>There is no such file or folder; check the path</source>
+        <translation>Datei oder Ordner nicht gefunden; prüfen Sie den Pfad</translation>
+    </message>
+    <message>
+        <source>{0} already exists in the project; choose another name</source>
+        <translation>{0} ist im Projekt bereits vorhanden; wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>{0} already exists in {1}; choose another name</source>
+        <translation>{0} ist in {1} bereits vorhanden; wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>The file is read-only and was not overwritten; make it writable or choose another name</source>
+        <translation>Die Datei ist schreibgeschützt und wurde nicht überschrieben; erlauben Sie das Schreiben, oder wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>{0} is not a time; write for example T#2s</source>
+        <translation>{0} ist keine Zeit; schreiben Sie zum Beispiel T#2s</translation>
+    </message>
+    <message>
+        <source>{0} is not a whole number; write for example 5</source>
+        <translation>{0} ist keine ganze Zahl; schreiben Sie zum Beispiel 5</translation>
+    </message>
+    <message>
+        <source>{0} is not a number of scans; write for example 10</source>
+        <translation>{0} ist keine Anzahl von Zyklen; schreiben Sie zum Beispiel 10</translation>
+    </message>
+    <message>
+        <source>Nothing would lead to the join after this step; delete the join first</source>
+        <translation>Zur Zusammenführung nach diesem Schritt würde nichts mehr führen; löschen Sie zuerst die Zusammenführung</translation>
+    </message>
+    <message>
+        <source>There is no branch here; choose a step or transition in a branch</source>
+        <translation>Hier gibt es keinen Zweig; wählen Sie einen Schritt oder eine Transition in einem Zweig</translation>
+    </message>
+    <message>
+        <source>The last branch does not lead to a step; connect it first</source>
+        <translation>Der letzte Zweig führt zu keinem Schritt; verbinden Sie ihn zuerst</translation>
+    </message>
+    <message>
+        <source>There is no chart yet; write an INITIAL_STEP first</source>
+        <translation>Es gibt noch keine Schrittkette; schreiben Sie zuerst einen INITIAL_STEP</translation>
+    </message>
+    <message>
+        <source>An alarm has no id; give it one</source>
+        <translation>Ein Alarm hat keine Kennung; geben Sie ihm eine</translation>
+    </message>
+    <message>
+        <source>Column {0} has no language tag; write one such as de or en-GB</source>
+        <translation>Spalte {0} hat kein Sprachkürzel; schreiben Sie zum Beispiel de oder en-GB</translation>
+    </message>
+    <message>
+        <source>This line has no key; write one in the first column</source>
+        <translation>Diese Zeile hat keinen Schlüssel; schreiben Sie einen in die erste Spalte</translation>
+    </message>
+    <message>
+        <source>This is not an XLIFF file; choose one that was exported for translation</source>
+        <translation>Das ist keine XLIFF-Datei; wählen Sie eine, die zum Übersetzen exportiert wurde</translation>
+    </message>
+    <message>
+        <source>There is no panel {0}; create it or choose another one</source>
+        <translation>Es gibt kein Panel {0}; legen Sie es an, oder wählen Sie ein anderes</translation>
+    </message>
+    <message>
+        <source>The key {0} is not in the text table; add it there</source>
+        <translation>Der Schlüssel {0} ist nicht in der Texttabelle; fügen Sie ihn dort hinzu</translation>
+    </message>
+    <message>
+        <source>The project has no language {0}; add a column for it to texts.csv</source>
+        <translation>Das Projekt hat keine Sprache {0}; fügen Sie in texts.csv eine Spalte dafür hinzu</translation>
+    </message>
+    <message>
+        <source>The file {0} does not exist; add it to the project or choose another one</source>
+        <translation>Die Datei {0} ist nicht vorhanden; fügen Sie sie dem Projekt hinzu, oder wählen Sie eine andere</translation>
+    </message>
+    <message>
+        <source>The panel has no group or tab {0}; create it or choose another one</source>
+        <translation>Das Panel hat keine Gruppe und keine Registerkarten {0}; legen Sie sie an, oder wählen Sie eine andere</translation>
+    </message>
+    <message>
+        <source>The group {0} contains itself; choose another parent</source>
+        <translation>Die Gruppe {0} enthält sich selbst; wählen Sie eine andere übergeordnete Gruppe</translation>
+    </message>
+    <message>
+        <source>A role has no name; give it one</source>
+        <translation>Eine Rolle hat keinen Namen; geben Sie ihr einen</translation>
+    </message>
+    <message>
+        <source>A user has no name; give it one</source>
+        <translation>Ein Benutzer hat keinen Namen; geben Sie ihm einen</translation>
+    </message>
+    <message>
+        <source>There is no role {0}; create it or choose another one</source>
+        <translation>Die Rolle {0} gibt es nicht; legen Sie sie an, oder wählen Sie eine andere</translation>
+    </message>
+    <message>
+        <source>A recipe has no name; give it one</source>
+        <translation>Eine Rezeptur hat keinen Namen; geben Sie ihr einen</translation>
+    </message>
+    <message>
+        <source>A set of a recipe has no name; give it one</source>
+        <translation>Ein Datensatz einer Rezeptur hat keinen Namen; geben Sie ihm einen</translation>
+    </message>
+    <message>
+        <source>The recipe has the variable {0} twice; remove one of the two</source>
+        <translation>Die Rezeptur enthält die Variable {0} doppelt; entfernen Sie eine von beiden</translation>
+    </message>
+    <message>
+        <source>The set {0} has no value for {1}; enter one</source>
+        <translation>Der Datensatz {0} hat keinen Wert für {1}; geben Sie einen ein</translation>
+    </message>
+    <message>
+        <source>There is no alarm class {0}; add it or choose another one</source>
+        <translation>Es gibt keine Alarmklasse {0}; fügen Sie sie hinzu, oder wählen Sie eine andere</translation>
+    </message>
+    <message>
+        <source>No panel and no alarm uses the key {0}; use it or remove it</source>
+        <translation>Kein Panel und kein Alarm verwendet den Schlüssel {0}; verwenden oder entfernen Sie ihn</translation>
+    </message>
+    <message>
+        <source>The placeholders differ: {0} has {1}, {2} has {3}; use the same in both</source>
+        <translation>Die Platzhalter sind unterschiedlich: {0} hat {1}, {2} hat {3}; verwenden Sie in beiden dieselben</translation>
+    </message>
+    <message>
+        <source>The font {0} is not installed here, so texts cannot be measured; install it</source>
+        <translation>Die Schrift {0} ist hier nicht installiert, deshalb können Texte nicht gemessen werden; installieren Sie sie</translation>
+    </message>
+    <message>
+        <source>No font has the character {0}; use another one</source>
+        <translation>Keine Schrift hat das Zeichen {0}; verwenden Sie ein anderes</translation>
+    </message>
+    <message>
+        <source>{0} covers a part of it; move one of the two</source>
+        <translation>{0} verdeckt einen Teil davon; verschieben Sie eines der beiden</translation>
+    </message>
+    <message>
+        <source>No button, navigation bar or alarm leads to the panel {0}; add one of them</source>
+        <translation>Keine Schaltfläche, Navigationsleiste und kein Alarm führt zum Panel {0}; fügen Sie eines davon hinzu</translation>
+    </message>
+    <message>
+        <source>{0} of {1} alarms have the highest priority; keep it for the few that cannot wait</source>
+        <translation>{0} von {1} Alarmen haben die höchste Priorität; verwenden Sie sie nur für die wenigen, die nicht warten können</translation>
+    </message>
+    <message>
+        <source>The project has {0} {0:alarm|alarms}, but no panel has an alarm list or banner; add one</source>
+        <translation>Das Projekt hat {0} {0:Alarm|Alarme}, aber kein Panel hat eine Alarmliste oder eine Alarmzeile; fügen Sie eine hinzu</translation>
+    </message>
+    <message>
+        <source>{0} is critical after project.json, but one press writes it; set &quot;Writes are confirmed&quot;</source>
+        <translation>{0} ist laut project.json kritisch, doch ein Druck schreibt es; setzen Sie „Schreiben wird bestätigt“</translation>
+    </message>
+    <message>
+        <source>{0} suppresses alarms, but one press writes it; set &quot;Writes are confirmed&quot;</source>
+        <translation>{0} unterdrückt Alarme, doch ein Druck schreibt es; setzen Sie „Schreiben wird bestätigt“</translation>
     </message>
 </context>
 <context>
@@ -2808,31 +2808,31 @@
     </message>
     <message>
         <source>PLCopen XML has no place for panels; they were left out</source>
-        <translation>PLCopen XML hat keinen Platz für Panels; sie wurden ausgelassen</translation>
+        <translation>PLCopen XML unterstützt Panels nicht; sie wurden ausgelassen</translation>
     </message>
     <message>
         <source>PLCopen XML has no place for traces; they were left out</source>
-        <translation>PLCopen XML hat keinen Platz für Traces; sie wurden ausgelassen</translation>
+        <translation>PLCopen XML unterstützt Traces nicht; sie wurden ausgelassen</translation>
     </message>
     <message>
         <source>PLCopen XML has no place for tests; they were left out</source>
-        <translation>PLCopen XML hat keinen Platz für Tests; sie wurden ausgelassen</translation>
+        <translation>PLCopen XML unterstützt Tests nicht; sie wurden ausgelassen</translation>
     </message>
     <message>
         <source>PLCopen XML has no place for tests; the TEST &apos;{0}&apos; was left out</source>
-        <translation>PLCopen XML hat keinen Platz für Tests; der TEST „{0}“ wurde ausgelassen</translation>
+        <translation>PLCopen XML unterstützt Tests nicht; der TEST „{0}“ wurde ausgelassen</translation>
     </message>
     <message>
         <source>PLCopen XML has no place for namespaces; a NAMESPACE was left out with its units</source>
-        <translation>PLCopen XML hat keinen Platz für Namensräume; ein NAMESPACE wurde mit seinen Bausteinen ausgelassen</translation>
+        <translation>PLCopen XML unterstützt Namensräume nicht; ein NAMESPACE wurde mit seinen Bausteinen ausgelassen</translation>
     </message>
     <message>
         <source>PLCopen XML has no place for USING; it was left out</source>
-        <translation>PLCopen XML hat keinen Platz für USING; es wurde ausgelassen</translation>
+        <translation>PLCopen XML unterstützt USING nicht; es wurde ausgelassen</translation>
     </message>
     <message>
         <source>PLCopen XML has no place for the name of the transition {0}; it was left out</source>
-        <translation>PLCopen XML hat keinen Platz für den Namen der Transition {0}; er wurde ausgelassen</translation>
+        <translation>PLCopen XML unterstützt den Namen der Transition {0} nicht; er wurde ausgelassen</translation>
     </message>
     <message>
         <source>PLCopen XML has one indicator per action; {0} was left out</source>
@@ -2864,19 +2864,19 @@
     </message>
     <message>
         <source>Version 0201 has no place for the pragma {0} of a step; it was left out</source>
-        <translation>Version 0201 hat keinen Platz für das Pragma {0} eines Schritts; es wurde ausgelassen</translation>
+        <translation>Version 0201 unterstützt das Pragma {0} eines Schritts nicht; es wurde ausgelassen</translation>
     </message>
     <message>
         <source>Version 0201 has no place for {0} of a task; it was left out</source>
-        <translation>Version 0201 hat keinen Platz für {0} einer Task; es wurde ausgelassen</translation>
+        <translation>Version 0201 unterstützt {0} einer Task nicht; es wurde ausgelassen</translation>
     </message>
     <message>
         <source>Version 0201 has no place for the connections of the program {0}; they were left out</source>
-        <translation>Version 0201 hat keinen Platz für die Verbindungen des Programms {0}; sie wurden ausgelassen</translation>
+        <translation>Version 0201 unterstützt die Verbindungen des Programms {0} nicht; sie wurden ausgelassen</translation>
     </message>
     <message>
         <source>Version 0201 has no place for libraries; {0} was left out</source>
-        <translation>Version 0201 hat keinen Platz für Bibliotheken; {0} wurde ausgelassen</translation>
+        <translation>Version 0201 unterstützt Bibliotheken nicht; {0} wurde ausgelassen</translation>
     </message>
     <message>
         <source>The file is no program source and was left out</source>
@@ -3386,7 +3386,7 @@
     </message>
     <message>
         <source>Colour off</source>
-        <translation>Farbe aus</translation>
+        <translation>Farbe (aus)</translation>
     </message>
     <message>
         <source>Colour running</source>
@@ -3454,7 +3454,7 @@
     </message>
     <message>
         <source>Colour on</source>
-        <translation>Farbe ein</translation>
+        <translation>Farbe (ein)</translation>
     </message>
     <message>
         <source>Rotary selector</source>
@@ -3926,7 +3926,7 @@
     </message>
     <message>
         <source>Recipe</source>
-        <translation>Rezept</translation>
+        <translation>Rezeptur</translation>
     </message>
     <message>
         <source>Alarm statistics</source>
@@ -5587,7 +5587,7 @@
     </message>
     <message>
         <source>The rule looks at one lag only; check the margins.</source>
-        <translation>Die Regel berücksichtigt nur eine Verzögerung; die Reserven prüfen.</translation>
+        <translation>Die Regel berücksichtigt nur ein Verzögerungsglied; die Reserven prüfen.</translation>
     </message>
     <message>
         <source>gain and dead time</source>
@@ -5611,11 +5611,11 @@
     </message>
     <message>
         <source>two equal lags</source>
-        <translation>zwei gleiche Verzögerungen</translation>
+        <translation>zwei gleiche Verzögerungsglieder</translation>
     </message>
     <message>
         <source>two equal lags with dead time</source>
-        <translation>zwei gleiche Verzögerungen mit Totzeit</translation>
+        <translation>zwei gleiche Verzögerungsglieder mit Totzeit</translation>
     </message>
     <message>
         <source>oscillating</source>
@@ -5627,7 +5627,7 @@
     </message>
     <message>
         <source>oscillating with a lag</source>
-        <translation>schwingend mit einer Verzögerung</translation>
+        <translation>schwingend mit einem Verzögerungsglied</translation>
     </message>
     <message>
         <source>second order with a zero</source>
@@ -5639,47 +5639,47 @@
     </message>
     <message>
         <source>three equal lags</source>
-        <translation>drei gleiche Verzögerungen</translation>
+        <translation>drei gleiche Verzögerungsglieder</translation>
     </message>
     <message>
         <source>three equal lags with a zero</source>
-        <translation>drei gleiche Verzögerungen mit einer Nullstelle</translation>
+        <translation>drei gleiche Verzögerungsglieder mit einer Nullstelle</translation>
     </message>
     <message>
         <source>four equal lags</source>
-        <translation>vier gleiche Verzögerungen</translation>
+        <translation>vier gleiche Verzögerungsglieder</translation>
     </message>
     <message>
         <source>five equal lags</source>
-        <translation>fünf gleiche Verzögerungen</translation>
+        <translation>fünf gleiche Verzögerungsglieder</translation>
     </message>
     <message>
         <source>six equal lags</source>
-        <translation>sechs gleiche Verzögerungen</translation>
+        <translation>sechs gleiche Verzögerungsglieder</translation>
     </message>
     <message>
         <source>seven equal lags</source>
-        <translation>sieben gleiche Verzögerungen</translation>
+        <translation>sieben gleiche Verzögerungsglieder</translation>
     </message>
     <message>
         <source>eight equal lags</source>
-        <translation>acht gleiche Verzögerungen</translation>
+        <translation>acht gleiche Verzögerungsglieder</translation>
     </message>
     <message>
         <source>three equal lags with dead time</source>
-        <translation>drei gleiche Verzögerungen mit Totzeit</translation>
+        <translation>drei gleiche Verzögerungsglieder mit Totzeit</translation>
     </message>
     <message>
         <source>three lags</source>
-        <translation>drei Verzögerungen</translation>
+        <translation>drei Verzögerungsglieder</translation>
     </message>
     <message>
         <source>three lags with dead time</source>
-        <translation>drei Verzögerungen mit Totzeit</translation>
+        <translation>drei Verzögerungsglieder mit Totzeit</translation>
     </message>
     <message>
         <source>four lags</source>
-        <translation>vier Verzögerungen</translation>
+        <translation>vier Verzögerungsglieder</translation>
     </message>
     <message>
         <source>integrating</source>
@@ -5691,15 +5691,15 @@
     </message>
     <message>
         <source>integrating with a lag</source>
-        <translation>integrierend mit einer Verzögerung</translation>
+        <translation>integrierend mit einem Verzögerungsglied</translation>
     </message>
     <message>
         <source>integrating with a lag and dead time</source>
-        <translation>integrierend mit einer Verzögerung und Totzeit</translation>
+        <translation>integrierend mit einem Verzögerungsglied und Totzeit</translation>
     </message>
     <message>
         <source>integrating with two equal lags</source>
-        <translation>integrierend mit zwei gleichen Verzögerungen</translation>
+        <translation>integrierend mit zwei gleichen Verzögerungsgliedern</translation>
     </message>
     <message>
         <source>SIMC</source>
@@ -6578,7 +6578,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>New Program, Block, Type…</source>
-        <translation>Neues Programm, Baustein, Datentyp…</translation>
+        <translation>Programm, Baustein, Datentyp hinzufügen…</translation>
     </message>
     <message>
         <source>Save</source>
@@ -9306,7 +9306,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Trial with the block itself</source>
-        <translation>Probe mit dem Baustein selbst</translation>
+        <translation>Probelauf mit dem Baustein</translation>
     </message>
     <message>
         <source>Control loop</source>
@@ -10321,7 +10321,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Logged Out After</source>
-        <translation>Abgemeldet nach</translation>
+        <translation>Abmelden nach</translation>
     </message>
     <message>
         <source>Set Password</source>
@@ -11454,16 +11454,12 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
 <context>
     <name>Examples</name>
     <message>
-        <source>Automatic guided vehicle</source>
-        <translation>Fahrerloses Transportfahrzeug</translation>
-    </message>
-    <message>
         <source>Alarm texts in five languages</source>
         <translation>Alarmtexte in fünf Sprachen</translation>
     </message>
     <message>
         <source>Heated tank with analog blocks</source>
-        <translation>Beheizter Behälter mit Analogbausteinen</translation>
+        <translation>Behälter mit Analogbausteinen</translation>
     </message>
     <message>
         <source>Bottling line</source>
@@ -11475,7 +11471,7 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
     </message>
     <message>
         <source>Car wash with recipes</source>
-        <translation>Autowaschanlage mit Rezepten</translation>
+        <translation>Autowaschanlage mit Rezepturen</translation>
     </message>
     <message>
         <source>Room heated by supply air</source>
@@ -11515,7 +11511,7 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
     </message>
     <message>
         <source>Hour meter with reset and enable</source>
-        <translation>Betriebsstundenzähler mit Rücksetzen und Freigabe</translation>
+        <translation>Betriebsstundenzähler</translation>
     </message>
     <message>
         <source>Items per hour</source>
@@ -11539,7 +11535,7 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
     </message>
     <message>
         <source>Mixer for two liquids and two bricks</source>
-        <translation>Mischer für zwei Flüssigkeiten und zwei Briketts</translation>
+        <translation>Mischer für Flüssigkeiten und Briketts</translation>
     </message>
     <message>
         <source>Motor with self-holding</source>
@@ -11552,14 +11548,6 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
     <message>
         <source>PID loop on a first-order process</source>
         <translation>PID-Regelkreis an einer PT1-Strecke</translation>
-    </message>
-    <message>
-        <source>First-order filter and two sines a decade apart</source>
-        <translation>PT1-Filter und zwei Sinussignale im Abstand einer Dekade</translation>
-    </message>
-    <message>
-        <source>Pump that looks for its cheapest speed</source>
-        <translation>Pumpe sucht ihre wirtschaftlichste Drehzahl</translation>
     </message>
     <message>
         <source>Two pumps in a well</source>
@@ -11583,7 +11571,7 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
     </message>
     <message>
         <source>Two level sensors that watch each other</source>
-        <translation>Zwei Füllstandssensoren überwachen einander</translation>
+        <translation>Zwei Füllstandsensoren im Vergleich</translation>
     </message>
     <message>
         <source>Pumping station with six pumps</source>
@@ -11636,6 +11624,202 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
     <message>
         <source>Tank over Modbus</source>
         <translation>Behälter über Modbus</translation>
+    </message>
+    <message>
+        <source>A vehicle between two limit switches, driven by two linked sequential function charts</source>
+        <translation>Ein Fahrzeug zwischen zwei Endschaltern, gesteuert von zwei verknüpften Schrittketten</translation>
+    </message>
+    <message>
+        <source>A motor with three alarms that operators read in five languages</source>
+        <translation>Ein Motor mit drei Alarmen, die der Bediener in fünf Sprachen liest</translation>
+    </message>
+    <message>
+        <source>One control loop with a block for each task: filter, monitor, ramp, PID, transfer</source>
+        <translation>Ein Regelkreis mit einem Baustein je Aufgabe: Filter, Überwachung, Rampe, PID, Umschaltung</translation>
+    </message>
+    <message>
+        <source>Filler, capper and labeller with buffers between them, controlled as PackML units</source>
+        <translation>Füller, Verschließer und Etikettierer mit Puffern dazwischen, gesteuert nach PackML</translation>
+    </message>
+    <message>
+        <source>A robot parks cars by their number plates and fetches them again</source>
+        <translation>Ein Roboter parkt Autos nach ihrem Kennzeichen ein und holt sie wieder</translation>
+    </message>
+    <message>
+        <source>Five wash programmes, each with a price and a recipe that the owner can edit</source>
+        <translation>Fünf Waschprogramme, jedes mit Preis und Rezeptur, die der Betreiber ändern kann</translation>
+    </message>
+    <message>
+        <source>Cascade control: a slow loop for the room, a fast one for the supply air</source>
+        <translation>Kaskadenregelung: ein langsamer Kreis für den Raum, ein schneller für die Zuluft</translation>
+    </message>
+    <message>
+        <source>A motor valve whose travel is monitored; if it takes too long, an alarm sounds</source>
+        <translation>Ein Motorventil mit Laufzeitüberwachung; dauert es zu lange, ertönt ein Alarm</translation>
+    </message>
+    <message>
+        <source>A belt carries an item to the right, waits ten seconds and carries it back</source>
+        <translation>Ein Förderband bringt ein Teil nach rechts, wartet zehn Sekunden und bringt es zurück</translation>
+    </message>
+    <message>
+        <source>Four belts take boxes off pallets; the settings of one can be copied to another</source>
+        <translation>Vier Bänder nehmen Kartons von Paletten; Einstellungen lassen sich kopieren</translation>
+    </message>
+    <message>
+        <source>Heating and hot water from a district-heating network, with frost protection and summer mode</source>
+        <translation>Heizung und Warmwasser aus Fernwärme, mit Frostschutz und Sommerbetrieb</translation>
+    </message>
+    <message>
+        <source>A valve doses in pulses and pauses until the batch is complete</source>
+        <translation>Ein Ventil dosiert in Impulsen und Pausen, bis die Charge vollständig ist</translation>
+    </message>
+    <message>
+        <source>The pressure drop shows how dirty a filter is; an alarm reports when it is out of range</source>
+        <translation>Der Druckverlust zeigt, wie verschmutzt ein Filter ist; außerhalb des Bereichs folgt ein Alarm</translation>
+    </message>
+    <message>
+        <source>Silo, bin, conveyor and truck, controlled by three sequential function charts side by side</source>
+        <translation>Silo, Behälter, Förderband und Lkw, gesteuert von drei Schrittketten nebeneinander</translation>
+    </message>
+    <message>
+        <source>Two on-off controls: a heater with a set point, and a valve that opens on a pump alarm</source>
+        <translation>Zwei Zweipunktregelungen: eine Heizung mit Sollwert und ein Ventil, das bei Pumpenalarm öffnet</translation>
+    </message>
+    <message>
+        <source>An hour meter that is loaded, enabled and held, which draws a saw-tooth</source>
+        <translation>Ein Betriebsstundenzähler, der geladen, freigegeben und angehalten wird: ein Sägezahn</translation>
+    </message>
+    <message>
+        <source>A press makes items; a table counts how many in each hour of the day</source>
+        <translation>Eine Presse fertigt Teile; eine Tabelle zählt sie je Stunde des Tages</translation>
+    </message>
+    <message>
+        <source>Counts items, energy and water; the counts survive a power failure</source>
+        <translation>Zählt Teile, Energie und Wasser; die Zählerstände überstehen einen Stromausfall</translation>
+    </message>
+    <message>
+        <source>A level sensor of 4 to 20 mA, three lamps and the detection of a wire break</source>
+        <translation>Ein Füllstandsensor mit 4 bis 20 mA, drei Lampen und Drahtbrucherkennung</translation>
+    </message>
+    <message>
+        <source>Three signals of a machine on three lamps that flash or stay on</source>
+        <translation>Drei Signale einer Maschine auf drei Lampen, die blinken oder leuchten</translation>
+    </message>
+    <message>
+        <source>A heat exchanger that oscillates; an experiment and its recording give better settings</source>
+        <translation>Ein Wärmetauscher schwingt; ein Versuch und seine Aufzeichnung ergeben bessere Parameter</translation>
+    </message>
+    <message>
+        <source>Liquids are weighed while a belt brings two bricks; then the mixer turns and tips</source>
+        <translation>Flüssigkeiten werden gewogen, ein Band bringt zwei Briketts; dann mischt und kippt der Mischer</translation>
+    </message>
+    <message>
+        <source>Start, stop and a contactor that holds itself, written in four ways that agree</source>
+        <translation>Start, Stopp und ein Schütz mit Selbsthaltung, auf vier gleichwertige Arten geschrieben</translation>
+    </message>
+    <message>
+        <source>The local control box or the panel: one block decides which of them is in control</source>
+        <translation>Vor-Ort-Steuerung oder Panel: Ein Baustein entscheidet, wer die Bedienhoheit hat</translation>
+    </message>
+    <message>
+        <source>The same process with and without a PID controller, side by side in one trace</source>
+        <translation>Derselbe Prozess mit und ohne PID-Regler, nebeneinander in einem Trace</translation>
+    </message>
+    <message>
+        <source>One filter, two sines: the slow one passes, the fast one is damped and lags behind</source>
+        <translation>Ein Filter, zwei Sinussignale: Das langsame passiert, das schnelle wird gedämpft und eilt nach</translation>
+    </message>
+    <message>
+        <source>A pump tries out its speeds and keeps the one with the least energy per cubic metre</source>
+        <translation>Eine Pumpe probiert Drehzahlen aus und behält die mit der geringsten Energie je Kubikmeter</translation>
+    </message>
+    <message>
+        <source>Two pumps take turns; a float counts only after two steady seconds</source>
+        <translation>Zwei Pumpen wechseln sich ab; ein Schwimmer zählt erst nach zwei ruhigen Sekunden</translation>
+    </message>
+    <message>
+        <source>A sine becomes pulses for two outputs, as for a motor in two directions</source>
+        <translation>Ein Sinus wird zu Impulsen für zwei Ausgänge, wie für einen Motor mit zwei Drehrichtungen</translation>
+    </message>
+    <message>
+        <source>A robot counts encoder pulses to store and fetch loads on twelve shelves</source>
+        <translation>Ein Roboter zählt Geberimpulse und lagert Lasten in zwölf Fächern ein und aus</translation>
+    </message>
+    <message>
+        <source>A robot takes 25 items one by one to a CNC machine and back</source>
+        <translation>Ein Roboter bringt 25 Teile nacheinander zu einer CNC-Maschine und zurück</translation>
+    </message>
+    <message>
+        <source>A robot puts three items into each box; a camera checks the result</source>
+        <translation>Ein Roboter legt drei Teile in jeden Karton; eine Kamera prüft das Ergebnis</translation>
+    </message>
+    <message>
+        <source>Two sensors are compared; a faulty one is replaced by the healthy one without a bump</source>
+        <translation>Zwei Sensoren im Vergleich; ein gestörter wird stoßfrei durch den gesunden ersetzt</translation>
+    </message>
+    <message>
+        <source>Starts and stops six pumps by level and running hours, as a town&apos;s day flows in</source>
+        <translation>Schaltet sechs Pumpen nach Füllstand und Betriebsstunden über den Tagesgang einer Stadt</translation>
+    </message>
+    <message>
+        <source>A rotary switch selects the speed of a motor, a number what a module does</source>
+        <translation>Ein Drehschalter wählt die Drehzahl eines Motors, eine Zahl die Funktion eines Moduls</translation>
+    </message>
+    <message>
+        <source>Last in, first out: push, pop and reset, in ST and as an instruction list</source>
+        <translation>Zuletzt hinein, zuerst heraus: Push, Pop und Reset, in ST und als Anweisungsliste</translation>
+    </message>
+    <message>
+        <source>The same sequence twice: with CASE and as a chart of steps; either can be in control</source>
+        <translation>Derselbe Ablauf zweimal: mit CASE und als Schrittkette; beide können steuern</translation>
+    </message>
+    <message>
+        <source>Fill, empty and stir with three switches; two level switches prevent mistakes</source>
+        <translation>Füllen, Leeren und Rühren mit drei Schaltern; zwei Niveauschalter verhindern Fehler</translation>
+    </message>
+    <message>
+        <source>A current of 4 to 20 mA becomes a level, and the level becomes a volume</source>
+        <translation>Aus einem Strom von 4 bis 20 mA wird ein Füllstand, aus dem Füllstand ein Volumen</translation>
+    </message>
+    <message>
+        <source>Red, yellow and green from one counter of seconds, written in three ways</source>
+        <translation>Rot, Gelb und Grün aus einem Sekundenzähler, auf drei Arten geschrieben</translation>
+    </message>
+    <message>
+        <source>Five tanks, three pipelines, fifteen valves; two tanks never feed the same pipeline</source>
+        <translation>Fünf Behälter, drei Leitungen, fünfzehn Ventile; nie speisen zwei Behälter eine Leitung</translation>
+    </message>
+    <message>
+        <source>A motor valve, a spring-return valve and a control valve, each with its block</source>
+        <translation>Ein Motorventil, ein Ventil mit Federrückstellung und ein Regelventil, je mit Baustein</translation>
+    </message>
+    <message>
+        <source>A float in waves: the pump starts and stops only after five steady seconds</source>
+        <translation>Ein Schwimmer in Wellen: Die Pumpe schaltet erst nach fünf ruhigen Sekunden</translation>
+    </message>
+    <message>
+        <source>Four BCD digits become the net weight once the scale has come to rest</source>
+        <translation>Vier BCD-Ziffern werden zum Nettogewicht, sobald die Waage zur Ruhe gekommen ist</translation>
+    </message>
+    <message>
+        <source>Samples of the language on four pages, each a program of its own with a test</source>
+        <translation>Sprachbeispiele auf vier Seiten, jedes ein eigenes Programm mit Test</translation>
+    </message>
+    <message>
+        <source>Automated guided vehicle</source>
+        <translation>Fahrerloses Transportfahrzeug</translation>
+    </message>
+    <message>
+        <source>First-order filter and two sines</source>
+        <translation>PT1-Filter und zwei Sinussignale</translation>
+    </message>
+    <message>
+        <source>Pump at its most efficient speed</source>
+        <translation>Pumpe mit effizientester Drehzahl</translation>
+    </message>
+    <message>
+        <source>A controller and a tank, connected on this computer by real Modbus TCP</source>
+        <translation>Eine Steuerung und ein Behälter, auf diesem Rechner über echtes Modbus TCP verbunden</translation>
     </message>
 </context>
 <context>
@@ -11819,7 +12003,7 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
     <name>plc::plot::PlotView</name>
     <message>
         <source>Chart</source>
-        <translation>Schrittkette</translation>
+        <translation>Diagramm</translation>
     </message>
     <message>
         <source>%1
@@ -12109,6 +12293,33 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
     <message>
         <source>The controller&apos;s program cannot be built here as it is there; use the same version of Stepwise on both sides</source>
         <translation>Das Programm der Steuerung lässt sich hier nicht so übersetzen wie dort; verwenden Sie auf beiden Seiten dieselbe Version von Stepwise</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::Menu</name>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Bearbeiten</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Debug</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
     </message>
 </context>
 </TS>

@@ -72,14 +72,6 @@
         <translation>{0} no es un puerto serie; escriba su ruta, por ejemplo /dev/ttyUSB0</translation>
     </message>
     <message>
-        <source>{0} and {1} are both unit {2} of {3}</source>
-        <translation>{0} y {1} son ambos la unidad {2} de {3}</translation>
-    </message>
-    <message>
-        <source>{0} and {1} use {2} with different baud rates, parities or bits</source>
-        <translation>{0} y {1} usan {2} con velocidades, paridades o bits distintos</translation>
-    </message>
-    <message>
         <source>{0} and {1} both listen at port {2}; give one another port</source>
         <translation>{0} y {1} escuchan ambos en el puerto {2}; asigne otro puerto a uno</translation>
     </message>
@@ -105,7 +97,7 @@
     </message>
     <message>
         <source>Clients cannot write the table &quot;{0}&quot; of a server; use &quot;coil&quot; or &quot;holding&quot;, or the direction &quot;out&quot;</source>
-        <translation>Los clientes no pueden escribir la tabla «{0}» de un servidor; use «coil» o «holding», o la dirección «out»</translation>
+        <translation>Los clientes no pueden escribir en la tabla «{0}» de un servidor; use «coil» o «holding», o la dirección «out»</translation>
     </message>
     <message>
         <source>{0} needs {1} {1:register|registers} from {2}, but 65535 is the last</source>
@@ -162,10 +154,6 @@
     <message>
         <source>{0} is a constant and cannot be written</source>
         <translation>{0} es una constante y no se puede escribir</translation>
-    </message>
-    <message>
-        <source>{0} and {1} both set {2} {3}</source>
-        <translation>{0} y {1} escriben ambos {2} {3}</translation>
     </message>
     <message>
         <source>{0} says whether the channel is good and must be a BOOL or an integer</source>
@@ -291,6 +279,18 @@
         <source>cannot connect to {0}: {1}; check the address and the cable</source>
         <translation>no se puede conectar con {0}: {1}; compruebe la dirección y el cable</translation>
     </message>
+    <message>
+        <source>{0} and {1} are both unit {2} of {3}; give one of them another number</source>
+        <translation>{0} y {1} tienen ambos la dirección {2} en {3}; dé otra a uno de ellos</translation>
+    </message>
+    <message>
+        <source>{0} and {1} use {2} with different baud rates, parities or bits; set the same for both</source>
+        <translation>{0} y {1} usan {2} con velocidades, paridades o bits distintos; ajuste lo mismo en ambos</translation>
+    </message>
+    <message>
+        <source>{0} and {1} both set {2} {3}; give each its own</source>
+        <translation>{0} y {1} escriben ambos {2} {3}; dé uno propio a cada uno</translation>
+    </message>
 </context>
 <context>
     <name>Diagnostics</name>
@@ -307,10 +307,6 @@
         <translation>No es UTF-8 válido; guarde el archivo como UTF-8</translation>
     </message>
     <message>
-        <source>{0} is not a valid {1} literal</source>
-        <translation>{0} no es un literal válido ({1})</translation>
-    </message>
-    <message>
         <source>Expected {0} before {1}</source>
         <translation>Se esperaba {0} antes de {1}</translation>
     </message>
@@ -321,10 +317,6 @@
     <message>
         <source>{0} is missing for this {1}</source>
         <translation>Falta {0} para este {1}</translation>
-    </message>
-    <message>
-        <source>Unexpected {0}</source>
-        <translation>{0} inesperado</translation>
     </message>
     <message>
         <source>This comparison has no effect; use := to assign</source>
@@ -347,10 +339,6 @@
         <translation>Un límite abierto se escribe ARRAY[*] y solo se permite en VAR_IN_OUT</translation>
     </message>
     <message>
-        <source>The pragma {0} is not known and has no effect</source>
-        <translation>El pragma {0} no se conoce y no tiene efecto</translation>
-    </message>
-    <message>
         <source>{0} is missing; the program unit ends here</source>
         <translation>Falta {0}; el POU termina aquí</translation>
     </message>
@@ -359,68 +347,16 @@
         <translation>Falta un punto y coma aquí; la instrucción termina aquí</translation>
     </message>
     <message>
-        <source>{0} is not declared</source>
-        <translation>{0} no está declarado</translation>
-    </message>
-    <message>
-        <source>{0} has no member {1}</source>
-        <translation>{0} no tiene ningún miembro {1}</translation>
-    </message>
-    <message>
-        <source>{0} cannot be converted to {1}</source>
-        <translation>{0} no se puede convertir a {1}</translation>
-    </message>
-    <message>
         <source>Implicit conversion from {0} to {1} may lose data; convert it explicitly</source>
         <translation>La conversión implícita de {0} a {1} puede perder datos; convierta explícitamente</translation>
-    </message>
-    <message>
-        <source>{0} cannot be assigned to</source>
-        <translation>No se puede asignar un valor a {0}</translation>
-    </message>
-    <message>
-        <source>{0} cannot be used with {1}</source>
-        <translation>{0} no se puede usar con {1}</translation>
-    </message>
-    <message>
-        <source>{0} cannot combine {1} and {2}</source>
-        <translation>{0} no puede combinar {1} y {2}</translation>
-    </message>
-    <message>
-        <source>{0} cannot be called</source>
-        <translation>{0} no se puede llamar</translation>
-    </message>
-    <message>
-        <source>{0} has no parameter {1}</source>
-        <translation>{0} no tiene ningún parámetro {1}</translation>
-    </message>
-    <message>
-        <source>The argument for {1} of {0} is missing</source>
-        <translation>Falta el argumento de {1} en {0}</translation>
-    </message>
-    <message>
-        <source>{0} takes {1} {1:argument|arguments}</source>
-        <translation>{0} espera {1} {1:argumento|argumentos}</translation>
     </message>
     <message>
         <source>{0} is an IN_OUT parameter and needs a variable of type {1}</source>
         <translation>{0} es un parámetro IN_OUT y necesita una variable de tipo {1}</translation>
     </message>
     <message>
-        <source>The index {0} is outside {1}..{2}</source>
-        <translation>El índice {0} está fuera de {1}..{2}</translation>
-    </message>
-    <message>
-        <source>{0} does not fit into {1}</source>
-        <translation>{0} no cabe en {1}</translation>
-    </message>
-    <message>
         <source>{0} has only the bits 0 to {1}</source>
         <translation>{0} solo tiene los bits 0 a {1}</translation>
-    </message>
-    <message>
-        <source>The condition must be BOOL, not {0}</source>
-        <translation>La condición debe ser BOOL, no {0}</translation>
     </message>
     <message>
         <source>{0} is ambiguous: {1}; write the namespace before it</source>
@@ -439,20 +375,8 @@
         <translation>{0} no se comprueba con la enumeración {1}; use uno de sus nombres</translation>
     </message>
     <message>
-        <source>The address {0} is outside {1}</source>
-        <translation>La dirección {0} está fuera de {1}</translation>
-    </message>
-    <message>
-        <source>{0} is not allowed in a watch or binding, which cannot have side effects</source>
-        <translation>{0} no se permite en una supervisión ni en un enlace de variable, que no pueden tener efectos secundarios</translation>
-    </message>
-    <message>
         <source>{0} is {1}; write {2}</source>
         <translation>{0} es {1}; escriba {2}</translation>
-    </message>
-    <message>
-        <source>A reference needs a variable that has an address</source>
-        <translation>Una referencia necesita una variable con dirección</translation>
     </message>
     <message>
         <source>{0} contains itself; use a REFERENCE TO</source>
@@ -461,18 +385,6 @@
     <message>
         <source>The parameters of {0} must match those of the overridden method</source>
         <translation>Los parámetros de {0} deben coincidir con los del método sobrescrito</translation>
-    </message>
-    <message>
-        <source>{1} cannot extend {0}</source>
-        <translation>{1} no puede extender {0}</translation>
-    </message>
-    <message>
-        <source>{0} is not allowed {1}</source>
-        <translation>{0} no se permite {1}</translation>
-    </message>
-    <message>
-        <source>{0} is only allowed inside a loop</source>
-        <translation>{0} solo se permite dentro de un bucle</translation>
     </message>
     <message>
         <source>There are several programs and no CONFIGURATION; name one of them Main or write a CONFIGURATION</source>
@@ -491,10 +403,6 @@
         <translation>{0} puede llamarse a sí mismo; la profundidad de recursión está limitada en ejecución</translation>
     </message>
     <message>
-        <source>Step {0} can become active twice at the same time: the branches from here do not join</source>
-        <translation>La etapa {0} puede activarse dos veces a la vez: las ramas que salen de aquí no convergen</translation>
-    </message>
-    <message>
         <source>The steps before this transition cannot be active together; start them from one simultaneous branch</source>
         <translation>Las etapas anteriores a esta transición no pueden estar activas a la vez; inícielas desde una misma rama simultánea</translation>
     </message>
@@ -509,10 +417,6 @@
     <message>
         <source>{0} needs a current result; load one with LD</source>
         <translation>{0} necesita un resultado actual; cargue uno con LD</translation>
-    </message>
-    <message>
-        <source>{0} is only allowed in a TEST</source>
-        <translation>{0} solo se permite en un TEST</translation>
     </message>
     <message>
         <source>{0} is not a value of the strict enumeration {1}; use one of its names</source>
@@ -563,10 +467,6 @@
         <translation>{0} también es una variable; las etapas y las llamadas se refieren a la ACTION</translation>
     </message>
     <message>
-        <source>{0} is a keyword and cannot be used as a name</source>
-        <translation>{0} es una palabra clave y no se puede usar como nombre</translation>
-    </message>
-    <message>
         <source>Use {1} instead of {0} in Structured Text</source>
         <translation>En texto estructurado, use {1} en lugar de {0}</translation>
     </message>
@@ -581,10 +481,6 @@
     <message>
         <source>The address {0} has {1} {1:bit|bits}, {2} has {3}; write {4}</source>
         <translation>La dirección {0} tiene {1} {1:bit|bits}, {2} tiene {3}; escriba {4}</translation>
-    </message>
-    <message>
-        <source>An index must be an integer, not {0}</source>
-        <translation>Un índice debe ser un entero, no {0}</translation>
     </message>
     <message>
         <source>{0}</source>
@@ -814,6 +710,110 @@
         <source>This array has {0} {0:dimension|dimensions}, not {1}; write an index for each</source>
         <translation>Este array tiene {0} {0:dimensión|dimensiones}, no {1}; escriba un índice para cada una</translation>
     </message>
+    <message>
+        <source>{0} is not a valid {1} literal; check its prefix, digits and units</source>
+        <translation>{0} no es un literal válido ({1}); compruebe el prefijo, las cifras y las unidades</translation>
+    </message>
+    <message>
+        <source>Unexpected {0}; remove it or complete the statement before it</source>
+        <translation>{0} inesperado; elimínelo o complete la instrucción anterior</translation>
+    </message>
+    <message>
+        <source>The pragma {0} is not known and has no effect; remove it or correct its name</source>
+        <translation>El pragma {0} no se conoce y no tiene efecto; elimínelo o corrija el nombre</translation>
+    </message>
+    <message>
+        <source>{0} is a keyword and cannot be used as a name; choose another name</source>
+        <translation>{0} es una palabra clave y no se puede usar como nombre; elija otro nombre</translation>
+    </message>
+    <message>
+        <source>{0} is not declared; declare it or correct the name</source>
+        <translation>{0} no está declarado; declárelo o corrija el nombre</translation>
+    </message>
+    <message>
+        <source>{0} has no member {1}; correct the name or add the member</source>
+        <translation>{0} no tiene ningún miembro {1}; corrija el nombre o añada el miembro</translation>
+    </message>
+    <message>
+        <source>{0} cannot be converted to {1}; use a value of that type or a conversion function</source>
+        <translation>{0} no se puede convertir a {1}; use un valor de ese tipo o una función de conversión</translation>
+    </message>
+    <message>
+        <source>{0} cannot be assigned to; assign to a variable</source>
+        <translation>No se puede asignar un valor a {0}; asigne a una variable</translation>
+    </message>
+    <message>
+        <source>{0} cannot be used with {1}; convert the operand first</source>
+        <translation>{0} no se puede usar con {1}; convierta antes el operando</translation>
+    </message>
+    <message>
+        <source>{0} cannot combine {1} and {2}; convert one of them</source>
+        <translation>{0} no puede combinar {1} y {2}; convierta uno de los dos</translation>
+    </message>
+    <message>
+        <source>{0} cannot be called; call a function, a method or an instance of a block</source>
+        <translation>{0} no se puede llamar; llame a una función, un método o una instancia de bloque</translation>
+    </message>
+    <message>
+        <source>{0} has no parameter {1}; correct the name or declare the parameter</source>
+        <translation>{0} no tiene ningún parámetro {1}; corrija el nombre o declare el parámetro</translation>
+    </message>
+    <message>
+        <source>The argument for {1} of {0} is missing; add it to the call</source>
+        <translation>Falta el argumento de {1} en {0}; añádalo a la llamada</translation>
+    </message>
+    <message>
+        <source>{0} takes {1} {1:argument|arguments}; remove the others</source>
+        <translation>{0} espera {1} {1:argumento|argumentos}; elimine los demás</translation>
+    </message>
+    <message>
+        <source>The index {0} is outside {1}..{2}; correct it or enlarge the array</source>
+        <translation>El índice {0} está fuera de {1}..{2}; corrija el índice o amplíe el array</translation>
+    </message>
+    <message>
+        <source>{0} does not fit into {1}; use another value or a larger type</source>
+        <translation>{0} no cabe en {1}; use otro valor o un tipo mayor</translation>
+    </message>
+    <message>
+        <source>The condition must be BOOL, not {0}; add a comparison</source>
+        <translation>La condición debe ser BOOL, no {0}; añada una comparación</translation>
+    </message>
+    <message>
+        <source>The address {0} is outside {1}; use an address in that range</source>
+        <translation>La dirección {0} está fuera de {1}; use una dirección de ese rango</translation>
+    </message>
+    <message>
+        <source>{0} is not allowed in a watch or binding, which cannot have side effects; do it in the program</source>
+        <translation>{0} no se permite en una supervisión ni en un enlace de variable, que no pueden tener efectos secundarios; hágalo en el programa</translation>
+    </message>
+    <message>
+        <source>A reference needs a variable that has an address; assign the value to a variable first</source>
+        <translation>Una referencia necesita una variable con dirección; asigne antes el valor a una variable</translation>
+    </message>
+    <message>
+        <source>An index must be an integer, not {0}; convert it</source>
+        <translation>Un índice debe ser un entero, no {0}; conviértalo</translation>
+    </message>
+    <message>
+        <source>{1} cannot extend {0}; choose a base of the same kind</source>
+        <translation>{1} no puede extender {0}; elija una base de la misma clase</translation>
+    </message>
+    <message>
+        <source>{0} is not allowed {1}; move or remove it</source>
+        <translation>{0} no se permite {1}; muévalo o elimínelo</translation>
+    </message>
+    <message>
+        <source>{0} is only allowed inside a loop; move or remove it</source>
+        <translation>{0} solo se permite dentro de un bucle; muévalo o elimínelo</translation>
+    </message>
+    <message>
+        <source>Step {0} can become active twice at the same time: the branches from here do not join; join them with one transition</source>
+        <translation>La etapa {0} puede activarse dos veces a la vez: las ramas que salen de aquí no convergen; únalas con una sola transición</translation>
+    </message>
+    <message>
+        <source>{0} is only allowed in a TEST; move it there</source>
+        <translation>{0} solo se permite en un TEST; muévalo allí</translation>
+    </message>
 </context>
 <context>
     <name>DiskChange</name>
@@ -868,32 +868,12 @@
         <translation>el índice {0} está fuera de {1}..{2}</translation>
     </message>
     <message>
-        <source>the reference is NULL</source>
-        <translation>la referencia es NULL</translation>
-    </message>
-    <message>
-        <source>the reference does not point to a variable of its type</source>
-        <translation>la referencia no apunta a una variable de su tipo</translation>
-    </message>
-    <message>
-        <source>a VAR_IN_OUT is not connected to a variable</source>
-        <translation>un VAR_IN_OUT no está conectado a ninguna variable</translation>
-    </message>
-    <message>
         <source>character {0} is read from an empty string</source>
         <translation>lectura del carácter {0} de una cadena vacía</translation>
     </message>
     <message>
         <source>character {0} is outside {1}..{2} of the string</source>
         <translation>el carácter {0} está fuera de {1}..{2} de la cadena</translation>
-    </message>
-    <message>
-        <source>the watchdog stopped a task that did not end</source>
-        <translation>el watchdog ha detenido una tarea que no terminaba</translation>
-    </message>
-    <message>
-        <source>the task ran longer than its watchdog time of {0}</source>
-        <translation>la tarea ha superado su tiempo de watchdog de {0}</translation>
     </message>
     <message>
         <source>calls are nested too deeply; check for endless recursion</source>
@@ -972,28 +952,12 @@
         <translation>no es una carpeta</translation>
     </message>
     <message>
-        <source>the file system is read-only</source>
-        <translation>el sistema de archivos es de solo lectura</translation>
-    </message>
-    <message>
         <source>the device reports a read or write error</source>
         <translation>el dispositivo notifica un error de lectura o escritura</translation>
     </message>
     <message>
-        <source>the file name is too long</source>
-        <translation>el nombre del archivo es demasiado largo</translation>
-    </message>
-    <message>
         <source>it already exists</source>
         <translation>ya existe</translation>
-    </message>
-    <message>
-        <source>the folder is not empty</source>
-        <translation>la carpeta no está vacía</translation>
-    </message>
-    <message>
-        <source>too many files are open</source>
-        <translation>hay demasiados archivos abiertos</translation>
     </message>
     <message>
         <source>the file is too large</source>
@@ -1022,10 +986,6 @@
     <message>
         <source>The recording cannot be read: {0}</source>
         <translation>No se puede leer la grabación: {0}</translation>
-    </message>
-    <message>
-        <source>The file is damaged or is not a recording</source>
-        <translation>El archivo está dañado o no es una grabación</translation>
     </message>
     <message>
         <source>This version of Stepwise lays out the program&apos;s variables differently; open the recording with the version that made it</source>
@@ -1072,10 +1032,6 @@
         <translation>no existe la variable «{0}»</translation>
     </message>
     <message>
-        <source>&apos;{0}&apos; is reached through a reference, which a path cannot follow</source>
-        <translation>a «{0}» se llega por una referencia, que una ruta no puede seguir</translation>
-    </message>
-    <message>
         <source>a variable of type {1} has no member &apos;{0}&apos;</source>
         <translation>una variable de tipo {1} no tiene ningún miembro «{0}»</translation>
     </message>
@@ -1084,20 +1040,8 @@
         <translation>«{0}» es un VAR_IN_OUT; escriba la variable conectada</translation>
     </message>
     <message>
-        <source>a string has one index</source>
-        <translation>una cadena tiene un solo índice</translation>
-    </message>
-    <message>
-        <source>a variable of type {0} has no elements</source>
-        <translation>una variable de tipo {0} no tiene elementos</translation>
-    </message>
-    <message>
         <source>{0} needs {1} {1:index|indices}, not {2}</source>
         <translation>{0} necesita {1} {1:índice|índices}, no {2}</translation>
-    </message>
-    <message>
-        <source>a variable of type {0} has no bits</source>
-        <translation>una variable de tipo {0} no tiene bits</translation>
     </message>
     <message>
         <source>bit {0} is outside 0..{1}</source>
@@ -1112,24 +1056,12 @@
         <translation>«{0}» no es una dirección; escriba por ejemplo %IX0.0, %QB4 o %MW2</translation>
     </message>
     <message>
-        <source>the program does not use the address &apos;{0}&apos;</source>
-        <translation>el programa no usa la dirección «{0}»</translation>
-    </message>
-    <message>
-        <source>the path is empty</source>
-        <translation>la ruta está vacía</translation>
-    </message>
-    <message>
         <source>the path cannot be read from &apos;{0}&apos; on</source>
         <translation>la ruta no se puede leer a partir de «{0}»</translation>
     </message>
     <message>
         <source>{0} is forced; release the force before writing</source>
         <translation>{0} está forzada; anule el forzado antes de escribir</translation>
-    </message>
-    <message>
-        <source>a constant cannot be written</source>
-        <translation>una constante no se puede escribir</translation>
     </message>
     <message>
         <source>the variable is not forced</source>
@@ -1146,10 +1078,6 @@
     <message>
         <source>The retain file cannot be read: {0}</source>
         <translation>No se puede leer el archivo de valores remanentes: {0}</translation>
-    </message>
-    <message>
-        <source>The retain file is not a regular file</source>
-        <translation>El archivo de valores remanentes no es un archivo normal</translation>
     </message>
     <message>
         <source>The retain file is damaged; the program starts with its initial values</source>
@@ -1178,18 +1106,6 @@
     <message>
         <source>a character of the text does not fit into a STRING; use a WSTRING</source>
         <translation>un carácter del texto no existe en STRING; use una WSTRING</translation>
-    </message>
-    <message>
-        <source>the text has {0} characters, the maximum is {1}</source>
-        <translation>el texto tiene {0} caracteres, el máximo es {1}</translation>
-    </message>
-    <message>
-        <source>{0} has {1} {1:part|parts}, the value has {2}</source>
-        <translation>{0} tiene {1} {1:parte|partes}, el valor tiene {2}</translation>
-    </message>
-    <message>
-        <source>there is no value to write</source>
-        <translation>no hay ningún valor que escribir</translation>
     </message>
     <message>
         <source>a reference can only be set to NULL from outside</source>
@@ -1256,14 +1172,6 @@
         <translation>No hay ningún programa que optimizar</translation>
     </message>
     <message>
-        <source>The expression is nested too deeply</source>
-        <translation>La expresión está anidada demasiado profundamente</translation>
-    </message>
-    <message>
-        <source>this is not an expression</source>
-        <translation>esto no es una expresión</translation>
-    </message>
-    <message>
         <source>this is local to a running call and has no address of its own</source>
         <translation>esto es local de una llamada en curso y no tiene dirección propia</translation>
     </message>
@@ -1284,20 +1192,12 @@
         <translation>este array de longitud variable no tiene dirección aquí</translation>
     </message>
     <message>
-        <source>this is not an array</source>
-        <translation>esto no es un array</translation>
-    </message>
-    <message>
         <source>the array has no such dimension</source>
         <translation>el array no tiene esa dimensión</translation>
     </message>
     <message>
         <source>this has no value</source>
         <translation>esto no tiene valor</translation>
-    </message>
-    <message>
-        <source>an expression cannot have side effects</source>
-        <translation>una expresión no puede tener efectos secundarios</translation>
     </message>
     <message>
         <source>only standard functions can be called here</source>
@@ -1352,10 +1252,6 @@
         <translation>{0} no tiene equivalente en una lista de instrucciones</translation>
     </message>
     <message>
-        <source>There is no body in ST or IL here</source>
-        <translation>Aquí no hay ningún cuerpo en ST o IL</translation>
-    </message>
-    <message>
         <source>{0} is already written in ST</source>
         <translation>{0} ya está escrito en ST</translation>
     </message>
@@ -1400,10 +1296,6 @@
         <translation>project.json debe contener un objeto JSON</translation>
     </message>
     <message>
-        <source>This folder contains neither a project.json nor ST files</source>
-        <translation>Esta carpeta no contiene ni un project.json ni archivos ST</translation>
-    </message>
-    <message>
         <source>There is no library &quot;{0}&quot;; available are {1}</source>
         <translation>No existe la biblioteca «{0}»; están disponibles {1}</translation>
     </message>
@@ -1412,16 +1304,8 @@
         <translation>No existe la biblioteca {0}; ¿quería decir {1}?</translation>
     </message>
     <message>
-        <source>There is no library {0}</source>
-        <translation>No existe la biblioteca {0}</translation>
-    </message>
-    <message>
         <source>Specify a project folder or ST files</source>
         <translation>Indique una carpeta de proyecto o archivos ST</translation>
-    </message>
-    <message>
-        <source>There is no such file or folder</source>
-        <translation>No se encuentra el archivo o la carpeta</translation>
     </message>
     <message>
         <source>Specify one project folder or ST files, not both</source>
@@ -1434,14 +1318,6 @@
     <message>
         <source>{0} is not a valid name; use letters, digits and _, start with a letter and avoid keywords</source>
         <translation>{0} no es un nombre válido; use letras, cifras y _, empiece por una letra y evite las palabras clave</translation>
-    </message>
-    <message>
-        <source>{0} already exists in the project</source>
-        <translation>{0} ya existe en el proyecto</translation>
-    </message>
-    <message>
-        <source>{0} already exists in {1}</source>
-        <translation>{0} ya existe en {1}</translation>
     </message>
     <message>
         <source>The folder cannot be created: {0}</source>
@@ -1466,10 +1342,6 @@
     <message>
         <source>There is no such file in the project</source>
         <translation>El proyecto no contiene ese archivo</translation>
-    </message>
-    <message>
-        <source>The file is read-only and was not overwritten</source>
-        <translation>El archivo es de solo lectura y no se ha sobrescrito</translation>
     </message>
     <message>
         <source>The file&apos;s permissions cannot be changed</source>
@@ -1668,10 +1540,6 @@
         <translation>{0} no es un nombre válido; use letras, cifras y guiones bajos</translation>
     </message>
     <message>
-        <source>Nothing would lead to the join after this step</source>
-        <translation>Nada llevaría a la convergencia después de esta etapa</translation>
-    </message>
-    <message>
         <source>The initial step stays at the top</source>
         <translation>La etapa inicial se queda arriba</translation>
     </message>
@@ -1692,10 +1560,6 @@
         <translation>Esta etapa solo lleva a sí misma</translation>
     </message>
     <message>
-        <source>There is no branch here</source>
-        <translation>Aquí no hay ninguna rama</translation>
-    </message>
-    <message>
         <source>A transition needs a condition</source>
         <translation>Una transición necesita una condición</translation>
     </message>
@@ -1708,16 +1572,8 @@
         <translation>Aún no sigue nada a esta etapa; inserte primero una etapa detrás</translation>
     </message>
     <message>
-        <source>The last branch does not lead to a step</source>
-        <translation>La última rama no lleva a ninguna etapa</translation>
-    </message>
-    <message>
         <source>There is no such action</source>
         <translation>No existe esa acción</translation>
-    </message>
-    <message>
-        <source>There is no chart yet</source>
-        <translation>Aún no hay ninguna secuencia</translation>
     </message>
     <message>
         <source>The initial step cannot be deleted; make another step the initial step first</source>
@@ -1760,10 +1616,6 @@
         <translation>Cada alarma y cada clase de alarma debe ser un objeto JSON</translation>
     </message>
     <message>
-        <source>An alarm has no id</source>
-        <translation>Una alarma no tiene identificador</translation>
-    </message>
-    <message>
         <source>This line is not valid UTF-8; save the file as UTF-8</source>
         <translation>Esta línea no es UTF-8 válido; guarde el archivo como UTF-8</translation>
     </message>
@@ -1776,16 +1628,8 @@
         <translation>La primera línea debe ser {0} y una etiqueta de idioma por columna</translation>
     </message>
     <message>
-        <source>Column {0} has no language tag</source>
-        <translation>La columna {0} no tiene etiqueta de idioma</translation>
-    </message>
-    <message>
         <source>This line has {0} {0:field|fields}, the header has {1}</source>
         <translation>Esta línea tiene {0} {0:campo|campos}, la cabecera tiene {1}</translation>
-    </message>
-    <message>
-        <source>This line has no key</source>
-        <translation>Esta línea no tiene clave</translation>
     </message>
     <message>
         <source>The alarm history cannot be opened: {0}</source>
@@ -1828,10 +1672,6 @@
         <translation>El texto «{0}» no tiene clave y por eso no se puede traducir</translation>
     </message>
     <message>
-        <source>The key {0} is not in the text table</source>
-        <translation>La clave {0} no está en la tabla de textos</translation>
-    </message>
-    <message>
         <source>The text needs a value for {0}; specify it in &quot;Values in texts&quot;</source>
         <translation>El texto necesita un valor para {0}; indíquelo en «Valores en textos»</translation>
     </message>
@@ -1844,40 +1684,8 @@
         <translation>Esta versión no conoce la clase de elemento «{0}»; se conserva tal cual</translation>
     </message>
     <message>
-        <source>The project has no language {0}</source>
-        <translation>El proyecto no tiene el idioma {0}</translation>
-    </message>
-    <message>
-        <source>The file {0} does not exist</source>
-        <translation>El archivo {0} no existe</translation>
-    </message>
-    <message>
-        <source>There is no panel {0}</source>
-        <translation>No existe el panel {0}</translation>
-    </message>
-    <message>
         <source>The format {0} is not known; use for example {1} or {2}</source>
         <translation>El formato {0} no se conoce; use por ejemplo {1} o {2}</translation>
-    </message>
-    <message>
-        <source>There is no alarm class {0}</source>
-        <translation>No existe la clase de alarma {0}</translation>
-    </message>
-    <message>
-        <source>No panel and no alarm uses the key {0}</source>
-        <translation>Ningún panel ni alarma usa la clave {0}</translation>
-    </message>
-    <message>
-        <source>The placeholders differ: {0} has {1}, {2} has {3}</source>
-        <translation>Los marcadores difieren: {0} tiene {1}, {2} tiene {3}</translation>
-    </message>
-    <message>
-        <source>The font {0} is not installed here, so texts cannot be measured</source>
-        <translation>La fuente {0} no está instalada aquí, por lo que los textos no se pueden medir</translation>
-    </message>
-    <message>
-        <source>No font has the character {0}</source>
-        <translation>Ninguna fuente tiene el carácter {0}</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; does not fit: it needs {1} px, the maximum is {2}</source>
@@ -2040,24 +1848,8 @@
         <translation>más de {0} unidades de trabajo (pasadas de bucle, llamadas, copias) en una ejecución de la tarea; busque un bucle infinito</translation>
     </message>
     <message>
-        <source>{0} is not a whole number</source>
-        <translation>{0} no es un número entero</translation>
-    </message>
-    <message>
-        <source>{0} is not a number of scans</source>
-        <translation>{0} no es un número de ciclos</translation>
-    </message>
-    <message>
         <source>{0} is not a name: use letters, digits and underscores.</source>
         <translation>{0} no es un nombre: use letras, cifras y guiones bajos.</translation>
-    </message>
-    <message>
-        <source>{0} is not a time</source>
-        <translation>{0} no es un tiempo</translation>
-    </message>
-    <message>
-        <source>This is not an XLIFF file</source>
-        <translation>Esto no es un archivo XLIFF</translation>
     </message>
     <message>
         <source>The XLIFF version {0} is not known; save the file as 1.2 or 2.0</source>
@@ -2172,14 +1964,6 @@
         <translation>{0} ({1}) debe ser mayor que {2} ({3})</translation>
     </message>
     <message>
-        <source>The panel has no group or tab {0}</source>
-        <translation>El panel no tiene ningún grupo ni pestañas {0}</translation>
-    </message>
-    <message>
-        <source>The group {0} contains itself</source>
-        <translation>El grupo {0} se contiene a sí mismo</translation>
-    </message>
-    <message>
         <source>{0} has no page {1}; its {2} {2:page is|pages are} numbered from 0</source>
         <translation>{0} no tiene página {1}; sus {2} {2:página se numera|páginas se numeran} desde 0</translation>
     </message>
@@ -2244,18 +2028,6 @@
         <translation>El ciclo anterior no está en la grabación, por lo que no se conocen los valores con los que empezó este ciclo.</translation>
     </message>
     <message>
-        <source>A role has no name</source>
-        <translation>Una función no tiene nombre</translation>
-    </message>
-    <message>
-        <source>There is no role {0}</source>
-        <translation>No existe la función {0}</translation>
-    </message>
-    <message>
-        <source>A user has no name</source>
-        <translation>Un usuario no tiene nombre</translation>
-    </message>
-    <message>
         <source>There is no user {0}</source>
         <translation>No existe el usuario {0}</translation>
     </message>
@@ -2265,7 +2037,7 @@
     </message>
     <message>
         <source>A password needs at least {0} characters</source>
-        <translation>Una contraseña necesita al menos {0} caracteres</translation>
+        <translation>Una contraseña debe tener al menos {0} caracteres</translation>
     </message>
     <message>
         <source>The password must not be the name of the user</source>
@@ -2288,20 +2060,8 @@
         <translation>Solo para las funciones {0}, pero el proyecto no tiene usuarios; cualquiera puede operarlo</translation>
     </message>
     <message>
-        <source>A recipe has no name</source>
-        <translation>Una receta no tiene nombre</translation>
-    </message>
-    <message>
         <source>A row of a recipe names no variable</source>
         <translation>Una fila de una receta no indica ninguna variable</translation>
-    </message>
-    <message>
-        <source>The recipe has the variable {0} twice</source>
-        <translation>La receta tiene la variable {0} dos veces</translation>
-    </message>
-    <message>
-        <source>A set of a recipe has no name</source>
-        <translation>Un juego de valores de una receta no tiene nombre</translation>
     </message>
     <message>
         <source>The first column must be named variable, and each set has a column of its own</source>
@@ -2318,10 +2078,6 @@
     <message>
         <source>The recipe {0} has no set {1}</source>
         <translation>La receta {0} no tiene ningún juego de valores {1}</translation>
-    </message>
-    <message>
-        <source>The set {0} has no value for {1}</source>
-        <translation>El juego de valores {0} no tiene valor para {1}</translation>
     </message>
     <message>
         <source>{0} is outside the limits of {1}, {2} to {3}</source>
@@ -2412,14 +2168,6 @@
         <translation>El panel muestra {0} cosas que leer o pulsar; con su tamaño se abarcan {1}</translation>
     </message>
     <message>
-        <source>{0} covers a part of it</source>
-        <translation>{0} cubre una parte</translation>
-    </message>
-    <message>
-        <source>No button, navigation bar or alarm leads to the panel {0}</source>
-        <translation>Ningún botón, barra de navegación ni alarma lleva al panel {0}</translation>
-    </message>
-    <message>
         <source>The panel {0} is {1} presses away from the start panel; {2} should do</source>
         <translation>El panel {0} está a {1} pulsaciones del panel inicial; deberían bastar {2}</translation>
     </message>
@@ -2430,22 +2178,6 @@
     <message>
         <source>{0} is at another place on the panel {1}</source>
         <translation>{0} está en otro lugar en el panel {1}</translation>
-    </message>
-    <message>
-        <source>{0} of {1} alarms have the highest priority</source>
-        <translation>{0} de {1} alarmas tienen la prioridad más alta</translation>
-    </message>
-    <message>
-        <source>The project has {0} {0:alarm|alarms}, but no panel has an alarm list or banner</source>
-        <translation>El proyecto tiene {0} {0:alarma|alarmas}, pero ningún panel tiene una lista ni un banner de alarmas</translation>
-    </message>
-    <message>
-        <source>{0} is critical after project.json, but one press writes it</source>
-        <translation>{0} es crítico según project.json, pero una sola pulsación lo escribe</translation>
-    </message>
-    <message>
-        <source>{0} suppresses alarms, but one press writes it</source>
-        <translation>{0} suprime alarmas, pero una sola pulsación lo escribe</translation>
     </message>
     <message>
         <source>What is normal is grey, so that the eye finds what is not (ISA-101). Use a role of the theme such as surface, off or running, and give colour only to conditions.</source>
@@ -2541,7 +2273,7 @@
     </message>
     <message>
         <source>There is no built-in theme &quot;{0}&quot;; a base is light, dark or contrast</source>
-        <translation>No existe el tema integrado «{0}»; una base es light, dark o contrast</translation>
+        <translation>No existe el tema integrado «{0}»; la base debe ser light, dark o contrast</translation>
     </message>
     <message>
         <source>There is no colour role {0}</source>
@@ -2711,6 +2443,274 @@
         <source>The help of the alarm {0} does not say what to do; add the operator&apos;s next step</source>
         <translation>La ayuda de la alarma {0} no dice qué hacer; añada el siguiente paso del operador</translation>
     </message>
+    <message>
+        <source>the reference is NULL; assign a variable to it, or compare it with NULL first</source>
+        <translation>la referencia es NULL; asígnele una variable o compárela antes con NULL</translation>
+    </message>
+    <message>
+        <source>the reference does not point to a variable of its type; assign one to it</source>
+        <translation>la referencia no apunta a una variable de su tipo; asígnele una</translation>
+    </message>
+    <message>
+        <source>a VAR_IN_OUT is not connected to a variable; connect it in the call</source>
+        <translation>un VAR_IN_OUT no está conectado a ninguna variable; conéctelo en la llamada</translation>
+    </message>
+    <message>
+        <source>the watchdog stopped a task that did not end; check for an endless loop</source>
+        <translation>el watchdog ha detenido una tarea que no terminaba; compruebe si hay un bucle sin fin</translation>
+    </message>
+    <message>
+        <source>the task ran longer than its watchdog time of {0}; shorten its work or raise the time</source>
+        <translation>la tarea ha superado su tiempo de watchdog de {0}; reduzca su trabajo o aumente el tiempo</translation>
+    </message>
+    <message>
+        <source>the file name is too long; choose a shorter one</source>
+        <translation>el nombre del archivo es demasiado largo; elija uno más corto</translation>
+    </message>
+    <message>
+        <source>the folder is not empty; choose another one</source>
+        <translation>la carpeta no está vacía; elija otra</translation>
+    </message>
+    <message>
+        <source>the file system is read-only; choose another folder</source>
+        <translation>el sistema de archivos es de solo lectura; elija otra carpeta</translation>
+    </message>
+    <message>
+        <source>too many files are open; close some of them</source>
+        <translation>hay demasiados archivos abiertos; cierre algunos</translation>
+    </message>
+    <message>
+        <source>The file is damaged or is not a recording; choose a file that Stepwise wrote (.rec)</source>
+        <translation>El archivo está dañado o no es una grabación; elija un archivo escrito por Stepwise (.rec)</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; is reached through a reference, which a path cannot follow; name the variable it refers to</source>
+        <translation>a «{0}» se llega por una referencia, que una ruta no puede seguir; indique la variable a la que apunta</translation>
+    </message>
+    <message>
+        <source>a string has one index; remove the others</source>
+        <translation>una cadena tiene un solo índice; elimine los demás</translation>
+    </message>
+    <message>
+        <source>a variable of type {0} has no elements; remove the index</source>
+        <translation>una variable de tipo {0} no tiene elementos; elimine el índice</translation>
+    </message>
+    <message>
+        <source>a variable of type {0} has no bits; remove the bit number</source>
+        <translation>una variable de tipo {0} no tiene bits; elimine el número de bit</translation>
+    </message>
+    <message>
+        <source>the program does not use the address &apos;{0}&apos;; declare a variable AT this address</source>
+        <translation>el programa no usa la dirección «{0}»; declare una variable AT en esta dirección</translation>
+    </message>
+    <message>
+        <source>the path is empty; write for example Main.x</source>
+        <translation>la ruta está vacía; escriba por ejemplo Main.x</translation>
+    </message>
+    <message>
+        <source>a constant cannot be written; change it in the program</source>
+        <translation>una constante no se puede escribir; cámbiela en el programa</translation>
+    </message>
+    <message>
+        <source>The retain file is not a regular file; remove it or choose another one</source>
+        <translation>El archivo de valores remanentes no es un archivo normal; elimínelo o elija otro</translation>
+    </message>
+    <message>
+        <source>the text has {0} characters, the maximum is {1}; shorten it</source>
+        <translation>el texto tiene {0} caracteres, el máximo es {1}; acórtelo</translation>
+    </message>
+    <message>
+        <source>{0} has {1} {1:part|parts}, the value has {2}; write one value for each</source>
+        <translation>{0} tiene {1} {1:parte|partes}, el valor tiene {2}; escriba un valor para cada una</translation>
+    </message>
+    <message>
+        <source>there is no value to write; enter one first</source>
+        <translation>no hay ningún valor que escribir; introduzca antes uno</translation>
+    </message>
+    <message>
+        <source>The expression is nested too deeply; divide it into several</source>
+        <translation>La expresión está anidada demasiado profundamente; divídala en varias</translation>
+    </message>
+    <message>
+        <source>this is not an expression; write for example Main.x &gt; 5</source>
+        <translation>esto no es una expresión; escriba por ejemplo Main.x &gt; 5</translation>
+    </message>
+    <message>
+        <source>this is not an array; remove the index</source>
+        <translation>esto no es un array; elimine el índice</translation>
+    </message>
+    <message>
+        <source>an expression cannot have side effects; use variables, operators and standard functions only</source>
+        <translation>una expresión no puede tener efectos secundarios; use solo variables, operadores y funciones estándar</translation>
+    </message>
+    <message>
+        <source>There is no body in ST or IL here; put the cursor into one</source>
+        <translation>Aquí no hay ningún cuerpo en ST o IL; sitúe el cursor en uno</translation>
+    </message>
+    <message>
+        <source>There is no library {0}; check &quot;libraries&quot; in project.json</source>
+        <translation>No existe la biblioteca {0}; compruebe «libraries» en project.json</translation>
+    </message>
+    <message>
+        <source>This folder contains neither a project.json nor ST files; choose another folder or create a project</source>
+        <translation>Esta carpeta no contiene ni un project.json ni archivos ST; elija otra carpeta o cree un proyecto</translation>
+    </message>
+    <message>
+        <source>There is no such file or folder; check the path</source>
+        <translation>No se encuentra el archivo o la carpeta; compruebe la ruta</translation>
+    </message>
+    <message>
+        <source>{0} already exists in the project; choose another name</source>
+        <translation>{0} ya existe en el proyecto; elija otro nombre</translation>
+    </message>
+    <message>
+        <source>{0} already exists in {1}; choose another name</source>
+        <translation>{0} ya existe en {1}; elija otro nombre</translation>
+    </message>
+    <message>
+        <source>The file is read-only and was not overwritten; make it writable or choose another name</source>
+        <translation>El archivo es de solo lectura y no se ha sobrescrito; permita la escritura o elija otro nombre</translation>
+    </message>
+    <message>
+        <source>{0} is not a time; write for example T#2s</source>
+        <translation>{0} no es un tiempo; escriba por ejemplo T#2s</translation>
+    </message>
+    <message>
+        <source>{0} is not a whole number; write for example 5</source>
+        <translation>{0} no es un número entero; escriba por ejemplo 5</translation>
+    </message>
+    <message>
+        <source>{0} is not a number of scans; write for example 10</source>
+        <translation>{0} no es un número de ciclos; escriba por ejemplo 10</translation>
+    </message>
+    <message>
+        <source>Nothing would lead to the join after this step; delete the join first</source>
+        <translation>Nada llevaría a la convergencia después de esta etapa; elimine antes la convergencia</translation>
+    </message>
+    <message>
+        <source>There is no branch here; choose a step or transition in a branch</source>
+        <translation>Aquí no hay ninguna rama; elija una etapa o una transición en una rama</translation>
+    </message>
+    <message>
+        <source>The last branch does not lead to a step; connect it first</source>
+        <translation>La última rama no lleva a ninguna etapa; conéctela antes</translation>
+    </message>
+    <message>
+        <source>There is no chart yet; write an INITIAL_STEP first</source>
+        <translation>Aún no hay ninguna secuencia; escriba antes un INITIAL_STEP</translation>
+    </message>
+    <message>
+        <source>An alarm has no id; give it one</source>
+        <translation>Una alarma no tiene identificador; dele uno</translation>
+    </message>
+    <message>
+        <source>Column {0} has no language tag; write one such as de or en-GB</source>
+        <translation>La columna {0} no tiene etiqueta de idioma; escriba por ejemplo de o en-GB</translation>
+    </message>
+    <message>
+        <source>This line has no key; write one in the first column</source>
+        <translation>Esta línea no tiene clave; escriba una en la primera columna</translation>
+    </message>
+    <message>
+        <source>This is not an XLIFF file; choose one that was exported for translation</source>
+        <translation>Esto no es un archivo XLIFF; elija uno exportado para traducir</translation>
+    </message>
+    <message>
+        <source>There is no panel {0}; create it or choose another one</source>
+        <translation>No existe el panel {0}; créelo o elija otro</translation>
+    </message>
+    <message>
+        <source>The key {0} is not in the text table; add it there</source>
+        <translation>La clave {0} no está en la tabla de textos; añádala allí</translation>
+    </message>
+    <message>
+        <source>The project has no language {0}; add a column for it to texts.csv</source>
+        <translation>El proyecto no tiene el idioma {0}; añada una columna para él en texts.csv</translation>
+    </message>
+    <message>
+        <source>The file {0} does not exist; add it to the project or choose another one</source>
+        <translation>El archivo {0} no existe; añádalo al proyecto o elija otro</translation>
+    </message>
+    <message>
+        <source>The panel has no group or tab {0}; create it or choose another one</source>
+        <translation>El panel no tiene ningún grupo ni pestañas {0}; créelo o elija otro</translation>
+    </message>
+    <message>
+        <source>The group {0} contains itself; choose another parent</source>
+        <translation>El grupo {0} se contiene a sí mismo; elija otro elemento superior</translation>
+    </message>
+    <message>
+        <source>A role has no name; give it one</source>
+        <translation>Una función no tiene nombre; dele uno</translation>
+    </message>
+    <message>
+        <source>A user has no name; give it one</source>
+        <translation>Un usuario no tiene nombre; dele uno</translation>
+    </message>
+    <message>
+        <source>There is no role {0}; create it or choose another one</source>
+        <translation>No existe la función {0}; créelo o elija otro</translation>
+    </message>
+    <message>
+        <source>A recipe has no name; give it one</source>
+        <translation>Una receta no tiene nombre; dele uno</translation>
+    </message>
+    <message>
+        <source>A set of a recipe has no name; give it one</source>
+        <translation>Un juego de valores de una receta no tiene nombre; dele uno</translation>
+    </message>
+    <message>
+        <source>The recipe has the variable {0} twice; remove one of the two</source>
+        <translation>La receta tiene la variable {0} dos veces; elimine una de las dos</translation>
+    </message>
+    <message>
+        <source>The set {0} has no value for {1}; enter one</source>
+        <translation>El juego de valores {0} no tiene valor para {1}; introduzca uno</translation>
+    </message>
+    <message>
+        <source>There is no alarm class {0}; add it or choose another one</source>
+        <translation>No existe la clase de alarma {0}; añádala o elija otra</translation>
+    </message>
+    <message>
+        <source>No panel and no alarm uses the key {0}; use it or remove it</source>
+        <translation>Ningún panel ni alarma usa la clave {0}; úsela o elimínela</translation>
+    </message>
+    <message>
+        <source>The placeholders differ: {0} has {1}, {2} has {3}; use the same in both</source>
+        <translation>Los marcadores difieren: {0} tiene {1}, {2} tiene {3}; use los mismos en ambos</translation>
+    </message>
+    <message>
+        <source>The font {0} is not installed here, so texts cannot be measured; install it</source>
+        <translation>La fuente {0} no está instalada aquí, por lo que los textos no se pueden medir; instálela</translation>
+    </message>
+    <message>
+        <source>No font has the character {0}; use another one</source>
+        <translation>Ninguna fuente tiene el carácter {0}; use otro</translation>
+    </message>
+    <message>
+        <source>{0} covers a part of it; move one of the two</source>
+        <translation>{0} cubre una parte; mueva uno de los dos</translation>
+    </message>
+    <message>
+        <source>No button, navigation bar or alarm leads to the panel {0}; add one of them</source>
+        <translation>Ningún botón, barra de navegación ni alarma lleva al panel {0}; añada uno de ellos</translation>
+    </message>
+    <message>
+        <source>{0} of {1} alarms have the highest priority; keep it for the few that cannot wait</source>
+        <translation>{0} de {1} alarmas tienen la prioridad más alta; resérvela para las pocas que no pueden esperar</translation>
+    </message>
+    <message>
+        <source>The project has {0} {0:alarm|alarms}, but no panel has an alarm list or banner; add one</source>
+        <translation>El proyecto tiene {0} {0:alarma|alarmas}, pero ningún panel tiene una lista ni un banner de alarmas; añada uno</translation>
+    </message>
+    <message>
+        <source>{0} is critical after project.json, but one press writes it; set &quot;Writes are confirmed&quot;</source>
+        <translation>{0} es crítico según project.json, pero una sola pulsación lo escribe; active «Las escrituras se confirman»</translation>
+    </message>
+    <message>
+        <source>{0} suppresses alarms, but one press writes it; set &quot;Writes are confirmed&quot;</source>
+        <translation>{0} suprime alarmas, pero una sola pulsación lo escribe; active «Las escrituras se confirman»</translation>
+    </message>
 </context>
 <context>
     <name>Exchange</name>
@@ -2808,31 +2808,31 @@
     </message>
     <message>
         <source>PLCopen XML has no place for panels; they were left out</source>
-        <translation>PLCopen XML no tiene lugar para paneles; se han omitido</translation>
+        <translation>PLCopen XML no admite paneles; se han omitido</translation>
     </message>
     <message>
         <source>PLCopen XML has no place for traces; they were left out</source>
-        <translation>PLCopen XML no tiene lugar para trazas; se han omitido</translation>
+        <translation>PLCopen XML no admite trazas; se han omitido</translation>
     </message>
     <message>
         <source>PLCopen XML has no place for tests; they were left out</source>
-        <translation>PLCopen XML no tiene lugar para pruebas; se han omitido</translation>
+        <translation>PLCopen XML no admite pruebas; se han omitido</translation>
     </message>
     <message>
         <source>PLCopen XML has no place for tests; the TEST &apos;{0}&apos; was left out</source>
-        <translation>PLCopen XML no tiene lugar para pruebas; el TEST «{0}» se ha omitido</translation>
+        <translation>PLCopen XML no admite pruebas; el TEST «{0}» se ha omitido</translation>
     </message>
     <message>
         <source>PLCopen XML has no place for namespaces; a NAMESPACE was left out with its units</source>
-        <translation>PLCopen XML no tiene lugar para espacios de nombres; se ha omitido un NAMESPACE con sus POU</translation>
+        <translation>PLCopen XML no admite espacios de nombres; se ha omitido un NAMESPACE con sus POU</translation>
     </message>
     <message>
         <source>PLCopen XML has no place for USING; it was left out</source>
-        <translation>PLCopen XML no tiene lugar para USING; se ha omitido</translation>
+        <translation>PLCopen XML no admite USING; se ha omitido</translation>
     </message>
     <message>
         <source>PLCopen XML has no place for the name of the transition {0}; it was left out</source>
-        <translation>PLCopen XML no tiene lugar para el nombre de la transición {0}; se ha omitido</translation>
+        <translation>PLCopen XML no admite el nombre de la transición {0}; se ha omitido</translation>
     </message>
     <message>
         <source>PLCopen XML has one indicator per action; {0} was left out</source>
@@ -2864,19 +2864,19 @@
     </message>
     <message>
         <source>Version 0201 has no place for the pragma {0} of a step; it was left out</source>
-        <translation>La versión 0201 no tiene lugar para el pragma {0} de una etapa; se ha omitido</translation>
+        <translation>La versión 0201 no admite el pragma {0} de una etapa; se ha omitido</translation>
     </message>
     <message>
         <source>Version 0201 has no place for {0} of a task; it was left out</source>
-        <translation>La versión 0201 no tiene lugar para {0} de una tarea; se ha omitido</translation>
+        <translation>La versión 0201 no admite {0} de una tarea; se ha omitido</translation>
     </message>
     <message>
         <source>Version 0201 has no place for the connections of the program {0}; they were left out</source>
-        <translation>La versión 0201 no tiene lugar para las conexiones del programa {0}; se han omitido</translation>
+        <translation>La versión 0201 no admite las conexiones del programa {0}; se han omitido</translation>
     </message>
     <message>
         <source>Version 0201 has no place for libraries; {0} was left out</source>
-        <translation>La versión 0201 no tiene lugar para bibliotecas; {0} se ha omitido</translation>
+        <translation>La versión 0201 no admite bibliotecas; {0} se ha omitido</translation>
     </message>
     <message>
         <source>The file is no program source and was left out</source>
@@ -3386,7 +3386,7 @@
     </message>
     <message>
         <source>Colour off</source>
-        <translation>Color apagado</translation>
+        <translation>Color (desconectado)</translation>
     </message>
     <message>
         <source>Colour running</source>
@@ -3454,7 +3454,7 @@
     </message>
     <message>
         <source>Colour on</source>
-        <translation>Color conectado</translation>
+        <translation>Color (conectado)</translation>
     </message>
     <message>
         <source>Rotary selector</source>
@@ -5587,7 +5587,7 @@
     </message>
     <message>
         <source>The rule looks at one lag only; check the margins.</source>
-        <translation>La regla solo considera un retardo; compruebe los márgenes.</translation>
+        <translation>La regla solo considera una constante de tiempo; compruebe los márgenes.</translation>
     </message>
     <message>
         <source>gain and dead time</source>
@@ -5611,11 +5611,11 @@
     </message>
     <message>
         <source>two equal lags</source>
-        <translation>dos retardos iguales</translation>
+        <translation>dos constantes de tiempo iguales</translation>
     </message>
     <message>
         <source>two equal lags with dead time</source>
-        <translation>dos retardos iguales con tiempo muerto</translation>
+        <translation>dos constantes de tiempo iguales con tiempo muerto</translation>
     </message>
     <message>
         <source>oscillating</source>
@@ -5627,7 +5627,7 @@
     </message>
     <message>
         <source>oscillating with a lag</source>
-        <translation>oscilante con un retardo</translation>
+        <translation>oscilante con una constante de tiempo</translation>
     </message>
     <message>
         <source>second order with a zero</source>
@@ -5639,47 +5639,47 @@
     </message>
     <message>
         <source>three equal lags</source>
-        <translation>tres retardos iguales</translation>
+        <translation>tres constantes de tiempo iguales</translation>
     </message>
     <message>
         <source>three equal lags with a zero</source>
-        <translation>tres retardos iguales con un cero</translation>
+        <translation>tres constantes de tiempo iguales con un cero</translation>
     </message>
     <message>
         <source>four equal lags</source>
-        <translation>cuatro retardos iguales</translation>
+        <translation>cuatro constantes de tiempo iguales</translation>
     </message>
     <message>
         <source>five equal lags</source>
-        <translation>cinco retardos iguales</translation>
+        <translation>cinco constantes de tiempo iguales</translation>
     </message>
     <message>
         <source>six equal lags</source>
-        <translation>seis retardos iguales</translation>
+        <translation>seis constantes de tiempo iguales</translation>
     </message>
     <message>
         <source>seven equal lags</source>
-        <translation>siete retardos iguales</translation>
+        <translation>siete constantes de tiempo iguales</translation>
     </message>
     <message>
         <source>eight equal lags</source>
-        <translation>ocho retardos iguales</translation>
+        <translation>ocho constantes de tiempo iguales</translation>
     </message>
     <message>
         <source>three equal lags with dead time</source>
-        <translation>tres retardos iguales con tiempo muerto</translation>
+        <translation>tres constantes de tiempo iguales con tiempo muerto</translation>
     </message>
     <message>
         <source>three lags</source>
-        <translation>tres retardos</translation>
+        <translation>tres constantes de tiempo</translation>
     </message>
     <message>
         <source>three lags with dead time</source>
-        <translation>tres retardos con tiempo muerto</translation>
+        <translation>tres constantes de tiempo con tiempo muerto</translation>
     </message>
     <message>
         <source>four lags</source>
-        <translation>cuatro retardos</translation>
+        <translation>cuatro constantes de tiempo</translation>
     </message>
     <message>
         <source>integrating</source>
@@ -5691,15 +5691,15 @@
     </message>
     <message>
         <source>integrating with a lag</source>
-        <translation>integrador con un retardo</translation>
+        <translation>integrador con una constante de tiempo</translation>
     </message>
     <message>
         <source>integrating with a lag and dead time</source>
-        <translation>integrador con un retardo y tiempo muerto</translation>
+        <translation>integrador con una constante de tiempo y tiempo muerto</translation>
     </message>
     <message>
         <source>integrating with two equal lags</source>
-        <translation>integrador con dos retardos iguales</translation>
+        <translation>integrador con dos constantes de tiempo iguales</translation>
     </message>
     <message>
         <source>SIMC</source>
@@ -8249,7 +8249,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Select the transition after which the steps run at the same time</source>
-        <translation>Seleccione la transición tras la que las etapas funcionan a la vez</translation>
+        <translation>Seleccione la transición tras la que las etapas se ejecutan en paralelo</translation>
     </message>
     <message>
         <source>Select the step that gets the action</source>
@@ -9066,7 +9066,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Back out of the call</source>
-        <translation>Volver fuera de la llamada</translation>
+        <translation>Salir de la llamada</translation>
     </message>
     <message>
         <source>Back over calls</source>
@@ -11454,16 +11454,12 @@ Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
 <context>
     <name>Examples</name>
     <message>
-        <source>Automatic guided vehicle</source>
-        <translation>Vehículo de guiado automático</translation>
-    </message>
-    <message>
         <source>Alarm texts in five languages</source>
         <translation>Textos de alarma en cinco idiomas</translation>
     </message>
     <message>
         <source>Heated tank with analog blocks</source>
-        <translation>Depósito calefactado con bloques analógicos</translation>
+        <translation>Depósito con bloques analógicos</translation>
     </message>
     <message>
         <source>Bottling line</source>
@@ -11483,7 +11479,7 @@ Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
     </message>
     <message>
         <source>Motor valve with command monitor</source>
-        <translation>Válvula motorizada con supervisión de orden</translation>
+        <translation>Válvula motorizada con supervisión</translation>
     </message>
     <message>
         <source>Conveyor with a sequence</source>
@@ -11515,7 +11511,7 @@ Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
     </message>
     <message>
         <source>Hour meter with reset and enable</source>
-        <translation>Cuentahoras con reposición y habilitación</translation>
+        <translation>Cuentahoras con habilitación</translation>
     </message>
     <message>
         <source>Items per hour</source>
@@ -11551,15 +11547,7 @@ Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
     </message>
     <message>
         <source>PID loop on a first-order process</source>
-        <translation>Lazo PID sobre un proceso de primer orden</translation>
-    </message>
-    <message>
-        <source>First-order filter and two sines a decade apart</source>
-        <translation>Filtro de primer orden y dos senos separados una década</translation>
-    </message>
-    <message>
-        <source>Pump that looks for its cheapest speed</source>
-        <translation>Bomba que busca su velocidad más económica</translation>
+        <translation>Lazo PID, proceso de primer orden</translation>
     </message>
     <message>
         <source>Two pumps in a well</source>
@@ -11567,7 +11555,7 @@ Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
     </message>
     <message>
         <source>Pulse width modulation of a sine</source>
-        <translation>Modulación por ancho de pulso de un seno</translation>
+        <translation>Modulación por ancho de pulso</translation>
     </message>
     <message>
         <source>Rack with a robot</source>
@@ -11636,6 +11624,202 @@ Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
     <message>
         <source>Tank over Modbus</source>
         <translation>Depósito por Modbus</translation>
+    </message>
+    <message>
+        <source>A vehicle between two limit switches, driven by two linked sequential function charts</source>
+        <translation>Un vehículo entre dos finales de carrera, con dos secuencias SFC enlazadas</translation>
+    </message>
+    <message>
+        <source>A motor with three alarms that operators read in five languages</source>
+        <translation>Un motor con tres alarmas que el operador lee en cinco idiomas</translation>
+    </message>
+    <message>
+        <source>One control loop with a block for each task: filter, monitor, ramp, PID, transfer</source>
+        <translation>Un lazo con un bloque para cada tarea: filtro, supervisión, rampa, PID, conmutación</translation>
+    </message>
+    <message>
+        <source>Filler, capper and labeller with buffers between them, controlled as PackML units</source>
+        <translation>Llenadora, taponadora y etiquetadora con pulmones intermedios, según PackML</translation>
+    </message>
+    <message>
+        <source>A robot parks cars by their number plates and fetches them again</source>
+        <translation>Un robot aparca los coches según su matrícula y los recoge de nuevo</translation>
+    </message>
+    <message>
+        <source>Five wash programmes, each with a price and a recipe that the owner can edit</source>
+        <translation>Cinco programas de lavado, cada uno con precio y receta modificables</translation>
+    </message>
+    <message>
+        <source>Cascade control: a slow loop for the room, a fast one for the supply air</source>
+        <translation>Control en cascada: un lazo lento para la sala y uno rápido para el aire de impulsión</translation>
+    </message>
+    <message>
+        <source>A motor valve whose travel is monitored; if it takes too long, an alarm sounds</source>
+        <translation>Una válvula motorizada con recorrido supervisado; si tarda demasiado, suena una alarma</translation>
+    </message>
+    <message>
+        <source>A belt carries an item to the right, waits ten seconds and carries it back</source>
+        <translation>Una cinta lleva una pieza a la derecha, espera diez segundos y la devuelve</translation>
+    </message>
+    <message>
+        <source>Four belts take boxes off pallets; the settings of one can be copied to another</source>
+        <translation>Cuatro cintas descargan cajas de palés; los ajustes de una se copian a otra</translation>
+    </message>
+    <message>
+        <source>Heating and hot water from a district-heating network, with frost protection and summer mode</source>
+        <translation>Calefacción y agua caliente de una red de calor, con antihielo y modo verano</translation>
+    </message>
+    <message>
+        <source>A valve doses in pulses and pauses until the batch is complete</source>
+        <translation>Una válvula dosifica con pulsos y pausas hasta completar el lote</translation>
+    </message>
+    <message>
+        <source>The pressure drop shows how dirty a filter is; an alarm reports when it is out of range</source>
+        <translation>La pérdida de carga indica la suciedad de un filtro; fuera de rango, una alarma</translation>
+    </message>
+    <message>
+        <source>Silo, bin, conveyor and truck, controlled by three sequential function charts side by side</source>
+        <translation>Silo, tolva, cinta y camión, controlados por tres secuencias SFC en paralelo</translation>
+    </message>
+    <message>
+        <source>Two on-off controls: a heater with a set point, and a valve that opens on a pump alarm</source>
+        <translation>Dos controles todo-nada: un calefactor con consigna y una válvula ligada a una alarma</translation>
+    </message>
+    <message>
+        <source>An hour meter that is loaded, enabled and held, which draws a saw-tooth</source>
+        <translation>Un contador de horas que se carga, se habilita y se detiene: un diente de sierra</translation>
+    </message>
+    <message>
+        <source>A press makes items; a table counts how many in each hour of the day</source>
+        <translation>Una prensa fabrica piezas; una tabla las cuenta por cada hora del día</translation>
+    </message>
+    <message>
+        <source>Counts items, energy and water; the counts survive a power failure</source>
+        <translation>Cuenta piezas, energía y agua; los valores sobreviven a un corte de corriente</translation>
+    </message>
+    <message>
+        <source>A level sensor of 4 to 20 mA, three lamps and the detection of a wire break</source>
+        <translation>Un sensor de nivel de 4 a 20 mA, tres lámparas y detección de rotura de cable</translation>
+    </message>
+    <message>
+        <source>Three signals of a machine on three lamps that flash or stay on</source>
+        <translation>Tres señales de una máquina en tres lámparas, fijas o intermitentes</translation>
+    </message>
+    <message>
+        <source>A heat exchanger that oscillates; an experiment and its recording give better settings</source>
+        <translation>Un intercambiador oscila; un ensayo y su grabación dan mejores parámetros</translation>
+    </message>
+    <message>
+        <source>Liquids are weighed while a belt brings two bricks; then the mixer turns and tips</source>
+        <translation>Se pesan líquidos, una cinta trae dos bloques; después el mezclador gira y vuelca</translation>
+    </message>
+    <message>
+        <source>Start, stop and a contactor that holds itself, written in four ways that agree</source>
+        <translation>Marcha, paro y un contactor con autorretención, escritos de cuatro formas equivalentes</translation>
+    </message>
+    <message>
+        <source>The local control box or the panel: one block decides which of them is in control</source>
+        <translation>Mando local o panel: un bloque decide cuál de los dos tiene el control</translation>
+    </message>
+    <message>
+        <source>The same process with and without a PID controller, side by side in one trace</source>
+        <translation>El mismo proceso con y sin regulador PID, juntos en un trazado</translation>
+    </message>
+    <message>
+        <source>One filter, two sines: the slow one passes, the fast one is damped and lags behind</source>
+        <translation>Un filtro, dos senos: el lento pasa, el rápido se atenúa y se retrasa</translation>
+    </message>
+    <message>
+        <source>A pump tries out its speeds and keeps the one with the least energy per cubic metre</source>
+        <translation>Una bomba prueba velocidades y mantiene la de menor energía por metro cúbico</translation>
+    </message>
+    <message>
+        <source>Two pumps take turns; a float counts only after two steady seconds</source>
+        <translation>Dos bombas se turnan; un flotador cuenta solo tras dos segundos estables</translation>
+    </message>
+    <message>
+        <source>A sine becomes pulses for two outputs, as for a motor in two directions</source>
+        <translation>Un seno se convierte en pulsos para dos salidas, como en un motor de dos sentidos</translation>
+    </message>
+    <message>
+        <source>A robot counts encoder pulses to store and fetch loads on twelve shelves</source>
+        <translation>Un robot cuenta pulsos de encoder para guardar y recoger cargas en doce huecos</translation>
+    </message>
+    <message>
+        <source>A robot takes 25 items one by one to a CNC machine and back</source>
+        <translation>Un robot lleva 25 piezas, una a una, a una máquina CNC y las devuelve</translation>
+    </message>
+    <message>
+        <source>A robot puts three items into each box; a camera checks the result</source>
+        <translation>Un robot pone tres piezas en cada caja; una cámara comprueba el resultado</translation>
+    </message>
+    <message>
+        <source>Two sensors are compared; a faulty one is replaced by the healthy one without a bump</source>
+        <translation>Dos sensores se comparan; uno sustituye sin saltos al otro si falla</translation>
+    </message>
+    <message>
+        <source>Starts and stops six pumps by level and running hours, as a town&apos;s day flows in</source>
+        <translation>Seis bombas según el nivel y las horas de servicio, al ritmo diario de una ciudad</translation>
+    </message>
+    <message>
+        <source>A rotary switch selects the speed of a motor, a number what a module does</source>
+        <translation>Un selector elige la velocidad de un motor y un número, la función de un módulo</translation>
+    </message>
+    <message>
+        <source>Last in, first out: push, pop and reset, in ST and as an instruction list</source>
+        <translation>Último en entrar, primero en salir: push, pop y reset, en ST y en lista de instrucciones</translation>
+    </message>
+    <message>
+        <source>The same sequence twice: with CASE and as a chart of steps; either can be in control</source>
+        <translation>La misma secuencia dos veces: con CASE y en SFC; cualquiera puede mandar</translation>
+    </message>
+    <message>
+        <source>Fill, empty and stir with three switches; two level switches prevent mistakes</source>
+        <translation>Llenar, vaciar y agitar con tres interruptores; dos de nivel evitan errores</translation>
+    </message>
+    <message>
+        <source>A current of 4 to 20 mA becomes a level, and the level becomes a volume</source>
+        <translation>Una corriente de 4 a 20 mA se convierte en nivel, y el nivel en volumen</translation>
+    </message>
+    <message>
+        <source>Red, yellow and green from one counter of seconds, written in three ways</source>
+        <translation>Rojo, amarillo y verde con un contador de segundos, escrito de tres formas</translation>
+    </message>
+    <message>
+        <source>Five tanks, three pipelines, fifteen valves; two tanks never feed the same pipeline</source>
+        <translation>Cinco depósitos, tres tuberías, quince válvulas; nunca dos depósitos en una tubería</translation>
+    </message>
+    <message>
+        <source>A motor valve, a spring-return valve and a control valve, each with its block</source>
+        <translation>Una válvula motorizada, una con retorno por muelle y una de control, cada una con su bloque</translation>
+    </message>
+    <message>
+        <source>A float in waves: the pump starts and stops only after five steady seconds</source>
+        <translation>Un flotador entre olas: la bomba conmuta solo tras cinco segundos estables</translation>
+    </message>
+    <message>
+        <source>Four BCD digits become the net weight once the scale has come to rest</source>
+        <translation>Cuatro dígitos BCD dan el peso neto en cuanto la báscula se estabiliza</translation>
+    </message>
+    <message>
+        <source>Samples of the language on four pages, each a program of its own with a test</source>
+        <translation>Ejemplos del lenguaje en cuatro páginas, cada uno un programa con su prueba</translation>
+    </message>
+    <message>
+        <source>Automated guided vehicle</source>
+        <translation>Vehículo de guiado automático</translation>
+    </message>
+    <message>
+        <source>First-order filter and two sines</source>
+        <translation>Filtro de primer orden y dos senos</translation>
+    </message>
+    <message>
+        <source>Pump at its most efficient speed</source>
+        <translation>Bomba a su velocidad óptima</translation>
+    </message>
+    <message>
+        <source>A controller and a tank, connected on this computer by real Modbus TCP</source>
+        <translation>Un controlador y un depósito, unidos en este equipo por Modbus TCP real</translation>
     </message>
 </context>
 <context>
@@ -11819,7 +12003,7 @@ Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
     <name>plc::plot::PlotView</name>
     <message>
         <source>Chart</source>
-        <translation>Secuencia (SFC)</translation>
+        <translation>Gráfico</translation>
     </message>
     <message>
         <source>%1
@@ -12109,6 +12293,33 @@ Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
     <message>
         <source>The controller&apos;s program cannot be built here as it is there; use the same version of Stepwise on both sides</source>
         <translation>El programa del controlador no se puede compilar aquí como allí; use la misma versión de Stepwise en ambos lados</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::Menu</name>
+    <message>
+        <source>File</source>
+        <translation>Archivo</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Edición</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Ejecución</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ver</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Ayuda</translation>
     </message>
 </context>
 </TS>

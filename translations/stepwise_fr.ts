@@ -72,14 +72,6 @@
         <translation>{0} n’est pas un port série&#x202f;; écrivez son chemin, par exemple /dev/ttyUSB0</translation>
     </message>
     <message>
-        <source>{0} and {1} are both unit {2} of {3}</source>
-        <translation>{0} et {1} sont tous deux l’unité {2} de {3}</translation>
-    </message>
-    <message>
-        <source>{0} and {1} use {2} with different baud rates, parities or bits</source>
-        <translation>{0} et {1} utilisent {2} avec un débit, une parité ou un nombre de bits différents</translation>
-    </message>
-    <message>
         <source>{0} and {1} both listen at port {2}; give one another port</source>
         <translation>{0} et {1} écoutent tous deux sur le port {2}&#x202f;; donnez un autre port à l’un d’eux</translation>
     </message>
@@ -162,10 +154,6 @@
     <message>
         <source>{0} is a constant and cannot be written</source>
         <translation>{0} est une constante et ne peut pas être écrite</translation>
-    </message>
-    <message>
-        <source>{0} and {1} both set {2} {3}</source>
-        <translation>{0} et {1} écrivent tous deux {2} {3}</translation>
     </message>
     <message>
         <source>{0} says whether the channel is good and must be a BOOL or an integer</source>
@@ -291,6 +279,18 @@
         <source>cannot connect to {0}: {1}; check the address and the cable</source>
         <translation>connexion impossible à {0}&#xa0;: {1}&#x202f;; vérifiez l’adresse et le câble</translation>
     </message>
+    <message>
+        <source>{0} and {1} are both unit {2} of {3}; give one of them another number</source>
+        <translation>{0} et {1} ont tous deux l’adresse {2} sur {3}&#x202f;; donnez-en une autre à l’un d’eux</translation>
+    </message>
+    <message>
+        <source>{0} and {1} use {2} with different baud rates, parities or bits; set the same for both</source>
+        <translation>{0} et {1} utilisent {2} avec un débit, une parité ou un nombre de bits différents&#x202f;; réglez les deux de la même façon</translation>
+    </message>
+    <message>
+        <source>{0} and {1} both set {2} {3}; give each its own</source>
+        <translation>{0} et {1} écrivent tous deux {2} {3}&#x202f;; donnez-en un à chacun</translation>
+    </message>
 </context>
 <context>
     <name>Diagnostics</name>
@@ -307,10 +307,6 @@
         <translation>Ce n’est pas de l’UTF-8 valide&#x202f;; enregistrer le fichier en UTF-8</translation>
     </message>
     <message>
-        <source>{0} is not a valid {1} literal</source>
-        <translation>{0} n’est pas un littéral valide ({1})</translation>
-    </message>
-    <message>
         <source>Expected {0} before {1}</source>
         <translation>Attendu avant {1}&#xa0;: {0}</translation>
     </message>
@@ -321,10 +317,6 @@
     <message>
         <source>{0} is missing for this {1}</source>
         <translation>Il manque {0} pour ce {1}</translation>
-    </message>
-    <message>
-        <source>Unexpected {0}</source>
-        <translation>{0} inattendu</translation>
     </message>
     <message>
         <source>This comparison has no effect; use := to assign</source>
@@ -347,10 +339,6 @@
         <translation>Une borne ouverte s’écrit ARRAY[*] et n’est autorisée que pour VAR_IN_OUT</translation>
     </message>
     <message>
-        <source>The pragma {0} is not known and has no effect</source>
-        <translation>Le pragma {0} est inconnu et sans effet</translation>
-    </message>
-    <message>
         <source>{0} is missing; the program unit ends here</source>
         <translation>Il manque {0}&#x202f;; le POU se termine ici</translation>
     </message>
@@ -359,68 +347,16 @@
         <translation>Il manque un point-virgule ici&#x202f;; l’instruction se termine ici</translation>
     </message>
     <message>
-        <source>{0} is not declared</source>
-        <translation>{0} n’est pas déclaré</translation>
-    </message>
-    <message>
-        <source>{0} has no member {1}</source>
-        <translation>{0} n’a pas de membre {1}</translation>
-    </message>
-    <message>
-        <source>{0} cannot be converted to {1}</source>
-        <translation>{0} ne peut pas être converti en {1}</translation>
-    </message>
-    <message>
         <source>Implicit conversion from {0} to {1} may lose data; convert it explicitly</source>
         <translation>La conversion implicite de {0} en {1} peut perdre des données&#x202f;; convertir explicitement</translation>
-    </message>
-    <message>
-        <source>{0} cannot be assigned to</source>
-        <translation>Il n’est pas possible d’affecter une valeur à {0}</translation>
-    </message>
-    <message>
-        <source>{0} cannot be used with {1}</source>
-        <translation>{0} ne peut pas être utilisé avec {1}</translation>
-    </message>
-    <message>
-        <source>{0} cannot combine {1} and {2}</source>
-        <translation>{0} ne peut pas combiner {1} et {2}</translation>
-    </message>
-    <message>
-        <source>{0} cannot be called</source>
-        <translation>{0} ne peut pas être appelé</translation>
-    </message>
-    <message>
-        <source>{0} has no parameter {1}</source>
-        <translation>{0} n’a pas de paramètre {1}</translation>
-    </message>
-    <message>
-        <source>The argument for {1} of {0} is missing</source>
-        <translation>Il manque l’argument pour {1} de {0}</translation>
-    </message>
-    <message>
-        <source>{0} takes {1} {1:argument|arguments}</source>
-        <translation>{0} attend {1} {1:argument|arguments}</translation>
     </message>
     <message>
         <source>{0} is an IN_OUT parameter and needs a variable of type {1}</source>
         <translation>{0} est un paramètre IN_OUT et demande une variable de type {1}</translation>
     </message>
     <message>
-        <source>The index {0} is outside {1}..{2}</source>
-        <translation>L’indice {0} est en dehors de {1}..{2}</translation>
-    </message>
-    <message>
-        <source>{0} does not fit into {1}</source>
-        <translation>{0} dépasse la plage de {1}</translation>
-    </message>
-    <message>
         <source>{0} has only the bits 0 to {1}</source>
         <translation>{0} n’a que les bits 0 à {1}</translation>
-    </message>
-    <message>
-        <source>The condition must be BOOL, not {0}</source>
-        <translation>La condition doit être de type BOOL, et non {0}</translation>
     </message>
     <message>
         <source>{0} is ambiguous: {1}; write the namespace before it</source>
@@ -439,20 +375,8 @@
         <translation>{0} n’est pas vérifié par rapport à l’énumération {1}&#x202f;; utiliser l’un de ses noms</translation>
     </message>
     <message>
-        <source>The address {0} is outside {1}</source>
-        <translation>L’adresse {0} est en dehors de {1}</translation>
-    </message>
-    <message>
-        <source>{0} is not allowed in a watch or binding, which cannot have side effects</source>
-        <translation>{0} n’est pas autorisé dans une surveillance ou une liaison de variable, qui doit être sans effet de bord</translation>
-    </message>
-    <message>
         <source>{0} is {1}; write {2}</source>
         <translation>{0} est {1}&#x202f;; écrire {2}</translation>
-    </message>
-    <message>
-        <source>A reference needs a variable that has an address</source>
-        <translation>Une référence demande une variable qui a une adresse</translation>
     </message>
     <message>
         <source>{0} contains itself; use a REFERENCE TO</source>
@@ -461,18 +385,6 @@
     <message>
         <source>The parameters of {0} must match those of the overridden method</source>
         <translation>Les paramètres de {0} doivent correspondre à ceux de la méthode redéfinie</translation>
-    </message>
-    <message>
-        <source>{1} cannot extend {0}</source>
-        <translation>{1} ne peut pas étendre {0}</translation>
-    </message>
-    <message>
-        <source>{0} is not allowed {1}</source>
-        <translation>{0} n’est pas autorisé {1}</translation>
-    </message>
-    <message>
-        <source>{0} is only allowed inside a loop</source>
-        <translation>{0} n’est autorisé que dans une boucle</translation>
     </message>
     <message>
         <source>There are several programs and no CONFIGURATION; name one of them Main or write a CONFIGURATION</source>
@@ -491,10 +403,6 @@
         <translation>{0} peut s’appeler lui-même&#x202f;; la profondeur de récursion est limitée à l’exécution</translation>
     </message>
     <message>
-        <source>Step {0} can become active twice at the same time: the branches from here do not join</source>
-        <translation>L’étape {0} peut devenir active deux fois en même temps&#xa0;: les branches qui partent d’ici ne convergent pas</translation>
-    </message>
-    <message>
         <source>The steps before this transition cannot be active together; start them from one simultaneous branch</source>
         <translation>Les étapes avant cette transition ne peuvent pas être actives ensemble&#x202f;; les démarrer par une même divergence simultanée</translation>
     </message>
@@ -509,10 +417,6 @@
     <message>
         <source>{0} needs a current result; load one with LD</source>
         <translation>{0} demande un résultat courant&#x202f;; en charger un avec LD</translation>
-    </message>
-    <message>
-        <source>{0} is only allowed in a TEST</source>
-        <translation>{0} n’est autorisé que dans un TEST</translation>
     </message>
     <message>
         <source>{0} is not a value of the strict enumeration {1}; use one of its names</source>
@@ -563,10 +467,6 @@
         <translation>{0} est aussi une variable&#x202f;; les étapes et les appels désignent l’ACTION</translation>
     </message>
     <message>
-        <source>{0} is a keyword and cannot be used as a name</source>
-        <translation>{0} est un mot-clé et ne peut pas servir de nom</translation>
-    </message>
-    <message>
         <source>Use {1} instead of {0} in Structured Text</source>
         <translation>En texte structuré, utiliser {1} au lieu de {0}</translation>
     </message>
@@ -581,10 +481,6 @@
     <message>
         <source>The address {0} has {1} {1:bit|bits}, {2} has {3}; write {4}</source>
         <translation>L’adresse {0} a {1} {1:bit|bits}, {2} en a {3}&#x202f;; écrire {4}</translation>
-    </message>
-    <message>
-        <source>An index must be an integer, not {0}</source>
-        <translation>Un indice doit être un entier, et non {0}</translation>
     </message>
     <message>
         <source>{0}</source>
@@ -814,6 +710,110 @@
         <source>This array has {0} {0:dimension|dimensions}, not {1}; write an index for each</source>
         <translation>Ce tableau a {0} {0:dimension|dimensions}, et non {1}&#x202f;; écrire un indice pour chacune</translation>
     </message>
+    <message>
+        <source>{0} is not a valid {1} literal; check its prefix, digits and units</source>
+        <translation>{0} n’est pas un littéral valide ({1})&#x202f;; vérifier le préfixe, les chiffres et les unités</translation>
+    </message>
+    <message>
+        <source>Unexpected {0}; remove it or complete the statement before it</source>
+        <translation>{0} inattendu&#x202f;; le supprimer ou compléter l’instruction qui précède</translation>
+    </message>
+    <message>
+        <source>The pragma {0} is not known and has no effect; remove it or correct its name</source>
+        <translation>Le pragma {0} est inconnu et sans effet&#x202f;; le supprimer ou corriger son nom</translation>
+    </message>
+    <message>
+        <source>{0} is a keyword and cannot be used as a name; choose another name</source>
+        <translation>{0} est un mot-clé et ne peut pas servir de nom&#x202f;; choisir un autre nom</translation>
+    </message>
+    <message>
+        <source>{0} is not declared; declare it or correct the name</source>
+        <translation>{0} n’est pas déclaré&#x202f;; le déclarer ou corriger le nom</translation>
+    </message>
+    <message>
+        <source>{0} has no member {1}; correct the name or add the member</source>
+        <translation>{0} n’a pas de membre {1}&#x202f;; corriger le nom ou ajouter le membre</translation>
+    </message>
+    <message>
+        <source>{0} cannot be converted to {1}; use a value of that type or a conversion function</source>
+        <translation>{0} ne peut pas être converti en {1}&#x202f;; utiliser une valeur de ce type ou une fonction de conversion</translation>
+    </message>
+    <message>
+        <source>{0} cannot be assigned to; assign to a variable</source>
+        <translation>Il n’est pas possible d’affecter une valeur à {0}&#x202f;; affecter à une variable</translation>
+    </message>
+    <message>
+        <source>{0} cannot be used with {1}; convert the operand first</source>
+        <translation>{0} ne peut pas être utilisé avec {1}&#x202f;; convertir d’abord l’opérande</translation>
+    </message>
+    <message>
+        <source>{0} cannot combine {1} and {2}; convert one of them</source>
+        <translation>{0} ne peut pas combiner {1} et {2}&#x202f;; convertir l’un des deux</translation>
+    </message>
+    <message>
+        <source>{0} cannot be called; call a function, a method or an instance of a block</source>
+        <translation>{0} ne peut pas être appelé&#x202f;; appeler une fonction, une méthode ou une instance de bloc</translation>
+    </message>
+    <message>
+        <source>{0} has no parameter {1}; correct the name or declare the parameter</source>
+        <translation>{0} n’a pas de paramètre {1}&#x202f;; corriger le nom ou déclarer le paramètre</translation>
+    </message>
+    <message>
+        <source>The argument for {1} of {0} is missing; add it to the call</source>
+        <translation>Il manque l’argument pour {1} de {0}&#x202f;; l’ajouter à l’appel</translation>
+    </message>
+    <message>
+        <source>{0} takes {1} {1:argument|arguments}; remove the others</source>
+        <translation>{0} attend {1} {1:argument|arguments}&#x202f;; supprimer les autres</translation>
+    </message>
+    <message>
+        <source>The index {0} is outside {1}..{2}; correct it or enlarge the array</source>
+        <translation>L’indice {0} est en dehors de {1}..{2}&#x202f;; corriger l’indice ou agrandir le tableau</translation>
+    </message>
+    <message>
+        <source>{0} does not fit into {1}; use another value or a larger type</source>
+        <translation>{0} dépasse la plage de {1}&#x202f;; utiliser une autre valeur ou un type plus grand</translation>
+    </message>
+    <message>
+        <source>The condition must be BOOL, not {0}; add a comparison</source>
+        <translation>La condition doit être de type BOOL, et non {0}&#x202f;; ajouter une comparaison</translation>
+    </message>
+    <message>
+        <source>The address {0} is outside {1}; use an address in that range</source>
+        <translation>L’adresse {0} est en dehors de {1}&#x202f;; utiliser une adresse de cette plage</translation>
+    </message>
+    <message>
+        <source>{0} is not allowed in a watch or binding, which cannot have side effects; do it in the program</source>
+        <translation>{0} n’est pas autorisé dans une surveillance ou une liaison de variable, qui doit être sans effet de bord&#x202f;; le faire dans le programme</translation>
+    </message>
+    <message>
+        <source>A reference needs a variable that has an address; assign the value to a variable first</source>
+        <translation>Une référence demande une variable qui a une adresse&#x202f;; affecter d’abord la valeur à une variable</translation>
+    </message>
+    <message>
+        <source>An index must be an integer, not {0}; convert it</source>
+        <translation>Un indice doit être un entier, et non {0}&#x202f;; le convertir</translation>
+    </message>
+    <message>
+        <source>{1} cannot extend {0}; choose a base of the same kind</source>
+        <translation>{1} ne peut pas étendre {0}&#x202f;; choisir une base du même genre</translation>
+    </message>
+    <message>
+        <source>{0} is not allowed {1}; move or remove it</source>
+        <translation>{0} n’est pas autorisé {1}&#x202f;; le déplacer ou le supprimer</translation>
+    </message>
+    <message>
+        <source>{0} is only allowed inside a loop; move or remove it</source>
+        <translation>{0} n’est autorisé que dans une boucle&#x202f;; le déplacer ou le supprimer</translation>
+    </message>
+    <message>
+        <source>Step {0} can become active twice at the same time: the branches from here do not join; join them with one transition</source>
+        <translation>L’étape {0} peut devenir active deux fois en même temps&#xa0;: les branches qui partent d’ici ne convergent pas&#x202f;; les réunir par une seule transition</translation>
+    </message>
+    <message>
+        <source>{0} is only allowed in a TEST; move it there</source>
+        <translation>{0} n’est autorisé que dans un TEST&#x202f;; l’y déplacer</translation>
+    </message>
 </context>
 <context>
     <name>DiskChange</name>
@@ -868,32 +868,12 @@
         <translation>l’indice {0} est en dehors de {1}..{2}</translation>
     </message>
     <message>
-        <source>the reference is NULL</source>
-        <translation>la référence est NULL</translation>
-    </message>
-    <message>
-        <source>the reference does not point to a variable of its type</source>
-        <translation>la référence ne désigne pas une variable de son type</translation>
-    </message>
-    <message>
-        <source>a VAR_IN_OUT is not connected to a variable</source>
-        <translation>un VAR_IN_OUT n’est relié à aucune variable</translation>
-    </message>
-    <message>
         <source>character {0} is read from an empty string</source>
         <translation>lecture du caractère {0} d’une chaîne vide</translation>
     </message>
     <message>
         <source>character {0} is outside {1}..{2} of the string</source>
         <translation>le caractère {0} est en dehors de {1}..{2} de la chaîne</translation>
-    </message>
-    <message>
-        <source>the watchdog stopped a task that did not end</source>
-        <translation>le chien de garde a arrêté une tâche qui ne se terminait pas</translation>
-    </message>
-    <message>
-        <source>the task ran longer than its watchdog time of {0}</source>
-        <translation>la tâche a dépassé son temps de chien de garde de {0}</translation>
     </message>
     <message>
         <source>calls are nested too deeply; check for endless recursion</source>
@@ -972,28 +952,12 @@
         <translation>ce n’est pas un dossier</translation>
     </message>
     <message>
-        <source>the file system is read-only</source>
-        <translation>le système de fichiers est en lecture seule</translation>
-    </message>
-    <message>
         <source>the device reports a read or write error</source>
         <translation>le périphérique signale une erreur de lecture ou d’écriture</translation>
     </message>
     <message>
-        <source>the file name is too long</source>
-        <translation>le nom du fichier est trop long</translation>
-    </message>
-    <message>
         <source>it already exists</source>
         <translation>il existe déjà</translation>
-    </message>
-    <message>
-        <source>the folder is not empty</source>
-        <translation>le dossier n’est pas vide</translation>
-    </message>
-    <message>
-        <source>too many files are open</source>
-        <translation>trop de fichiers sont ouverts</translation>
     </message>
     <message>
         <source>the file is too large</source>
@@ -1024,10 +988,6 @@
         <translation>L’enregistrement ne peut pas être lu&#xa0;: {0}</translation>
     </message>
     <message>
-        <source>The file is damaged or is not a recording</source>
-        <translation>Le fichier est endommagé ou n’est pas un enregistrement</translation>
-    </message>
-    <message>
         <source>This version of Stepwise lays out the program&apos;s variables differently; open the recording with the version that made it</source>
         <translation>Cette version de Stepwise dispose autrement les variables du programme&#x202f;; ouvrez l’enregistrement avec la version qui l’a créé</translation>
     </message>
@@ -1053,7 +1013,7 @@
     </message>
     <message>
         <source>&apos;{0}&apos; is ambiguous; write one of {1}</source>
-        <translation>«&#xa0;{0}&#xa0;» est ambigu&#x202f;; écrivez l’un de {1}</translation>
+        <translation>«&#xa0;{0}&#xa0;» est ambigu&#x202f;; écrivez l’une des formes {1}</translation>
     </message>
     <message>
         <source>&apos;{0}&apos; has no variable &apos;{1}&apos;; did you mean &apos;{2}&apos;?</source>
@@ -1072,10 +1032,6 @@
         <translation>la variable «&#xa0;{0}&#xa0;» n’existe pas</translation>
     </message>
     <message>
-        <source>&apos;{0}&apos; is reached through a reference, which a path cannot follow</source>
-        <translation>«&#xa0;{0}&#xa0;» est atteint par une référence, qu’un chemin ne peut pas suivre</translation>
-    </message>
-    <message>
         <source>a variable of type {1} has no member &apos;{0}&apos;</source>
         <translation>une variable de type {1} n’a pas de membre «&#xa0;{0}&#xa0;»</translation>
     </message>
@@ -1084,20 +1040,8 @@
         <translation>«&#xa0;{0}&#xa0;» est un VAR_IN_OUT&#x202f;; écrivez la variable qui lui est reliée</translation>
     </message>
     <message>
-        <source>a string has one index</source>
-        <translation>une chaîne a un seul indice</translation>
-    </message>
-    <message>
-        <source>a variable of type {0} has no elements</source>
-        <translation>une variable de type {0} n’a pas d’éléments</translation>
-    </message>
-    <message>
         <source>{0} needs {1} {1:index|indices}, not {2}</source>
         <translation>{0} demande {1} {1:indice|indices}, et non {2}</translation>
-    </message>
-    <message>
-        <source>a variable of type {0} has no bits</source>
-        <translation>une variable de type {0} n’a pas de bits</translation>
     </message>
     <message>
         <source>bit {0} is outside 0..{1}</source>
@@ -1112,24 +1056,12 @@
         <translation>«&#xa0;{0}&#xa0;» n’est pas une adresse&#x202f;; écrivez par exemple %IX0.0, %QB4 ou %MW2</translation>
     </message>
     <message>
-        <source>the program does not use the address &apos;{0}&apos;</source>
-        <translation>le programme n’utilise pas l’adresse «&#xa0;{0}&#xa0;»</translation>
-    </message>
-    <message>
-        <source>the path is empty</source>
-        <translation>le chemin est vide</translation>
-    </message>
-    <message>
         <source>the path cannot be read from &apos;{0}&apos; on</source>
         <translation>le chemin n’est plus lisible à partir de «&#xa0;{0}&#xa0;»</translation>
     </message>
     <message>
         <source>{0} is forced; release the force before writing</source>
         <translation>{0} est forcé&#x202f;; levez le forçage avant d’écrire</translation>
-    </message>
-    <message>
-        <source>a constant cannot be written</source>
-        <translation>une constante ne peut pas être écrite</translation>
     </message>
     <message>
         <source>the variable is not forced</source>
@@ -1146,10 +1078,6 @@
     <message>
         <source>The retain file cannot be read: {0}</source>
         <translation>Le fichier des valeurs rémanentes ne peut pas être lu&#xa0;: {0}</translation>
-    </message>
-    <message>
-        <source>The retain file is not a regular file</source>
-        <translation>Le fichier des valeurs rémanentes n’est pas un fichier ordinaire</translation>
     </message>
     <message>
         <source>The retain file is damaged; the program starts with its initial values</source>
@@ -1178,18 +1106,6 @@
     <message>
         <source>a character of the text does not fit into a STRING; use a WSTRING</source>
         <translation>un caractère du texte n’existe pas en STRING&#x202f;; utilisez une WSTRING</translation>
-    </message>
-    <message>
-        <source>the text has {0} characters, the maximum is {1}</source>
-        <translation>le texte a {0} caractères, le maximum est {1}</translation>
-    </message>
-    <message>
-        <source>{0} has {1} {1:part|parts}, the value has {2}</source>
-        <translation>{0} a {1} {1:partie|parties}, la valeur en a {2}</translation>
-    </message>
-    <message>
-        <source>there is no value to write</source>
-        <translation>il n’y a pas de valeur à écrire</translation>
     </message>
     <message>
         <source>a reference can only be set to NULL from outside</source>
@@ -1256,14 +1172,6 @@
         <translation>Il n’y a pas de programme à optimiser</translation>
     </message>
     <message>
-        <source>The expression is nested too deeply</source>
-        <translation>L’expression est imbriquée trop profondément</translation>
-    </message>
-    <message>
-        <source>this is not an expression</source>
-        <translation>ce n’est pas une expression</translation>
-    </message>
-    <message>
         <source>this is local to a running call and has no address of its own</source>
         <translation>ceci est local à un appel en cours et n’a pas d’adresse propre</translation>
     </message>
@@ -1284,20 +1192,12 @@
         <translation>ce tableau de longueur variable n’a pas d’adresse ici</translation>
     </message>
     <message>
-        <source>this is not an array</source>
-        <translation>ce n’est pas un tableau</translation>
-    </message>
-    <message>
         <source>the array has no such dimension</source>
         <translation>le tableau n’a pas cette dimension</translation>
     </message>
     <message>
         <source>this has no value</source>
         <translation>ceci n’a pas de valeur</translation>
-    </message>
-    <message>
-        <source>an expression cannot have side effects</source>
-        <translation>une expression doit être sans effet de bord</translation>
     </message>
     <message>
         <source>only standard functions can be called here</source>
@@ -1352,10 +1252,6 @@
         <translation>{0} n’a pas d’équivalent dans une liste d’instructions</translation>
     </message>
     <message>
-        <source>There is no body in ST or IL here</source>
-        <translation>Il n’y a pas de corps en ST ou en IL ici</translation>
-    </message>
-    <message>
         <source>{0} is already written in ST</source>
         <translation>{0} est déjà écrit en ST</translation>
     </message>
@@ -1400,10 +1296,6 @@
         <translation>project.json doit contenir un objet JSON</translation>
     </message>
     <message>
-        <source>This folder contains neither a project.json nor ST files</source>
-        <translation>Ce dossier ne contient ni project.json ni fichiers ST</translation>
-    </message>
-    <message>
         <source>There is no library &quot;{0}&quot;; available are {1}</source>
         <translation>La bibliothèque «&#xa0;{0}&#xa0;» n’existe pas&#x202f;; sont disponibles {1}</translation>
     </message>
@@ -1412,16 +1304,8 @@
         <translation>La bibliothèque {0} n’existe pas&#x202f;; vouliez-vous dire {1}&#x202f;?</translation>
     </message>
     <message>
-        <source>There is no library {0}</source>
-        <translation>La bibliothèque {0} n’existe pas</translation>
-    </message>
-    <message>
         <source>Specify a project folder or ST files</source>
         <translation>Indiquez un dossier de projet ou des fichiers ST</translation>
-    </message>
-    <message>
-        <source>There is no such file or folder</source>
-        <translation>Fichier ou dossier introuvable</translation>
     </message>
     <message>
         <source>Specify one project folder or ST files, not both</source>
@@ -1434,14 +1318,6 @@
     <message>
         <source>{0} is not a valid name; use letters, digits and _, start with a letter and avoid keywords</source>
         <translation>{0} n’est pas un nom valide&#x202f;; utilisez des lettres, des chiffres et _, commencez par une lettre et évitez les mots-clés</translation>
-    </message>
-    <message>
-        <source>{0} already exists in the project</source>
-        <translation>{0} existe déjà dans le projet</translation>
-    </message>
-    <message>
-        <source>{0} already exists in {1}</source>
-        <translation>{0} existe déjà dans {1}</translation>
     </message>
     <message>
         <source>The folder cannot be created: {0}</source>
@@ -1466,10 +1342,6 @@
     <message>
         <source>There is no such file in the project</source>
         <translation>Le projet ne contient pas ce fichier</translation>
-    </message>
-    <message>
-        <source>The file is read-only and was not overwritten</source>
-        <translation>Le fichier est en lecture seule et n’a pas été écrasé</translation>
     </message>
     <message>
         <source>The file&apos;s permissions cannot be changed</source>
@@ -1668,10 +1540,6 @@
         <translation>{0} n’est pas un nom valide&#x202f;; utilisez des lettres, des chiffres et le trait de soulignement</translation>
     </message>
     <message>
-        <source>Nothing would lead to the join after this step</source>
-        <translation>Rien ne mènerait à la convergence après cette étape</translation>
-    </message>
-    <message>
         <source>The initial step stays at the top</source>
         <translation>L’étape initiale reste en haut</translation>
     </message>
@@ -1692,10 +1560,6 @@
         <translation>Cette étape ne mène qu’à elle-même</translation>
     </message>
     <message>
-        <source>There is no branch here</source>
-        <translation>Il n’y a pas de branche ici</translation>
-    </message>
-    <message>
         <source>A transition needs a condition</source>
         <translation>Une transition demande une condition</translation>
     </message>
@@ -1708,16 +1572,8 @@
         <translation>Rien ne suit encore cette étape&#x202f;; insérez d’abord une étape après elle</translation>
     </message>
     <message>
-        <source>The last branch does not lead to a step</source>
-        <translation>La dernière branche ne mène à aucune étape</translation>
-    </message>
-    <message>
         <source>There is no such action</source>
         <translation>Cette action n’existe pas</translation>
-    </message>
-    <message>
-        <source>There is no chart yet</source>
-        <translation>Il n’y a pas encore de grafcet</translation>
     </message>
     <message>
         <source>The initial step cannot be deleted; make another step the initial step first</source>
@@ -1760,10 +1616,6 @@
         <translation>Chaque alarme et chaque classe d’alarme doit être un objet JSON</translation>
     </message>
     <message>
-        <source>An alarm has no id</source>
-        <translation>Une alarme n’a pas d’identifiant</translation>
-    </message>
-    <message>
         <source>This line is not valid UTF-8; save the file as UTF-8</source>
         <translation>Cette ligne n’est pas de l’UTF-8 valide&#x202f;; enregistrez le fichier en UTF-8</translation>
     </message>
@@ -1776,16 +1628,8 @@
         <translation>La première ligne doit être {0} suivi d’une étiquette de langue par colonne</translation>
     </message>
     <message>
-        <source>Column {0} has no language tag</source>
-        <translation>La colonne {0} n’a pas d’étiquette de langue</translation>
-    </message>
-    <message>
         <source>This line has {0} {0:field|fields}, the header has {1}</source>
         <translation>Cette ligne a {0} {0:champ|champs}, l’en-tête en a {1}</translation>
-    </message>
-    <message>
-        <source>This line has no key</source>
-        <translation>Cette ligne n’a pas de clé</translation>
     </message>
     <message>
         <source>The alarm history cannot be opened: {0}</source>
@@ -1828,10 +1672,6 @@
         <translation>Le texte «&#xa0;{0}&#xa0;» n’a pas de clé et ne peut donc pas être traduit</translation>
     </message>
     <message>
-        <source>The key {0} is not in the text table</source>
-        <translation>La clé {0} n’est pas dans la table des textes</translation>
-    </message>
-    <message>
         <source>The text needs a value for {0}; specify it in &quot;Values in texts&quot;</source>
         <translation>Le texte demande une valeur pour {0}&#x202f;; indiquez-la dans «&#xa0;Valeurs des textes&#xa0;»</translation>
     </message>
@@ -1844,40 +1684,8 @@
         <translation>Cette version ne connaît pas le genre d’élément «&#xa0;{0}&#xa0;»&#x202f;; il est conservé tel quel</translation>
     </message>
     <message>
-        <source>The project has no language {0}</source>
-        <translation>Le projet n’a pas la langue {0}</translation>
-    </message>
-    <message>
-        <source>The file {0} does not exist</source>
-        <translation>Le fichier {0} n’existe pas</translation>
-    </message>
-    <message>
-        <source>There is no panel {0}</source>
-        <translation>La vue {0} n’existe pas</translation>
-    </message>
-    <message>
         <source>The format {0} is not known; use for example {1} or {2}</source>
         <translation>Le format {0} est inconnu&#x202f;; utilisez par exemple {1} ou {2}</translation>
-    </message>
-    <message>
-        <source>There is no alarm class {0}</source>
-        <translation>La classe d’alarme {0} n’existe pas</translation>
-    </message>
-    <message>
-        <source>No panel and no alarm uses the key {0}</source>
-        <translation>Aucune vue ni alarme n’utilise la clé {0}</translation>
-    </message>
-    <message>
-        <source>The placeholders differ: {0} has {1}, {2} has {3}</source>
-        <translation>Les espaces réservés diffèrent&#xa0;: {0} a {1}, {2} a {3}</translation>
-    </message>
-    <message>
-        <source>The font {0} is not installed here, so texts cannot be measured</source>
-        <translation>La police {0} n’est pas installée ici, les textes ne peuvent donc pas être mesurés</translation>
-    </message>
-    <message>
-        <source>No font has the character {0}</source>
-        <translation>Aucune police n’a le caractère {0}</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; does not fit: it needs {1} px, the maximum is {2}</source>
@@ -2040,24 +1848,8 @@
         <translation>plus de {0} unités de travail (passages de boucle, appels, copies) en une exécution de la tâche&#x202f;; recherchez une boucle sans fin</translation>
     </message>
     <message>
-        <source>{0} is not a whole number</source>
-        <translation>{0} n’est pas un nombre entier</translation>
-    </message>
-    <message>
-        <source>{0} is not a number of scans</source>
-        <translation>{0} n’est pas un nombre de cycles</translation>
-    </message>
-    <message>
         <source>{0} is not a name: use letters, digits and underscores.</source>
         <translation>{0} n’est pas un nom&#xa0;: utilisez des lettres, des chiffres et le trait de soulignement.</translation>
-    </message>
-    <message>
-        <source>{0} is not a time</source>
-        <translation>{0} n’est pas un temps</translation>
-    </message>
-    <message>
-        <source>This is not an XLIFF file</source>
-        <translation>Ce n’est pas un fichier XLIFF</translation>
     </message>
     <message>
         <source>The XLIFF version {0} is not known; save the file as 1.2 or 2.0</source>
@@ -2172,14 +1964,6 @@
         <translation>{0} ({1}) doit être supérieur à {2} ({3})</translation>
     </message>
     <message>
-        <source>The panel has no group or tab {0}</source>
-        <translation>La vue n’a ni groupe ni onglets {0}</translation>
-    </message>
-    <message>
-        <source>The group {0} contains itself</source>
-        <translation>Le groupe {0} se contient lui-même</translation>
-    </message>
-    <message>
         <source>{0} has no page {1}; its {2} {2:page is|pages are} numbered from 0</source>
         <translation>{0} n’a pas de page {1}&#x202f;; ses {2} {2:page est numérotée|pages sont numérotées} à partir de 0</translation>
     </message>
@@ -2244,18 +2028,6 @@
         <translation>Le cycle précédent n’est pas dans l’enregistrement&#x202f;; les valeurs au début de ce cycle sont donc inconnues.</translation>
     </message>
     <message>
-        <source>A role has no name</source>
-        <translation>Un rôle n’a pas de nom</translation>
-    </message>
-    <message>
-        <source>There is no role {0}</source>
-        <translation>Le rôle {0} n’existe pas</translation>
-    </message>
-    <message>
-        <source>A user has no name</source>
-        <translation>Un utilisateur n’a pas de nom</translation>
-    </message>
-    <message>
         <source>There is no user {0}</source>
         <translation>L’utilisateur {0} n’existe pas</translation>
     </message>
@@ -2288,20 +2060,8 @@
         <translation>Seulement pour les rôles {0}, mais le projet n’a pas d’utilisateurs&#x202f;; tout le monde peut le commander</translation>
     </message>
     <message>
-        <source>A recipe has no name</source>
-        <translation>Une recette n’a pas de nom</translation>
-    </message>
-    <message>
         <source>A row of a recipe names no variable</source>
         <translation>Une ligne d’une recette n’indique pas de variable</translation>
-    </message>
-    <message>
-        <source>The recipe has the variable {0} twice</source>
-        <translation>La recette contient deux fois la variable {0}</translation>
-    </message>
-    <message>
-        <source>A set of a recipe has no name</source>
-        <translation>Un jeu de valeurs d’une recette n’a pas de nom</translation>
     </message>
     <message>
         <source>The first column must be named variable, and each set has a column of its own</source>
@@ -2318,10 +2078,6 @@
     <message>
         <source>The recipe {0} has no set {1}</source>
         <translation>La recette {0} n’a pas de jeu de valeurs {1}</translation>
-    </message>
-    <message>
-        <source>The set {0} has no value for {1}</source>
-        <translation>Le jeu de valeurs {0} n’a pas de valeur pour {1}</translation>
     </message>
     <message>
         <source>{0} is outside the limits of {1}, {2} to {3}</source>
@@ -2412,14 +2168,6 @@
         <translation>La vue affiche {0} éléments à lire ou à toucher&#x202f;; à sa taille, on en embrasse {1}</translation>
     </message>
     <message>
-        <source>{0} covers a part of it</source>
-        <translation>{0} en couvre une partie</translation>
-    </message>
-    <message>
-        <source>No button, navigation bar or alarm leads to the panel {0}</source>
-        <translation>Aucun bouton, aucune barre de navigation ni alarme ne mène à la vue {0}</translation>
-    </message>
-    <message>
         <source>The panel {0} is {1} presses away from the start panel; {2} should do</source>
         <translation>La vue {0} est à {1} appuis de la vue de départ&#x202f;; {2} devraient suffire</translation>
     </message>
@@ -2430,22 +2178,6 @@
     <message>
         <source>{0} is at another place on the panel {1}</source>
         <translation>{0} est à un autre endroit sur la vue {1}</translation>
-    </message>
-    <message>
-        <source>{0} of {1} alarms have the highest priority</source>
-        <translation>{0} alarmes sur {1} ont la plus haute priorité</translation>
-    </message>
-    <message>
-        <source>The project has {0} {0:alarm|alarms}, but no panel has an alarm list or banner</source>
-        <translation>Le projet a {0} {0:alarme|alarmes}, mais aucune vue n’a de liste ni de bandeau d’alarmes</translation>
-    </message>
-    <message>
-        <source>{0} is critical after project.json, but one press writes it</source>
-        <translation>{0} est critique d’après project.json, mais un seul appui l’écrit</translation>
-    </message>
-    <message>
-        <source>{0} suppresses alarms, but one press writes it</source>
-        <translation>{0} masque des alarmes, mais un seul appui l’écrit</translation>
     </message>
     <message>
         <source>What is normal is grey, so that the eye finds what is not (ISA-101). Use a role of the theme such as surface, off or running, and give colour only to conditions.</source>
@@ -2541,7 +2273,7 @@
     </message>
     <message>
         <source>There is no built-in theme &quot;{0}&quot;; a base is light, dark or contrast</source>
-        <translation>Le thème intégré «&#xa0;{0}&#xa0;» n’existe pas&#x202f;; une base est light, dark ou contrast</translation>
+        <translation>Le thème intégré «&#xa0;{0}&#xa0;» n’existe pas&#x202f;; la base doit être light, dark ou contrast</translation>
     </message>
     <message>
         <source>There is no colour role {0}</source>
@@ -2711,6 +2443,274 @@
         <source>The help of the alarm {0} does not say what to do; add the operator&apos;s next step</source>
         <translation>L’aide de l’alarme {0} ne dit pas quoi faire&#x202f;; ajoutez la prochaine action de l’opérateur</translation>
     </message>
+    <message>
+        <source>the reference is NULL; assign a variable to it, or compare it with NULL first</source>
+        <translation>la référence est NULL&#x202f;; affectez-lui une variable ou comparez-la d’abord avec NULL</translation>
+    </message>
+    <message>
+        <source>the reference does not point to a variable of its type; assign one to it</source>
+        <translation>la référence ne désigne pas une variable de son type&#x202f;; affectez-lui-en une</translation>
+    </message>
+    <message>
+        <source>a VAR_IN_OUT is not connected to a variable; connect it in the call</source>
+        <translation>un VAR_IN_OUT n’est relié à aucune variable&#x202f;; reliez-le dans l’appel</translation>
+    </message>
+    <message>
+        <source>the watchdog stopped a task that did not end; check for an endless loop</source>
+        <translation>le chien de garde a arrêté une tâche qui ne se terminait pas&#x202f;; cherchez une boucle sans fin</translation>
+    </message>
+    <message>
+        <source>the task ran longer than its watchdog time of {0}; shorten its work or raise the time</source>
+        <translation>la tâche a dépassé son temps de chien de garde de {0}&#x202f;; allégez son travail ou augmentez ce temps</translation>
+    </message>
+    <message>
+        <source>the file name is too long; choose a shorter one</source>
+        <translation>le nom du fichier est trop long&#x202f;; choisissez-en un plus court</translation>
+    </message>
+    <message>
+        <source>the folder is not empty; choose another one</source>
+        <translation>le dossier n’est pas vide&#x202f;; choisissez-en un autre</translation>
+    </message>
+    <message>
+        <source>the file system is read-only; choose another folder</source>
+        <translation>le système de fichiers est en lecture seule&#x202f;; choisissez un autre dossier</translation>
+    </message>
+    <message>
+        <source>too many files are open; close some of them</source>
+        <translation>trop de fichiers sont ouverts&#x202f;; fermez-en quelques-uns</translation>
+    </message>
+    <message>
+        <source>The file is damaged or is not a recording; choose a file that Stepwise wrote (.rec)</source>
+        <translation>Le fichier est endommagé ou n’est pas un enregistrement&#x202f;; choisissez un fichier écrit par Stepwise (.rec)</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; is reached through a reference, which a path cannot follow; name the variable it refers to</source>
+        <translation>«&#xa0;{0}&#xa0;» est atteint par une référence, qu’un chemin ne peut pas suivre&#x202f;; indiquez la variable désignée</translation>
+    </message>
+    <message>
+        <source>a string has one index; remove the others</source>
+        <translation>une chaîne a un seul indice&#x202f;; supprimez les autres</translation>
+    </message>
+    <message>
+        <source>a variable of type {0} has no elements; remove the index</source>
+        <translation>une variable de type {0} n’a pas d’éléments&#x202f;; supprimez l’indice</translation>
+    </message>
+    <message>
+        <source>a variable of type {0} has no bits; remove the bit number</source>
+        <translation>une variable de type {0} n’a pas de bits&#x202f;; supprimez le numéro de bit</translation>
+    </message>
+    <message>
+        <source>the program does not use the address &apos;{0}&apos;; declare a variable AT this address</source>
+        <translation>le programme n’utilise pas l’adresse «&#xa0;{0}&#xa0;»&#x202f;; déclarez une variable AT à cette adresse</translation>
+    </message>
+    <message>
+        <source>the path is empty; write for example Main.x</source>
+        <translation>le chemin est vide&#x202f;; écrivez par exemple Main.x</translation>
+    </message>
+    <message>
+        <source>a constant cannot be written; change it in the program</source>
+        <translation>une constante ne peut pas être écrite&#x202f;; modifiez-la dans le programme</translation>
+    </message>
+    <message>
+        <source>The retain file is not a regular file; remove it or choose another one</source>
+        <translation>Le fichier des valeurs rémanentes n’est pas un fichier ordinaire&#x202f;; supprimez-le ou choisissez-en un autre</translation>
+    </message>
+    <message>
+        <source>the text has {0} characters, the maximum is {1}; shorten it</source>
+        <translation>le texte a {0} caractères, le maximum est {1}&#x202f;; raccourcissez-le</translation>
+    </message>
+    <message>
+        <source>{0} has {1} {1:part|parts}, the value has {2}; write one value for each</source>
+        <translation>{0} a {1} {1:partie|parties}, la valeur en a {2}&#x202f;; écrivez une valeur pour chacune</translation>
+    </message>
+    <message>
+        <source>there is no value to write; enter one first</source>
+        <translation>il n’y a pas de valeur à écrire&#x202f;; saisissez-en d’abord une</translation>
+    </message>
+    <message>
+        <source>The expression is nested too deeply; divide it into several</source>
+        <translation>L’expression est imbriquée trop profondément&#x202f;; divisez-la en plusieurs</translation>
+    </message>
+    <message>
+        <source>this is not an expression; write for example Main.x &gt; 5</source>
+        <translation>ce n’est pas une expression&#x202f;; écrivez par exemple Main.x &gt; 5</translation>
+    </message>
+    <message>
+        <source>this is not an array; remove the index</source>
+        <translation>ce n’est pas un tableau&#x202f;; supprimez l’indice</translation>
+    </message>
+    <message>
+        <source>an expression cannot have side effects; use variables, operators and standard functions only</source>
+        <translation>une expression doit être sans effet de bord&#x202f;; utilisez seulement des variables, des opérateurs et des fonctions standard</translation>
+    </message>
+    <message>
+        <source>There is no body in ST or IL here; put the cursor into one</source>
+        <translation>Il n’y a pas de corps en ST ou en IL ici&#x202f;; placez le curseur dans l’un d’eux</translation>
+    </message>
+    <message>
+        <source>There is no library {0}; check &quot;libraries&quot; in project.json</source>
+        <translation>La bibliothèque {0} n’existe pas&#x202f;; vérifiez «&#xa0;libraries&#xa0;» dans project.json</translation>
+    </message>
+    <message>
+        <source>This folder contains neither a project.json nor ST files; choose another folder or create a project</source>
+        <translation>Ce dossier ne contient ni project.json ni fichiers ST&#x202f;; choisissez un autre dossier ou créez un projet</translation>
+    </message>
+    <message>
+        <source>There is no such file or folder; check the path</source>
+        <translation>Fichier ou dossier introuvable&#x202f;; vérifiez le chemin</translation>
+    </message>
+    <message>
+        <source>{0} already exists in the project; choose another name</source>
+        <translation>{0} existe déjà dans le projet&#x202f;; choisissez un autre nom</translation>
+    </message>
+    <message>
+        <source>{0} already exists in {1}; choose another name</source>
+        <translation>{0} existe déjà dans {1}&#x202f;; choisissez un autre nom</translation>
+    </message>
+    <message>
+        <source>The file is read-only and was not overwritten; make it writable or choose another name</source>
+        <translation>Le fichier est en lecture seule et n’a pas été écrasé&#x202f;; autorisez l’écriture ou choisissez un autre nom</translation>
+    </message>
+    <message>
+        <source>{0} is not a time; write for example T#2s</source>
+        <translation>{0} n’est pas un temps&#x202f;; écrivez par exemple T#2s</translation>
+    </message>
+    <message>
+        <source>{0} is not a whole number; write for example 5</source>
+        <translation>{0} n’est pas un nombre entier&#x202f;; écrivez par exemple 5</translation>
+    </message>
+    <message>
+        <source>{0} is not a number of scans; write for example 10</source>
+        <translation>{0} n’est pas un nombre de cycles&#x202f;; écrivez par exemple 10</translation>
+    </message>
+    <message>
+        <source>Nothing would lead to the join after this step; delete the join first</source>
+        <translation>Rien ne mènerait à la convergence après cette étape&#x202f;; supprimez d’abord la convergence</translation>
+    </message>
+    <message>
+        <source>There is no branch here; choose a step or transition in a branch</source>
+        <translation>Il n’y a pas de branche ici&#x202f;; choisissez une étape ou une transition dans une branche</translation>
+    </message>
+    <message>
+        <source>The last branch does not lead to a step; connect it first</source>
+        <translation>La dernière branche ne mène à aucune étape&#x202f;; reliez-la d’abord</translation>
+    </message>
+    <message>
+        <source>There is no chart yet; write an INITIAL_STEP first</source>
+        <translation>Il n’y a pas encore de grafcet&#x202f;; écrivez d’abord un INITIAL_STEP</translation>
+    </message>
+    <message>
+        <source>An alarm has no id; give it one</source>
+        <translation>Une alarme n’a pas d’identifiant&#x202f;; donnez-lui-en un</translation>
+    </message>
+    <message>
+        <source>Column {0} has no language tag; write one such as de or en-GB</source>
+        <translation>La colonne {0} n’a pas d’étiquette de langue&#x202f;; écrivez par exemple de ou en-GB</translation>
+    </message>
+    <message>
+        <source>This line has no key; write one in the first column</source>
+        <translation>Cette ligne n’a pas de clé&#x202f;; écrivez-en une dans la première colonne</translation>
+    </message>
+    <message>
+        <source>This is not an XLIFF file; choose one that was exported for translation</source>
+        <translation>Ce n’est pas un fichier XLIFF&#x202f;; choisissez-en un exporté pour la traduction</translation>
+    </message>
+    <message>
+        <source>There is no panel {0}; create it or choose another one</source>
+        <translation>La vue {0} n’existe pas&#x202f;; créez-la ou choisissez-en une autre</translation>
+    </message>
+    <message>
+        <source>The key {0} is not in the text table; add it there</source>
+        <translation>La clé {0} n’est pas dans la table des textes&#x202f;; ajoutez-l’y</translation>
+    </message>
+    <message>
+        <source>The project has no language {0}; add a column for it to texts.csv</source>
+        <translation>Le projet n’a pas la langue {0}&#x202f;; ajoutez-lui une colonne dans texts.csv</translation>
+    </message>
+    <message>
+        <source>The file {0} does not exist; add it to the project or choose another one</source>
+        <translation>Le fichier {0} n’existe pas&#x202f;; ajoutez-le au projet ou choisissez-en un autre</translation>
+    </message>
+    <message>
+        <source>The panel has no group or tab {0}; create it or choose another one</source>
+        <translation>La vue n’a ni groupe ni onglets {0}&#x202f;; créez-le ou choisissez-en un autre</translation>
+    </message>
+    <message>
+        <source>The group {0} contains itself; choose another parent</source>
+        <translation>Le groupe {0} se contient lui-même&#x202f;; choisissez un autre parent</translation>
+    </message>
+    <message>
+        <source>A role has no name; give it one</source>
+        <translation>Un rôle n’a pas de nom&#x202f;; donnez-lui-en un</translation>
+    </message>
+    <message>
+        <source>A user has no name; give it one</source>
+        <translation>Un utilisateur n’a pas de nom&#x202f;; donnez-lui-en un</translation>
+    </message>
+    <message>
+        <source>There is no role {0}; create it or choose another one</source>
+        <translation>Le rôle {0} n’existe pas&#x202f;; créez-le ou choisissez-en un autre</translation>
+    </message>
+    <message>
+        <source>A recipe has no name; give it one</source>
+        <translation>Une recette n’a pas de nom&#x202f;; donnez-lui-en un</translation>
+    </message>
+    <message>
+        <source>A set of a recipe has no name; give it one</source>
+        <translation>Un jeu de valeurs d’une recette n’a pas de nom&#x202f;; donnez-lui-en un</translation>
+    </message>
+    <message>
+        <source>The recipe has the variable {0} twice; remove one of the two</source>
+        <translation>La recette contient deux fois la variable {0}&#x202f;; supprimez l’une des deux</translation>
+    </message>
+    <message>
+        <source>The set {0} has no value for {1}; enter one</source>
+        <translation>Le jeu de valeurs {0} n’a pas de valeur pour {1}&#x202f;; saisissez-en une</translation>
+    </message>
+    <message>
+        <source>There is no alarm class {0}; add it or choose another one</source>
+        <translation>La classe d’alarme {0} n’existe pas&#x202f;; ajoutez-la ou choisissez-en une autre</translation>
+    </message>
+    <message>
+        <source>No panel and no alarm uses the key {0}; use it or remove it</source>
+        <translation>Aucune vue ni alarme n’utilise la clé {0}&#x202f;; utilisez-la ou supprimez-la</translation>
+    </message>
+    <message>
+        <source>The placeholders differ: {0} has {1}, {2} has {3}; use the same in both</source>
+        <translation>Les espaces réservés diffèrent&#xa0;: {0} a {1}, {2} a {3}&#x202f;; utilisez les mêmes dans les deux</translation>
+    </message>
+    <message>
+        <source>The font {0} is not installed here, so texts cannot be measured; install it</source>
+        <translation>La police {0} n’est pas installée ici, les textes ne peuvent donc pas être mesurés&#x202f;; installez-la</translation>
+    </message>
+    <message>
+        <source>No font has the character {0}; use another one</source>
+        <translation>Aucune police n’a le caractère {0}&#x202f;; utilisez-en un autre</translation>
+    </message>
+    <message>
+        <source>{0} covers a part of it; move one of the two</source>
+        <translation>{0} en couvre une partie&#x202f;; déplacez l’un des deux</translation>
+    </message>
+    <message>
+        <source>No button, navigation bar or alarm leads to the panel {0}; add one of them</source>
+        <translation>Aucun bouton, aucune barre de navigation ni alarme ne mène à la vue {0}&#x202f;; ajoutez l’un d’eux</translation>
+    </message>
+    <message>
+        <source>{0} of {1} alarms have the highest priority; keep it for the few that cannot wait</source>
+        <translation>{0} alarmes sur {1} ont la plus haute priorité&#x202f;; réservez-la aux rares qui ne peuvent pas attendre</translation>
+    </message>
+    <message>
+        <source>The project has {0} {0:alarm|alarms}, but no panel has an alarm list or banner; add one</source>
+        <translation>Le projet a {0} {0:alarme|alarmes}, mais aucune vue n’a de liste ni de bandeau d’alarmes&#x202f;; ajoutez-en un</translation>
+    </message>
+    <message>
+        <source>{0} is critical after project.json, but one press writes it; set &quot;Writes are confirmed&quot;</source>
+        <translation>{0} est critique d’après project.json, mais un seul appui l’écrit&#x202f;; activez «&#xa0;Les écritures sont confirmées&#xa0;»</translation>
+    </message>
+    <message>
+        <source>{0} suppresses alarms, but one press writes it; set &quot;Writes are confirmed&quot;</source>
+        <translation>{0} masque des alarmes, mais un seul appui l’écrit&#x202f;; activez «&#xa0;Les écritures sont confirmées&#xa0;»</translation>
+    </message>
 </context>
 <context>
     <name>Exchange</name>
@@ -2808,31 +2808,31 @@
     </message>
     <message>
         <source>PLCopen XML has no place for panels; they were left out</source>
-        <translation>PLCopen XML n’a pas de place pour les vues&#x202f;; elles ont été omises</translation>
+        <translation>PLCopen XML ne prend pas en charge les vues&#x202f;; elles ont été omises</translation>
     </message>
     <message>
         <source>PLCopen XML has no place for traces; they were left out</source>
-        <translation>PLCopen XML n’a pas de place pour les traces&#x202f;; elles ont été omises</translation>
+        <translation>PLCopen XML ne prend pas en charge les traces&#x202f;; elles ont été omises</translation>
     </message>
     <message>
         <source>PLCopen XML has no place for tests; they were left out</source>
-        <translation>PLCopen XML n’a pas de place pour les tests&#x202f;; ils ont été omis</translation>
+        <translation>PLCopen XML ne prend pas en charge les tests&#x202f;; ils ont été omis</translation>
     </message>
     <message>
         <source>PLCopen XML has no place for tests; the TEST &apos;{0}&apos; was left out</source>
-        <translation>PLCopen XML n’a pas de place pour les tests&#x202f;; le TEST «&#xa0;{0}&#xa0;» a été omis</translation>
+        <translation>PLCopen XML ne prend pas en charge les tests&#x202f;; le TEST «&#xa0;{0}&#xa0;» a été omis</translation>
     </message>
     <message>
         <source>PLCopen XML has no place for namespaces; a NAMESPACE was left out with its units</source>
-        <translation>PLCopen XML n’a pas de place pour les espaces de noms&#x202f;; un NAMESPACE a été omis avec ses POU</translation>
+        <translation>PLCopen XML ne prend pas en charge les espaces de noms&#x202f;; un NAMESPACE a été omis avec ses POU</translation>
     </message>
     <message>
         <source>PLCopen XML has no place for USING; it was left out</source>
-        <translation>PLCopen XML n’a pas de place pour USING&#x202f;; il a été omis</translation>
+        <translation>PLCopen XML ne prend pas en charge USING&#x202f;; il a été omis</translation>
     </message>
     <message>
         <source>PLCopen XML has no place for the name of the transition {0}; it was left out</source>
-        <translation>PLCopen XML n’a pas de place pour le nom de la transition {0}&#x202f;; il a été omis</translation>
+        <translation>PLCopen XML ne prend pas en charge le nom de la transition {0}&#x202f;; il a été omis</translation>
     </message>
     <message>
         <source>PLCopen XML has one indicator per action; {0} was left out</source>
@@ -2864,19 +2864,19 @@
     </message>
     <message>
         <source>Version 0201 has no place for the pragma {0} of a step; it was left out</source>
-        <translation>La version 0201 n’a pas de place pour le pragma {0} d’une étape&#x202f;; il a été omis</translation>
+        <translation>La version 0201 ne prend pas en charge le pragma {0} d’une étape&#x202f;; il a été omis</translation>
     </message>
     <message>
         <source>Version 0201 has no place for {0} of a task; it was left out</source>
-        <translation>La version 0201 n’a pas de place pour {0} d’une tâche&#x202f;; il a été omis</translation>
+        <translation>La version 0201 ne prend pas en charge {0} d’une tâche&#x202f;; il a été omis</translation>
     </message>
     <message>
         <source>Version 0201 has no place for the connections of the program {0}; they were left out</source>
-        <translation>La version 0201 n’a pas de place pour les connexions du programme {0}&#x202f;; elles ont été omises</translation>
+        <translation>La version 0201 ne prend pas en charge les connexions du programme {0}&#x202f;; elles ont été omises</translation>
     </message>
     <message>
         <source>Version 0201 has no place for libraries; {0} was left out</source>
-        <translation>La version 0201 n’a pas de place pour les bibliothèques&#x202f;; {0} a été omis</translation>
+        <translation>La version 0201 ne prend pas en charge les bibliothèques&#x202f;; {0} a été omis</translation>
     </message>
     <message>
         <source>The file is no program source and was left out</source>
@@ -3386,7 +3386,7 @@
     </message>
     <message>
         <source>Colour off</source>
-        <translation>Couleur à l’arrêt</translation>
+        <translation>Couleur à l’état 0</translation>
     </message>
     <message>
         <source>Colour running</source>
@@ -5587,7 +5587,7 @@
     </message>
     <message>
         <source>The rule looks at one lag only; check the margins.</source>
-        <translation>La règle ne tient compte que d’un seul retard&#x202f;; vérifiez les marges.</translation>
+        <translation>La règle ne tient compte que d’une seule constante de temps&#x202f;; vérifiez les marges.</translation>
     </message>
     <message>
         <source>gain and dead time</source>
@@ -5611,11 +5611,11 @@
     </message>
     <message>
         <source>two equal lags</source>
-        <translation>deux retards égaux</translation>
+        <translation>deux constantes de temps égales</translation>
     </message>
     <message>
         <source>two equal lags with dead time</source>
-        <translation>deux retards égaux avec temps mort</translation>
+        <translation>deux constantes de temps égales avec temps mort</translation>
     </message>
     <message>
         <source>oscillating</source>
@@ -5627,7 +5627,7 @@
     </message>
     <message>
         <source>oscillating with a lag</source>
-        <translation>oscillant avec un retard</translation>
+        <translation>oscillant avec une constante de temps</translation>
     </message>
     <message>
         <source>second order with a zero</source>
@@ -5639,47 +5639,47 @@
     </message>
     <message>
         <source>three equal lags</source>
-        <translation>trois retards égaux</translation>
+        <translation>trois constantes de temps égales</translation>
     </message>
     <message>
         <source>three equal lags with a zero</source>
-        <translation>trois retards égaux avec un zéro</translation>
+        <translation>trois constantes de temps égales avec un zéro</translation>
     </message>
     <message>
         <source>four equal lags</source>
-        <translation>quatre retards égaux</translation>
+        <translation>quatre constantes de temps égales</translation>
     </message>
     <message>
         <source>five equal lags</source>
-        <translation>cinq retards égaux</translation>
+        <translation>cinq constantes de temps égales</translation>
     </message>
     <message>
         <source>six equal lags</source>
-        <translation>six retards égaux</translation>
+        <translation>six constantes de temps égales</translation>
     </message>
     <message>
         <source>seven equal lags</source>
-        <translation>sept retards égaux</translation>
+        <translation>sept constantes de temps égales</translation>
     </message>
     <message>
         <source>eight equal lags</source>
-        <translation>huit retards égaux</translation>
+        <translation>huit constantes de temps égales</translation>
     </message>
     <message>
         <source>three equal lags with dead time</source>
-        <translation>trois retards égaux avec temps mort</translation>
+        <translation>trois constantes de temps égales avec temps mort</translation>
     </message>
     <message>
         <source>three lags</source>
-        <translation>trois retards</translation>
+        <translation>trois constantes de temps</translation>
     </message>
     <message>
         <source>three lags with dead time</source>
-        <translation>trois retards avec temps mort</translation>
+        <translation>trois constantes de temps avec temps mort</translation>
     </message>
     <message>
         <source>four lags</source>
-        <translation>quatre retards</translation>
+        <translation>quatre constantes de temps</translation>
     </message>
     <message>
         <source>integrating</source>
@@ -5691,15 +5691,15 @@
     </message>
     <message>
         <source>integrating with a lag</source>
-        <translation>intégrateur avec un retard</translation>
+        <translation>intégrateur avec une constante de temps</translation>
     </message>
     <message>
         <source>integrating with a lag and dead time</source>
-        <translation>intégrateur avec un retard et temps mort</translation>
+        <translation>intégrateur avec une constante de temps et temps mort</translation>
     </message>
     <message>
         <source>integrating with two equal lags</source>
-        <translation>intégrateur avec deux retards égaux</translation>
+        <translation>intégrateur avec deux constantes de temps égales</translation>
     </message>
     <message>
         <source>SIMC</source>
@@ -5774,11 +5774,11 @@
     </message>
     <message>
         <source>The same as ST</source>
-        <translation>La même chose en ST</translation>
+        <translation>L’équivalent en ST</translation>
     </message>
     <message>
         <source>The same as an instruction list</source>
-        <translation>La même chose en liste d’instructions</translation>
+        <translation>L’équivalent en liste d’instructions</translation>
     </message>
     <message>
         <source>Both give the same results. Replacing is one step of undo; comments stay, each above its statement.</source>
@@ -6514,7 +6514,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Run</source>
-        <translation>Exécution</translation>
+        <translation>Exécuter</translation>
     </message>
     <message>
         <source>F5 compiles to native code and runs it. Values then appear next to each line.</source>
@@ -11454,10 +11454,6 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
 <context>
     <name>Examples</name>
     <message>
-        <source>Automatic guided vehicle</source>
-        <translation>Véhicule à guidage automatique</translation>
-    </message>
-    <message>
         <source>Alarm texts in five languages</source>
         <translation>Textes d’alarme en cinq langues</translation>
     </message>
@@ -11483,7 +11479,7 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
     </message>
     <message>
         <source>Motor valve with command monitor</source>
-        <translation>Vanne motorisée avec surveillance de commande</translation>
+        <translation>Vanne motorisée et sa surveillance</translation>
     </message>
     <message>
         <source>Conveyor with a sequence</source>
@@ -11515,7 +11511,7 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
     </message>
     <message>
         <source>Hour meter with reset and enable</source>
-        <translation>Compteur horaire avec remise à zéro et validation</translation>
+        <translation>Compteur horaire</translation>
     </message>
     <message>
         <source>Items per hour</source>
@@ -11539,7 +11535,7 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
     </message>
     <message>
         <source>Mixer for two liquids and two bricks</source>
-        <translation>Mélangeur pour deux liquides et deux briques</translation>
+        <translation>Mélangeur, liquides et briques</translation>
     </message>
     <message>
         <source>Motor with self-holding</source>
@@ -11551,15 +11547,7 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
     </message>
     <message>
         <source>PID loop on a first-order process</source>
-        <translation>Boucle PID sur un procédé du premier ordre</translation>
-    </message>
-    <message>
-        <source>First-order filter and two sines a decade apart</source>
-        <translation>Filtre du premier ordre et deux sinus à une décade d’écart</translation>
-    </message>
-    <message>
-        <source>Pump that looks for its cheapest speed</source>
-        <translation>Pompe qui cherche sa vitesse la plus économique</translation>
+        <translation>Boucle PID, procédé du premier ordre</translation>
     </message>
     <message>
         <source>Two pumps in a well</source>
@@ -11567,7 +11555,7 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
     </message>
     <message>
         <source>Pulse width modulation of a sine</source>
-        <translation>Modulation de largeur d’impulsion d’un sinus</translation>
+        <translation>Modulation de largeur d’impulsion</translation>
     </message>
     <message>
         <source>Rack with a robot</source>
@@ -11583,7 +11571,7 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
     </message>
     <message>
         <source>Two level sensors that watch each other</source>
-        <translation>Deux capteurs de niveau qui se surveillent</translation>
+        <translation>Deux capteurs de niveau comparés</translation>
     </message>
     <message>
         <source>Pumping station with six pumps</source>
@@ -11636,6 +11624,202 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
     <message>
         <source>Tank over Modbus</source>
         <translation>Cuve via Modbus</translation>
+    </message>
+    <message>
+        <source>A vehicle between two limit switches, driven by two linked sequential function charts</source>
+        <translation>Un véhicule entre deux fins de course, commandé par deux grafcets liés</translation>
+    </message>
+    <message>
+        <source>A motor with three alarms that operators read in five languages</source>
+        <translation>Un moteur avec trois alarmes que l’opérateur lit en cinq langues</translation>
+    </message>
+    <message>
+        <source>One control loop with a block for each task: filter, monitor, ramp, PID, transfer</source>
+        <translation>Une boucle avec un bloc par tâche&#xa0;: filtre, surveillance, rampe, PID, commutation</translation>
+    </message>
+    <message>
+        <source>Filler, capper and labeller with buffers between them, controlled as PackML units</source>
+        <translation>Remplisseuse, boucheuse et étiqueteuse avec tampons, pilotées selon PackML</translation>
+    </message>
+    <message>
+        <source>A robot parks cars by their number plates and fetches them again</source>
+        <translation>Un robot gare les voitures d’après leur plaque et va les rechercher</translation>
+    </message>
+    <message>
+        <source>Five wash programmes, each with a price and a recipe that the owner can edit</source>
+        <translation>Cinq programmes de lavage, chacun avec un prix et une recette modifiables</translation>
+    </message>
+    <message>
+        <source>Cascade control: a slow loop for the room, a fast one for the supply air</source>
+        <translation>Régulation en cascade&#xa0;: une boucle lente pour la pièce, une rapide pour l’air soufflé</translation>
+    </message>
+    <message>
+        <source>A motor valve whose travel is monitored; if it takes too long, an alarm sounds</source>
+        <translation>Une vanne motorisée à course surveillée&#x202f;; si elle tarde trop, une alarme retentit</translation>
+    </message>
+    <message>
+        <source>A belt carries an item to the right, waits ten seconds and carries it back</source>
+        <translation>Un convoyeur amène une pièce à droite, attend dix secondes et la ramène</translation>
+    </message>
+    <message>
+        <source>Four belts take boxes off pallets; the settings of one can be copied to another</source>
+        <translation>Quatre convoyeurs dépilent des cartons&#x202f;; leurs réglages peuvent être copiés</translation>
+    </message>
+    <message>
+        <source>Heating and hot water from a district-heating network, with frost protection and summer mode</source>
+        <translation>Chauffage et eau chaude par réseau de chaleur, avec hors-gel et mode été</translation>
+    </message>
+    <message>
+        <source>A valve doses in pulses and pauses until the batch is complete</source>
+        <translation>Une vanne dose par impulsions et pauses jusqu’à ce que le lot soit complet</translation>
+    </message>
+    <message>
+        <source>The pressure drop shows how dirty a filter is; an alarm reports when it is out of range</source>
+        <translation>La perte de charge indique l’encrassement d’un filtre&#x202f;; hors plage, une alarme</translation>
+    </message>
+    <message>
+        <source>Silo, bin, conveyor and truck, controlled by three sequential function charts side by side</source>
+        <translation>Silo, trémie, convoyeur et camion, commandés par trois grafcets en parallèle</translation>
+    </message>
+    <message>
+        <source>Two on-off controls: a heater with a set point, and a valve that opens on a pump alarm</source>
+        <translation>Deux commandes tout ou rien&#xa0;: un chauffage avec consigne et une vanne liée à une alarme</translation>
+    </message>
+    <message>
+        <source>An hour meter that is loaded, enabled and held, which draws a saw-tooth</source>
+        <translation>Un compteur horaire chargé, validé et arrêté, ce qui dessine une dent de scie</translation>
+    </message>
+    <message>
+        <source>A press makes items; a table counts how many in each hour of the day</source>
+        <translation>Une presse fabrique des pièces&#x202f;; un tableau les compte heure par heure</translation>
+    </message>
+    <message>
+        <source>Counts items, energy and water; the counts survive a power failure</source>
+        <translation>Compte les pièces, l’énergie et l’eau&#x202f;; tout survit à une coupure de courant</translation>
+    </message>
+    <message>
+        <source>A level sensor of 4 to 20 mA, three lamps and the detection of a wire break</source>
+        <translation>Un capteur de niveau de 4 à 20 mA, trois voyants et la détection de rupture de fil</translation>
+    </message>
+    <message>
+        <source>Three signals of a machine on three lamps that flash or stay on</source>
+        <translation>Trois signaux d’une machine sur trois voyants, fixes ou clignotants</translation>
+    </message>
+    <message>
+        <source>A heat exchanger that oscillates; an experiment and its recording give better settings</source>
+        <translation>Un échangeur oscille&#x202f;; un essai et son enregistrement donnent de meilleurs réglages</translation>
+    </message>
+    <message>
+        <source>Liquids are weighed while a belt brings two bricks; then the mixer turns and tips</source>
+        <translation>Les liquides sont pesés, un convoyeur amène deux briques, puis le mélangeur tourne et bascule</translation>
+    </message>
+    <message>
+        <source>Start, stop and a contactor that holds itself, written in four ways that agree</source>
+        <translation>Marche, arrêt et un contacteur à auto-maintien, écrits de quatre façons équivalentes</translation>
+    </message>
+    <message>
+        <source>The local control box or the panel: one block decides which of them is in control</source>
+        <translation>Commande locale ou pupitre&#xa0;: un bloc décide lequel a la main</translation>
+    </message>
+    <message>
+        <source>The same process with and without a PID controller, side by side in one trace</source>
+        <translation>Le même procédé avec et sans régulateur PID, côte à côte sur une trace</translation>
+    </message>
+    <message>
+        <source>One filter, two sines: the slow one passes, the fast one is damped and lags behind</source>
+        <translation>Un filtre, deux sinus&#xa0;: le lent passe, le rapide est atténué et déphasé</translation>
+    </message>
+    <message>
+        <source>A pump tries out its speeds and keeps the one with the least energy per cubic metre</source>
+        <translation>Une pompe essaie ses vitesses et garde la plus économe par mètre cube</translation>
+    </message>
+    <message>
+        <source>Two pumps take turns; a float counts only after two steady seconds</source>
+        <translation>Deux pompes alternent&#x202f;; un flotteur ne compte qu’après deux secondes stables</translation>
+    </message>
+    <message>
+        <source>A sine becomes pulses for two outputs, as for a motor in two directions</source>
+        <translation>Un sinus devient des impulsions sur deux sorties, comme pour un moteur à deux sens</translation>
+    </message>
+    <message>
+        <source>A robot counts encoder pulses to store and fetch loads on twelve shelves</source>
+        <translation>Un robot compte les impulsions des codeurs pour ranger des charges dans douze cases</translation>
+    </message>
+    <message>
+        <source>A robot takes 25 items one by one to a CNC machine and back</source>
+        <translation>Un robot porte 25 pièces une à une à une machine CNC et les rapporte</translation>
+    </message>
+    <message>
+        <source>A robot puts three items into each box; a camera checks the result</source>
+        <translation>Un robot met trois pièces dans chaque carton&#x202f;; une caméra contrôle le résultat</translation>
+    </message>
+    <message>
+        <source>Two sensors are compared; a faulty one is replaced by the healthy one without a bump</source>
+        <translation>Deux capteurs comparés&#x202f;; l’un remplace sans à-coup l’autre s’il est en défaut</translation>
+    </message>
+    <message>
+        <source>Starts and stops six pumps by level and running hours, as a town&apos;s day flows in</source>
+        <translation>Six pompes mises en marche selon le niveau et les heures, au rythme d’une ville</translation>
+    </message>
+    <message>
+        <source>A rotary switch selects the speed of a motor, a number what a module does</source>
+        <translation>Un commutateur choisit la vitesse d’un moteur, un nombre la fonction d’un module</translation>
+    </message>
+    <message>
+        <source>Last in, first out: push, pop and reset, in ST and as an instruction list</source>
+        <translation>Dernier entré, premier sorti&#xa0;: push, pop et reset, en ST et en liste d’instructions</translation>
+    </message>
+    <message>
+        <source>The same sequence twice: with CASE and as a chart of steps; either can be in control</source>
+        <translation>La même séquence deux fois&#xa0;: avec CASE et en grafcet&#x202f;; chacune peut commander</translation>
+    </message>
+    <message>
+        <source>Fill, empty and stir with three switches; two level switches prevent mistakes</source>
+        <translation>Remplir, vider et agiter avec trois interrupteurs&#x202f;; deux détecteurs évitent les erreurs</translation>
+    </message>
+    <message>
+        <source>A current of 4 to 20 mA becomes a level, and the level becomes a volume</source>
+        <translation>Un courant de 4 à 20 mA devient un niveau, et le niveau un volume</translation>
+    </message>
+    <message>
+        <source>Red, yellow and green from one counter of seconds, written in three ways</source>
+        <translation>Rouge, orange et vert à partir d’un compteur de secondes, de trois façons</translation>
+    </message>
+    <message>
+        <source>Five tanks, three pipelines, fifteen valves; two tanks never feed the same pipeline</source>
+        <translation>Cinq cuves, trois conduites, quinze vannes&#x202f;; jamais deux cuves sur une conduite</translation>
+    </message>
+    <message>
+        <source>A motor valve, a spring-return valve and a control valve, each with its block</source>
+        <translation>Une vanne motorisée, une à rappel par ressort et une de régulation, chacune avec son bloc</translation>
+    </message>
+    <message>
+        <source>A float in waves: the pump starts and stops only after five steady seconds</source>
+        <translation>Un flotteur dans les vagues&#xa0;: la pompe ne commute qu’après cinq secondes stables</translation>
+    </message>
+    <message>
+        <source>Four BCD digits become the net weight once the scale has come to rest</source>
+        <translation>Quatre chiffres BCD donnent le poids net dès que la balance est stable</translation>
+    </message>
+    <message>
+        <source>Samples of the language on four pages, each a program of its own with a test</source>
+        <translation>Exemples du langage sur quatre pages, chacun un programme avec son test</translation>
+    </message>
+    <message>
+        <source>Automated guided vehicle</source>
+        <translation>Véhicule à guidage automatique</translation>
+    </message>
+    <message>
+        <source>First-order filter and two sines</source>
+        <translation>Filtre du premier ordre et deux sinus</translation>
+    </message>
+    <message>
+        <source>Pump at its most efficient speed</source>
+        <translation>Pompe à sa vitesse la plus économe</translation>
+    </message>
+    <message>
+        <source>A controller and a tank, connected on this computer by real Modbus TCP</source>
+        <translation>Un automate et une cuve, reliés sur cet ordinateur par une vraie ligne Modbus TCP</translation>
     </message>
 </context>
 <context>
@@ -11819,7 +12003,7 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
     <name>plc::plot::PlotView</name>
     <message>
         <source>Chart</source>
-        <translation>Grafcet</translation>
+        <translation>Courbe</translation>
     </message>
     <message>
         <source>%1
@@ -12109,6 +12293,33 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
     <message>
         <source>The controller&apos;s program cannot be built here as it is there; use the same version of Stepwise on both sides</source>
         <translation>Le programme de l’automate ne peut pas être compilé ici comme là-bas&#x202f;; utilisez la même version de Stepwise des deux côtés</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::Menu</name>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Édition</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Exécution</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Affichage</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Aide</translation>
     </message>
 </context>
 </TS>

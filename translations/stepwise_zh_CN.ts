@@ -72,14 +72,6 @@
         <translation>{0} 不是串口；请写其路径，例如 /dev/ttyUSB0</translation>
     </message>
     <message>
-        <source>{0} and {1} are both unit {2} of {3}</source>
-        <translation>{0} 和 {1} 都是 {3} 的单位 {2}</translation>
-    </message>
-    <message>
-        <source>{0} and {1} use {2} with different baud rates, parities or bits</source>
-        <translation>{0} 和 {1} 使用 {2} 时的波特率、校验或位数不同</translation>
-    </message>
-    <message>
         <source>{0} and {1} both listen at port {2}; give one another port</source>
         <translation>{0} 和 {1} 都监听端口 {2}；请为其中一个改用其他端口</translation>
     </message>
@@ -162,10 +154,6 @@
     <message>
         <source>{0} is a constant and cannot be written</source>
         <translation>{0} 是常量，不能写入</translation>
-    </message>
-    <message>
-        <source>{0} and {1} both set {2} {3}</source>
-        <translation>{0} 和 {1} 都设置 {2} {3}</translation>
     </message>
     <message>
         <source>{0} says whether the channel is good and must be a BOOL or an integer</source>
@@ -291,6 +279,18 @@
         <source>cannot connect to {0}: {1}; check the address and the cable</source>
         <translation>无法连接到 {0}：{1}；请检查地址和电缆</translation>
     </message>
+    <message>
+        <source>{0} and {1} are both unit {2} of {3}; give one of them another number</source>
+        <translation>{0} 和 {1} 在 {3} 上的站号都是 {2}；请为其中一个指定其他站号</translation>
+    </message>
+    <message>
+        <source>{0} and {1} use {2} with different baud rates, parities or bits; set the same for both</source>
+        <translation>{0} 和 {1} 使用 {2} 时的波特率、校验或位数不同；请将两者设为相同</translation>
+    </message>
+    <message>
+        <source>{0} and {1} both set {2} {3}; give each its own</source>
+        <translation>{0} 和 {1} 都设置 {2} {3}；请为每个指定各自的寄存器</translation>
+    </message>
 </context>
 <context>
     <name>Diagnostics</name>
@@ -307,10 +307,6 @@
         <translation>不是有效的 UTF-8；请将文件保存为 UTF-8</translation>
     </message>
     <message>
-        <source>{0} is not a valid {1} literal</source>
-        <translation>{0} 不是有效的字面量（{1}）</translation>
-    </message>
-    <message>
         <source>Expected {0} before {1}</source>
         <translation>{1} 之前应为 {0}</translation>
     </message>
@@ -321,10 +317,6 @@
     <message>
         <source>{0} is missing for this {1}</source>
         <translation>此 {1} 缺少 {0}</translation>
-    </message>
-    <message>
-        <source>Unexpected {0}</source>
-        <translation>意外的 {0}</translation>
     </message>
     <message>
         <source>This comparison has no effect; use := to assign</source>
@@ -347,10 +339,6 @@
         <translation>开放边界写作 ARRAY[*]，仅允许用于 VAR_IN_OUT</translation>
     </message>
     <message>
-        <source>The pragma {0} is not known and has no effect</source>
-        <translation>编译指示 {0} 未知，不起作用</translation>
-    </message>
-    <message>
         <source>{0} is missing; the program unit ends here</source>
         <translation>缺少 {0}；POU 在此处结束</translation>
     </message>
@@ -359,68 +347,16 @@
         <translation>此处缺少分号；语句在此处结束</translation>
     </message>
     <message>
-        <source>{0} is not declared</source>
-        <translation>{0} 未声明</translation>
-    </message>
-    <message>
-        <source>{0} has no member {1}</source>
-        <translation>{0} 没有成员 {1}</translation>
-    </message>
-    <message>
-        <source>{0} cannot be converted to {1}</source>
-        <translation>{0} 无法转换为 {1}</translation>
-    </message>
-    <message>
         <source>Implicit conversion from {0} to {1} may lose data; convert it explicitly</source>
         <translation>从 {0} 到 {1} 的隐式转换可能丢失数据；请显式转换</translation>
-    </message>
-    <message>
-        <source>{0} cannot be assigned to</source>
-        <translation>无法对 {0} 赋值</translation>
-    </message>
-    <message>
-        <source>{0} cannot be used with {1}</source>
-        <translation>{0} 不能与 {1} 一起使用</translation>
-    </message>
-    <message>
-        <source>{0} cannot combine {1} and {2}</source>
-        <translation>{0} 不能组合 {1} 和 {2}</translation>
-    </message>
-    <message>
-        <source>{0} cannot be called</source>
-        <translation>{0} 不可调用</translation>
-    </message>
-    <message>
-        <source>{0} has no parameter {1}</source>
-        <translation>{0} 没有参数 {1}</translation>
-    </message>
-    <message>
-        <source>The argument for {1} of {0} is missing</source>
-        <translation>缺少 {0} 的实参 {1}</translation>
-    </message>
-    <message>
-        <source>{0} takes {1} {1:argument|arguments}</source>
-        <translation>{0} 需要 {1} 个实参</translation>
     </message>
     <message>
         <source>{0} is an IN_OUT parameter and needs a variable of type {1}</source>
         <translation>{0} 是 IN_OUT 参数，需要类型为 {1} 的变量</translation>
     </message>
     <message>
-        <source>The index {0} is outside {1}..{2}</source>
-        <translation>下标 {0} 超出 {1}..{2}</translation>
-    </message>
-    <message>
-        <source>{0} does not fit into {1}</source>
-        <translation>{0} 超出 {1} 的范围</translation>
-    </message>
-    <message>
         <source>{0} has only the bits 0 to {1}</source>
         <translation>{0} 只有位 0 到 {1}</translation>
-    </message>
-    <message>
-        <source>The condition must be BOOL, not {0}</source>
-        <translation>条件必须是 BOOL，而不是 {0}</translation>
     </message>
     <message>
         <source>{0} is ambiguous: {1}; write the namespace before it</source>
@@ -439,20 +375,8 @@
         <translation>{0} 不会按枚举 {1} 检查；请使用其中的名称</translation>
     </message>
     <message>
-        <source>The address {0} is outside {1}</source>
-        <translation>地址 {0} 超出 {1}</translation>
-    </message>
-    <message>
-        <source>{0} is not allowed in a watch or binding, which cannot have side effects</source>
-        <translation>监视和变量连接不能有副作用，因此不允许使用 {0}</translation>
-    </message>
-    <message>
         <source>{0} is {1}; write {2}</source>
         <translation>{0} 是{1}；请写 {2}</translation>
-    </message>
-    <message>
-        <source>A reference needs a variable that has an address</source>
-        <translation>引用需要具有地址的变量</translation>
     </message>
     <message>
         <source>{0} contains itself; use a REFERENCE TO</source>
@@ -461,18 +385,6 @@
     <message>
         <source>The parameters of {0} must match those of the overridden method</source>
         <translation>{0} 的参数必须与被重写的方法一致</translation>
-    </message>
-    <message>
-        <source>{1} cannot extend {0}</source>
-        <translation>{1} 不能扩展 {0}</translation>
-    </message>
-    <message>
-        <source>{0} is not allowed {1}</source>
-        <translation>{1}不允许使用 {0}</translation>
-    </message>
-    <message>
-        <source>{0} is only allowed inside a loop</source>
-        <translation>{0} 只能在循环内使用</translation>
     </message>
     <message>
         <source>There are several programs and no CONFIGURATION; name one of them Main or write a CONFIGURATION</source>
@@ -491,10 +403,6 @@
         <translation>{0} 可能调用自身；运行时会限制递归深度</translation>
     </message>
     <message>
-        <source>Step {0} can become active twice at the same time: the branches from here do not join</source>
-        <translation>步 {0} 可能同时被激活两次：从这里出发的分支没有汇合</translation>
-    </message>
-    <message>
         <source>The steps before this transition cannot be active together; start them from one simultaneous branch</source>
         <translation>此转换之前的步不能同时激活；请从同一个并行分支启动它们</translation>
     </message>
@@ -509,10 +417,6 @@
     <message>
         <source>{0} needs a current result; load one with LD</source>
         <translation>{0} 需要当前结果；请用 LD 装载</translation>
-    </message>
-    <message>
-        <source>{0} is only allowed in a TEST</source>
-        <translation>{0} 只能在 TEST 中使用</translation>
     </message>
     <message>
         <source>{0} is not a value of the strict enumeration {1}; use one of its names</source>
@@ -563,10 +467,6 @@
         <translation>{0} 也是变量；步和调用指的是 ACTION</translation>
     </message>
     <message>
-        <source>{0} is a keyword and cannot be used as a name</source>
-        <translation>{0} 是关键字，不能用作名称</translation>
-    </message>
-    <message>
         <source>Use {1} instead of {0} in Structured Text</source>
         <translation>在结构化文本中请使用 {1} 代替 {0}</translation>
     </message>
@@ -581,10 +481,6 @@
     <message>
         <source>The address {0} has {1} {1:bit|bits}, {2} has {3}; write {4}</source>
         <translation>地址 {0} 有 {1} 位，{2} 有 {3} 位；请写 {4}</translation>
-    </message>
-    <message>
-        <source>An index must be an integer, not {0}</source>
-        <translation>下标必须是整数，而不是 {0}</translation>
     </message>
     <message>
         <source>{0}</source>
@@ -814,6 +710,110 @@
         <source>This array has {0} {0:dimension|dimensions}, not {1}; write an index for each</source>
         <translation>此数组有 {0} 维，而不是 {1} 维；请为每一维写一个下标</translation>
     </message>
+    <message>
+        <source>{0} is not a valid {1} literal; check its prefix, digits and units</source>
+        <translation>{0} 不是有效的字面量（{1}）；请检查前缀、数字和单位</translation>
+    </message>
+    <message>
+        <source>Unexpected {0}; remove it or complete the statement before it</source>
+        <translation>意外的 {0}；请将其删除或补全前面的语句</translation>
+    </message>
+    <message>
+        <source>The pragma {0} is not known and has no effect; remove it or correct its name</source>
+        <translation>编译指示 {0} 未知，不起作用；请将其删除或更正名称</translation>
+    </message>
+    <message>
+        <source>{0} is a keyword and cannot be used as a name; choose another name</source>
+        <translation>{0} 是关键字，不能用作名称；请使用其他名称</translation>
+    </message>
+    <message>
+        <source>{0} is not declared; declare it or correct the name</source>
+        <translation>{0} 未声明；请声明或更正名称</translation>
+    </message>
+    <message>
+        <source>{0} has no member {1}; correct the name or add the member</source>
+        <translation>{0} 没有成员 {1}；请更正名称或添加该成员</translation>
+    </message>
+    <message>
+        <source>{0} cannot be converted to {1}; use a value of that type or a conversion function</source>
+        <translation>{0} 无法转换为 {1}；请使用该类型的值或转换函数</translation>
+    </message>
+    <message>
+        <source>{0} cannot be assigned to; assign to a variable</source>
+        <translation>无法对 {0} 赋值；请对变量赋值</translation>
+    </message>
+    <message>
+        <source>{0} cannot be used with {1}; convert the operand first</source>
+        <translation>{0} 不能与 {1} 一起使用；请先转换操作数</translation>
+    </message>
+    <message>
+        <source>{0} cannot combine {1} and {2}; convert one of them</source>
+        <translation>{0} 不能组合 {1} 和 {2}；请转换其中之一</translation>
+    </message>
+    <message>
+        <source>{0} cannot be called; call a function, a method or an instance of a block</source>
+        <translation>{0} 不可调用；请调用函数、方法或功能块实例</translation>
+    </message>
+    <message>
+        <source>{0} has no parameter {1}; correct the name or declare the parameter</source>
+        <translation>{0} 没有参数 {1}；请更正名称或声明该参数</translation>
+    </message>
+    <message>
+        <source>The argument for {1} of {0} is missing; add it to the call</source>
+        <translation>缺少 {0} 的实参 {1}；请在调用中添加</translation>
+    </message>
+    <message>
+        <source>{0} takes {1} {1:argument|arguments}; remove the others</source>
+        <translation>{0} 需要 {1} 个实参；请删除多余的参数</translation>
+    </message>
+    <message>
+        <source>The index {0} is outside {1}..{2}; correct it or enlarge the array</source>
+        <translation>下标 {0} 超出 {1}..{2}；请更正索引或增大数组</translation>
+    </message>
+    <message>
+        <source>{0} does not fit into {1}; use another value or a larger type</source>
+        <translation>{0} 超出 {1} 的范围；请使用其他值或更大的类型</translation>
+    </message>
+    <message>
+        <source>The condition must be BOOL, not {0}; add a comparison</source>
+        <translation>条件必须是 BOOL，而不是 {0}；请添加比较</translation>
+    </message>
+    <message>
+        <source>The address {0} is outside {1}; use an address in that range</source>
+        <translation>地址 {0} 超出 {1}；请使用该范围内的地址</translation>
+    </message>
+    <message>
+        <source>{0} is not allowed in a watch or binding, which cannot have side effects; do it in the program</source>
+        <translation>监视和变量连接不能有副作用，因此不允许使用 {0}；请在程序中执行</translation>
+    </message>
+    <message>
+        <source>A reference needs a variable that has an address; assign the value to a variable first</source>
+        <translation>引用需要具有地址的变量；请先将值赋给变量</translation>
+    </message>
+    <message>
+        <source>An index must be an integer, not {0}; convert it</source>
+        <translation>下标必须是整数，而不是 {0}；请先转换</translation>
+    </message>
+    <message>
+        <source>{1} cannot extend {0}; choose a base of the same kind</source>
+        <translation>{1} 不能扩展 {0}；请选择同类的基类型</translation>
+    </message>
+    <message>
+        <source>{0} is not allowed {1}; move or remove it</source>
+        <translation>{1}不允许使用 {0}；请移动或删除</translation>
+    </message>
+    <message>
+        <source>{0} is only allowed inside a loop; move or remove it</source>
+        <translation>{0} 只能在循环内使用；请移动或删除</translation>
+    </message>
+    <message>
+        <source>Step {0} can become active twice at the same time: the branches from here do not join; join them with one transition</source>
+        <translation>步 {0} 可能同时被激活两次：从这里出发的分支没有汇合；请用一个转换将其汇合</translation>
+    </message>
+    <message>
+        <source>{0} is only allowed in a TEST; move it there</source>
+        <translation>{0} 只能在 TEST 中使用；请将其移到测试中</translation>
+    </message>
 </context>
 <context>
     <name>DiskChange</name>
@@ -868,32 +868,12 @@
         <translation>下标 {0} 超出 {1}..{2}</translation>
     </message>
     <message>
-        <source>the reference is NULL</source>
-        <translation>引用为 NULL</translation>
-    </message>
-    <message>
-        <source>the reference does not point to a variable of its type</source>
-        <translation>引用未指向其类型的变量</translation>
-    </message>
-    <message>
-        <source>a VAR_IN_OUT is not connected to a variable</source>
-        <translation>有 VAR_IN_OUT 未连接变量</translation>
-    </message>
-    <message>
         <source>character {0} is read from an empty string</source>
         <translation>读取了空字符串的第 {0} 个字符</translation>
     </message>
     <message>
         <source>character {0} is outside {1}..{2} of the string</source>
         <translation>第 {0} 个字符超出字符串的 {1}..{2}</translation>
-    </message>
-    <message>
-        <source>the watchdog stopped a task that did not end</source>
-        <translation>看门狗停止了一个未结束的任务</translation>
-    </message>
-    <message>
-        <source>the task ran longer than its watchdog time of {0}</source>
-        <translation>任务运行超过其看门狗时间 {0}</translation>
     </message>
     <message>
         <source>calls are nested too deeply; check for endless recursion</source>
@@ -972,28 +952,12 @@
         <translation>这不是文件夹</translation>
     </message>
     <message>
-        <source>the file system is read-only</source>
-        <translation>文件系统为只读</translation>
-    </message>
-    <message>
         <source>the device reports a read or write error</source>
         <translation>设备报告读写错误</translation>
     </message>
     <message>
-        <source>the file name is too long</source>
-        <translation>文件名过长</translation>
-    </message>
-    <message>
         <source>it already exists</source>
         <translation>已存在</translation>
-    </message>
-    <message>
-        <source>the folder is not empty</source>
-        <translation>文件夹不为空</translation>
-    </message>
-    <message>
-        <source>too many files are open</source>
-        <translation>打开的文件过多</translation>
     </message>
     <message>
         <source>the file is too large</source>
@@ -1022,10 +986,6 @@
     <message>
         <source>The recording cannot be read: {0}</source>
         <translation>无法读取记录：{0}</translation>
-    </message>
-    <message>
-        <source>The file is damaged or is not a recording</source>
-        <translation>文件已损坏或不是记录</translation>
     </message>
     <message>
         <source>This version of Stepwise lays out the program&apos;s variables differently; open the recording with the version that made it</source>
@@ -1072,10 +1032,6 @@
         <translation>没有变量“{0}”</translation>
     </message>
     <message>
-        <source>&apos;{0}&apos; is reached through a reference, which a path cannot follow</source>
-        <translation>“{0}”要经过引用才能到达，路径无法跟随引用</translation>
-    </message>
-    <message>
         <source>a variable of type {1} has no member &apos;{0}&apos;</source>
         <translation>类型 {1} 的变量没有成员“{0}”</translation>
     </message>
@@ -1084,20 +1040,8 @@
         <translation>“{0}”是 VAR_IN_OUT；请写与其连接的变量</translation>
     </message>
     <message>
-        <source>a string has one index</source>
-        <translation>字符串只有一个下标</translation>
-    </message>
-    <message>
-        <source>a variable of type {0} has no elements</source>
-        <translation>类型 {0} 的变量没有元素</translation>
-    </message>
-    <message>
         <source>{0} needs {1} {1:index|indices}, not {2}</source>
         <translation>{0} 需要 {1} 个下标，而不是 {2} 个</translation>
-    </message>
-    <message>
-        <source>a variable of type {0} has no bits</source>
-        <translation>类型 {0} 的变量没有位</translation>
     </message>
     <message>
         <source>bit {0} is outside 0..{1}</source>
@@ -1112,24 +1056,12 @@
         <translation>“{0}”不是地址；例如请写 %IX0.0、%QB4 或 %MW2</translation>
     </message>
     <message>
-        <source>the program does not use the address &apos;{0}&apos;</source>
-        <translation>程序未使用地址“{0}”</translation>
-    </message>
-    <message>
-        <source>the path is empty</source>
-        <translation>路径为空</translation>
-    </message>
-    <message>
         <source>the path cannot be read from &apos;{0}&apos; on</source>
         <translation>从“{0}”起无法读取路径</translation>
     </message>
     <message>
         <source>{0} is forced; release the force before writing</source>
         <translation>{0} 已被强制；写入前请取消强制</translation>
-    </message>
-    <message>
-        <source>a constant cannot be written</source>
-        <translation>常量不能写入</translation>
     </message>
     <message>
         <source>the variable is not forced</source>
@@ -1146,10 +1078,6 @@
     <message>
         <source>The retain file cannot be read: {0}</source>
         <translation>无法读取保持值文件：{0}</translation>
-    </message>
-    <message>
-        <source>The retain file is not a regular file</source>
-        <translation>保持值文件不是普通文件</translation>
     </message>
     <message>
         <source>The retain file is damaged; the program starts with its initial values</source>
@@ -1178,18 +1106,6 @@
     <message>
         <source>a character of the text does not fit into a STRING; use a WSTRING</source>
         <translation>文本中有 STRING 不支持的字符；请使用 WSTRING</translation>
-    </message>
-    <message>
-        <source>the text has {0} characters, the maximum is {1}</source>
-        <translation>文本有 {0} 个字符，最多 {1} 个</translation>
-    </message>
-    <message>
-        <source>{0} has {1} {1:part|parts}, the value has {2}</source>
-        <translation>{0} 有 {1} 个部分，值有 {2} 个</translation>
-    </message>
-    <message>
-        <source>there is no value to write</source>
-        <translation>没有要写入的值</translation>
     </message>
     <message>
         <source>a reference can only be set to NULL from outside</source>
@@ -1256,14 +1172,6 @@
         <translation>没有可优化的程序</translation>
     </message>
     <message>
-        <source>The expression is nested too deeply</source>
-        <translation>表达式嵌套过深</translation>
-    </message>
-    <message>
-        <source>this is not an expression</source>
-        <translation>这不是表达式</translation>
-    </message>
-    <message>
         <source>this is local to a running call and has no address of its own</source>
         <translation>这是正在执行的调用中的局部量，没有自己的地址</translation>
     </message>
@@ -1284,20 +1192,12 @@
         <translation>此长度可变的数组在此处没有地址</translation>
     </message>
     <message>
-        <source>this is not an array</source>
-        <translation>这不是数组</translation>
-    </message>
-    <message>
         <source>the array has no such dimension</source>
         <translation>数组没有此维</translation>
     </message>
     <message>
         <source>this has no value</source>
         <translation>这没有值</translation>
-    </message>
-    <message>
-        <source>an expression cannot have side effects</source>
-        <translation>表达式不能有副作用</translation>
     </message>
     <message>
         <source>only standard functions can be called here</source>
@@ -1352,10 +1252,6 @@
         <translation>{0} 在指令表中没有对应形式</translation>
     </message>
     <message>
-        <source>There is no body in ST or IL here</source>
-        <translation>此处没有 ST 或 IL 主体</translation>
-    </message>
-    <message>
         <source>{0} is already written in ST</source>
         <translation>{0} 已用 ST 编写</translation>
     </message>
@@ -1400,10 +1296,6 @@
         <translation>project.json 必须包含一个 JSON 对象</translation>
     </message>
     <message>
-        <source>This folder contains neither a project.json nor ST files</source>
-        <translation>此文件夹中既没有 project.json，也没有 ST 文件</translation>
-    </message>
-    <message>
         <source>There is no library &quot;{0}&quot;; available are {1}</source>
         <translation>没有库“{0}”；可用的有 {1}</translation>
     </message>
@@ -1412,16 +1304,8 @@
         <translation>没有库 {0}；是否指 {1}？</translation>
     </message>
     <message>
-        <source>There is no library {0}</source>
-        <translation>没有库 {0}</translation>
-    </message>
-    <message>
         <source>Specify a project folder or ST files</source>
         <translation>请指定项目文件夹或 ST 文件</translation>
-    </message>
-    <message>
-        <source>There is no such file or folder</source>
-        <translation>没有这样的文件或文件夹</translation>
     </message>
     <message>
         <source>Specify one project folder or ST files, not both</source>
@@ -1434,14 +1318,6 @@
     <message>
         <source>{0} is not a valid name; use letters, digits and _, start with a letter and avoid keywords</source>
         <translation>{0} 不是有效的名称；请使用字母、数字和 _，以字母开头，并避免使用关键字</translation>
-    </message>
-    <message>
-        <source>{0} already exists in the project</source>
-        <translation>{0} 在项目中已存在</translation>
-    </message>
-    <message>
-        <source>{0} already exists in {1}</source>
-        <translation>{0} 在 {1} 中已存在</translation>
     </message>
     <message>
         <source>The folder cannot be created: {0}</source>
@@ -1466,10 +1342,6 @@
     <message>
         <source>There is no such file in the project</source>
         <translation>项目中没有此文件</translation>
-    </message>
-    <message>
-        <source>The file is read-only and was not overwritten</source>
-        <translation>文件为只读，未被覆盖</translation>
     </message>
     <message>
         <source>The file&apos;s permissions cannot be changed</source>
@@ -1668,10 +1540,6 @@
         <translation>{0} 不是有效的名称；请使用字母、数字和下划线</translation>
     </message>
     <message>
-        <source>Nothing would lead to the join after this step</source>
-        <translation>将没有任何元素通向此步之后的汇合</translation>
-    </message>
-    <message>
         <source>The initial step stays at the top</source>
         <translation>初始步保持在顶部</translation>
     </message>
@@ -1692,10 +1560,6 @@
         <translation>此步只通向自身</translation>
     </message>
     <message>
-        <source>There is no branch here</source>
-        <translation>此处没有分支</translation>
-    </message>
-    <message>
         <source>A transition needs a condition</source>
         <translation>转换需要条件</translation>
     </message>
@@ -1708,16 +1572,8 @@
         <translation>此步之后还没有内容；请先在其后插入步</translation>
     </message>
     <message>
-        <source>The last branch does not lead to a step</source>
-        <translation>最后一个分支不通向任何步</translation>
-    </message>
-    <message>
         <source>There is no such action</source>
         <translation>没有此动作</translation>
-    </message>
-    <message>
-        <source>There is no chart yet</source>
-        <translation>尚无顺序功能图</translation>
     </message>
     <message>
         <source>The initial step cannot be deleted; make another step the initial step first</source>
@@ -1760,10 +1616,6 @@
         <translation>每个报警和每个报警类别都必须是 JSON 对象</translation>
     </message>
     <message>
-        <source>An alarm has no id</source>
-        <translation>有一个报警没有标识</translation>
-    </message>
-    <message>
         <source>This line is not valid UTF-8; save the file as UTF-8</source>
         <translation>此行不是有效的 UTF-8；请将文件保存为 UTF-8</translation>
     </message>
@@ -1776,16 +1628,8 @@
         <translation>第一行必须是 {0}，且每列一个语言标签</translation>
     </message>
     <message>
-        <source>Column {0} has no language tag</source>
-        <translation>第 {0} 列没有语言标签</translation>
-    </message>
-    <message>
         <source>This line has {0} {0:field|fields}, the header has {1}</source>
         <translation>此行有 {0} 个字段，表头有 {1} 个</translation>
-    </message>
-    <message>
-        <source>This line has no key</source>
-        <translation>此行没有键</translation>
     </message>
     <message>
         <source>The alarm history cannot be opened: {0}</source>
@@ -1828,10 +1672,6 @@
         <translation>文本“{0}”没有键，因此无法翻译</translation>
     </message>
     <message>
-        <source>The key {0} is not in the text table</source>
-        <translation>键 {0} 不在文本表中</translation>
-    </message>
-    <message>
         <source>The text needs a value for {0}; specify it in &quot;Values in texts&quot;</source>
         <translation>文本需要 {0} 的值；请在“文本中的值”里指定</translation>
     </message>
@@ -1844,40 +1684,8 @@
         <translation>此版本不认识元素种类“{0}”；将原样保留</translation>
     </message>
     <message>
-        <source>The project has no language {0}</source>
-        <translation>项目没有语言 {0}</translation>
-    </message>
-    <message>
-        <source>The file {0} does not exist</source>
-        <translation>文件 {0} 不存在</translation>
-    </message>
-    <message>
-        <source>There is no panel {0}</source>
-        <translation>没有画面 {0}</translation>
-    </message>
-    <message>
         <source>The format {0} is not known; use for example {1} or {2}</source>
         <translation>格式 {0} 未知；例如请使用 {1} 或 {2}</translation>
-    </message>
-    <message>
-        <source>There is no alarm class {0}</source>
-        <translation>没有报警类别 {0}</translation>
-    </message>
-    <message>
-        <source>No panel and no alarm uses the key {0}</source>
-        <translation>没有画面或报警使用键 {0}</translation>
-    </message>
-    <message>
-        <source>The placeholders differ: {0} has {1}, {2} has {3}</source>
-        <translation>占位符不一致：{0} 有 {1}，{2} 有 {3}</translation>
-    </message>
-    <message>
-        <source>The font {0} is not installed here, so texts cannot be measured</source>
-        <translation>此处未安装字体 {0}，因此无法测量文本</translation>
-    </message>
-    <message>
-        <source>No font has the character {0}</source>
-        <translation>没有字体包含字符 {0}</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; does not fit: it needs {1} px, the maximum is {2}</source>
@@ -2040,24 +1848,8 @@
         <translation>任务的一次执行超过 {0} 个工作单位（循环、调用、复制）；请检查是否有死循环</translation>
     </message>
     <message>
-        <source>{0} is not a whole number</source>
-        <translation>{0} 不是整数</translation>
-    </message>
-    <message>
-        <source>{0} is not a number of scans</source>
-        <translation>{0} 不是扫描周期数</translation>
-    </message>
-    <message>
         <source>{0} is not a name: use letters, digits and underscores.</source>
         <translation>{0} 不是名称：请使用字母、数字和下划线。</translation>
-    </message>
-    <message>
-        <source>{0} is not a time</source>
-        <translation>{0} 不是时间</translation>
-    </message>
-    <message>
-        <source>This is not an XLIFF file</source>
-        <translation>这不是 XLIFF 文件</translation>
     </message>
     <message>
         <source>The XLIFF version {0} is not known; save the file as 1.2 or 2.0</source>
@@ -2172,14 +1964,6 @@
         <translation>{0}（{1}）必须大于 {2}（{3}）</translation>
     </message>
     <message>
-        <source>The panel has no group or tab {0}</source>
-        <translation>画面没有组或选项卡 {0}</translation>
-    </message>
-    <message>
-        <source>The group {0} contains itself</source>
-        <translation>组 {0} 包含自身</translation>
-    </message>
-    <message>
         <source>{0} has no page {1}; its {2} {2:page is|pages are} numbered from 0</source>
         <translation>{0} 没有第 {1} 页；其 {2} 页从 0 开始编号</translation>
     </message>
@@ -2244,18 +2028,6 @@
         <translation>前一个扫描周期不在记录中，因此不知道此扫描周期开始时的值。</translation>
     </message>
     <message>
-        <source>A role has no name</source>
-        <translation>有一个角色没有名称</translation>
-    </message>
-    <message>
-        <source>There is no role {0}</source>
-        <translation>没有角色 {0}</translation>
-    </message>
-    <message>
-        <source>A user has no name</source>
-        <translation>有一个用户没有名称</translation>
-    </message>
-    <message>
         <source>There is no user {0}</source>
         <translation>没有用户 {0}</translation>
     </message>
@@ -2288,20 +2060,8 @@
         <translation>仅限角色 {0}，但项目没有用户；任何人都可操作</translation>
     </message>
     <message>
-        <source>A recipe has no name</source>
-        <translation>有一个配方没有名称</translation>
-    </message>
-    <message>
         <source>A row of a recipe names no variable</source>
         <translation>配方的一行未指定变量</translation>
-    </message>
-    <message>
-        <source>The recipe has the variable {0} twice</source>
-        <translation>配方中变量 {0} 出现两次</translation>
-    </message>
-    <message>
-        <source>A set of a recipe has no name</source>
-        <translation>配方的一组数据没有名称</translation>
     </message>
     <message>
         <source>The first column must be named variable, and each set has a column of its own</source>
@@ -2318,10 +2078,6 @@
     <message>
         <source>The recipe {0} has no set {1}</source>
         <translation>配方 {0} 没有数据组 {1}</translation>
-    </message>
-    <message>
-        <source>The set {0} has no value for {1}</source>
-        <translation>数据组 {0} 没有 {1} 的值</translation>
     </message>
     <message>
         <source>{0} is outside the limits of {1}, {2} to {3}</source>
@@ -2412,14 +2168,6 @@
         <translation>画面显示了 {0} 项要读取或按下的内容；按其大小，可接受 {1} 项</translation>
     </message>
     <message>
-        <source>{0} covers a part of it</source>
-        <translation>{0} 遮住了它的一部分</translation>
-    </message>
-    <message>
-        <source>No button, navigation bar or alarm leads to the panel {0}</source>
-        <translation>没有按钮、导航栏或报警通向画面 {0}</translation>
-    </message>
-    <message>
         <source>The panel {0} is {1} presses away from the start panel; {2} should do</source>
         <translation>画面 {0} 距起始画面需按 {1} 次；{2} 次应足够</translation>
     </message>
@@ -2430,22 +2178,6 @@
     <message>
         <source>{0} is at another place on the panel {1}</source>
         <translation>{0} 在画面 {1} 上处于不同位置</translation>
-    </message>
-    <message>
-        <source>{0} of {1} alarms have the highest priority</source>
-        <translation>{1} 个报警中有 {0} 个为最高优先级</translation>
-    </message>
-    <message>
-        <source>The project has {0} {0:alarm|alarms}, but no panel has an alarm list or banner</source>
-        <translation>项目有 {0} 个报警，但没有任何画面带有报警列表或报警横幅</translation>
-    </message>
-    <message>
-        <source>{0} is critical after project.json, but one press writes it</source>
-        <translation>project.json 将 {0} 列为关键变量，但按一下即可写入</translation>
-    </message>
-    <message>
-        <source>{0} suppresses alarms, but one press writes it</source>
-        <translation>{0} 会抑制报警，但按一下即可写入</translation>
     </message>
     <message>
         <source>What is normal is grey, so that the eye finds what is not (ISA-101). Use a role of the theme such as surface, off or running, and give colour only to conditions.</source>
@@ -2710,6 +2442,274 @@
     <message>
         <source>The help of the alarm {0} does not say what to do; add the operator&apos;s next step</source>
         <translation>报警 {0} 的帮助没有说明该怎么做；请补充操作员的下一步操作</translation>
+    </message>
+    <message>
+        <source>the reference is NULL; assign a variable to it, or compare it with NULL first</source>
+        <translation>引用为 NULL；请为其指定变量，或先与 NULL 比较</translation>
+    </message>
+    <message>
+        <source>the reference does not point to a variable of its type; assign one to it</source>
+        <translation>引用未指向其类型的变量；请为其指定该类型的变量</translation>
+    </message>
+    <message>
+        <source>a VAR_IN_OUT is not connected to a variable; connect it in the call</source>
+        <translation>有 VAR_IN_OUT 未连接变量；请在调用中连接</translation>
+    </message>
+    <message>
+        <source>the watchdog stopped a task that did not end; check for an endless loop</source>
+        <translation>看门狗停止了一个未结束的任务；请检查是否有死循环</translation>
+    </message>
+    <message>
+        <source>the task ran longer than its watchdog time of {0}; shorten its work or raise the time</source>
+        <translation>任务运行超过其看门狗时间 {0}；请减少其工作量或增大该时间</translation>
+    </message>
+    <message>
+        <source>the file name is too long; choose a shorter one</source>
+        <translation>文件名过长；请使用更短的名称</translation>
+    </message>
+    <message>
+        <source>the folder is not empty; choose another one</source>
+        <translation>文件夹不为空；请选择其他文件夹</translation>
+    </message>
+    <message>
+        <source>the file system is read-only; choose another folder</source>
+        <translation>文件系统为只读；请选择其他文件夹</translation>
+    </message>
+    <message>
+        <source>too many files are open; close some of them</source>
+        <translation>打开的文件过多；请关闭其中一些</translation>
+    </message>
+    <message>
+        <source>The file is damaged or is not a recording; choose a file that Stepwise wrote (.rec)</source>
+        <translation>文件已损坏或不是记录；请选择由 Stepwise 写入的文件 (.rec)</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; is reached through a reference, which a path cannot follow; name the variable it refers to</source>
+        <translation>“{0}”要经过引用才能到达，路径无法跟随引用；请写出它所指向的变量</translation>
+    </message>
+    <message>
+        <source>a string has one index; remove the others</source>
+        <translation>字符串只有一个下标；请删除其余下标</translation>
+    </message>
+    <message>
+        <source>a variable of type {0} has no elements; remove the index</source>
+        <translation>类型 {0} 的变量没有元素；请删除下标</translation>
+    </message>
+    <message>
+        <source>a variable of type {0} has no bits; remove the bit number</source>
+        <translation>类型 {0} 的变量没有位；请删除位号</translation>
+    </message>
+    <message>
+        <source>the program does not use the address &apos;{0}&apos;; declare a variable AT this address</source>
+        <translation>程序未使用地址“{0}”；请用 AT 在该地址声明变量</translation>
+    </message>
+    <message>
+        <source>the path is empty; write for example Main.x</source>
+        <translation>路径为空；请输入，例如 Main.x</translation>
+    </message>
+    <message>
+        <source>a constant cannot be written; change it in the program</source>
+        <translation>常量不能写入；请在程序中修改</translation>
+    </message>
+    <message>
+        <source>The retain file is not a regular file; remove it or choose another one</source>
+        <translation>保持值文件不是普通文件；请将其删除或选择其他文件</translation>
+    </message>
+    <message>
+        <source>the text has {0} characters, the maximum is {1}; shorten it</source>
+        <translation>文本有 {0} 个字符，最多 {1} 个；请缩短文本</translation>
+    </message>
+    <message>
+        <source>{0} has {1} {1:part|parts}, the value has {2}; write one value for each</source>
+        <translation>{0} 有 {1} 个部分，值有 {2} 个；请为每个部分写一个值</translation>
+    </message>
+    <message>
+        <source>there is no value to write; enter one first</source>
+        <translation>没有要写入的值；请先输入值</translation>
+    </message>
+    <message>
+        <source>The expression is nested too deeply; divide it into several</source>
+        <translation>表达式嵌套过深；请将其拆分为多个</translation>
+    </message>
+    <message>
+        <source>this is not an expression; write for example Main.x &gt; 5</source>
+        <translation>这不是表达式；请输入，例如 Main.x &gt; 5</translation>
+    </message>
+    <message>
+        <source>this is not an array; remove the index</source>
+        <translation>这不是数组；请删除下标</translation>
+    </message>
+    <message>
+        <source>an expression cannot have side effects; use variables, operators and standard functions only</source>
+        <translation>表达式不能有副作用；请仅使用变量、运算符和标准函数</translation>
+    </message>
+    <message>
+        <source>There is no body in ST or IL here; put the cursor into one</source>
+        <translation>此处没有 ST 或 IL 主体；请将光标放入其中</translation>
+    </message>
+    <message>
+        <source>There is no library {0}; check &quot;libraries&quot; in project.json</source>
+        <translation>没有库 {0}；请检查 project.json 中的“libraries”</translation>
+    </message>
+    <message>
+        <source>This folder contains neither a project.json nor ST files; choose another folder or create a project</source>
+        <translation>此文件夹中既没有 project.json，也没有 ST 文件；请选择其他文件夹或新建项目</translation>
+    </message>
+    <message>
+        <source>There is no such file or folder; check the path</source>
+        <translation>没有这样的文件或文件夹；请检查路径</translation>
+    </message>
+    <message>
+        <source>{0} already exists in the project; choose another name</source>
+        <translation>{0} 在项目中已存在；请使用其他名称</translation>
+    </message>
+    <message>
+        <source>{0} already exists in {1}; choose another name</source>
+        <translation>{0} 在 {1} 中已存在；请使用其他名称</translation>
+    </message>
+    <message>
+        <source>The file is read-only and was not overwritten; make it writable or choose another name</source>
+        <translation>文件为只读，未被覆盖；请允许写入或使用其他名称</translation>
+    </message>
+    <message>
+        <source>{0} is not a time; write for example T#2s</source>
+        <translation>{0} 不是时间；请输入，例如 T#2s</translation>
+    </message>
+    <message>
+        <source>{0} is not a whole number; write for example 5</source>
+        <translation>{0} 不是整数；请输入，例如 5</translation>
+    </message>
+    <message>
+        <source>{0} is not a number of scans; write for example 10</source>
+        <translation>{0} 不是扫描周期数；请输入，例如 10</translation>
+    </message>
+    <message>
+        <source>Nothing would lead to the join after this step; delete the join first</source>
+        <translation>将没有任何元素通向此步之后的汇合；请先删除汇合</translation>
+    </message>
+    <message>
+        <source>There is no branch here; choose a step or transition in a branch</source>
+        <translation>此处没有分支；请选择分支中的步或转换</translation>
+    </message>
+    <message>
+        <source>The last branch does not lead to a step; connect it first</source>
+        <translation>最后一个分支不通向任何步；请先连接</translation>
+    </message>
+    <message>
+        <source>There is no chart yet; write an INITIAL_STEP first</source>
+        <translation>尚无顺序功能图；请先编写 INITIAL_STEP</translation>
+    </message>
+    <message>
+        <source>An alarm has no id; give it one</source>
+        <translation>有一个报警没有标识；请添加标识</translation>
+    </message>
+    <message>
+        <source>Column {0} has no language tag; write one such as de or en-GB</source>
+        <translation>第 {0} 列没有语言标签；请输入，例如 de 或 en-GB</translation>
+    </message>
+    <message>
+        <source>This line has no key; write one in the first column</source>
+        <translation>此行没有键；请在第一列输入键</translation>
+    </message>
+    <message>
+        <source>This is not an XLIFF file; choose one that was exported for translation</source>
+        <translation>这不是 XLIFF 文件；请选择为翻译而导出的文件</translation>
+    </message>
+    <message>
+        <source>There is no panel {0}; create it or choose another one</source>
+        <translation>没有画面 {0}；请新建或选择其他画面</translation>
+    </message>
+    <message>
+        <source>The key {0} is not in the text table; add it there</source>
+        <translation>键 {0} 不在文本表中；请在其中添加</translation>
+    </message>
+    <message>
+        <source>The project has no language {0}; add a column for it to texts.csv</source>
+        <translation>项目没有语言 {0}；请在 texts.csv 中为其添加一列</translation>
+    </message>
+    <message>
+        <source>The file {0} does not exist; add it to the project or choose another one</source>
+        <translation>文件 {0} 不存在；请将其添加到项目或选择其他文件</translation>
+    </message>
+    <message>
+        <source>The panel has no group or tab {0}; create it or choose another one</source>
+        <translation>画面没有组或选项卡 {0}；请新建或选择其他</translation>
+    </message>
+    <message>
+        <source>The group {0} contains itself; choose another parent</source>
+        <translation>组 {0} 包含自身；请选择其他上级</translation>
+    </message>
+    <message>
+        <source>A role has no name; give it one</source>
+        <translation>有一个角色没有名称；请为其命名</translation>
+    </message>
+    <message>
+        <source>A user has no name; give it one</source>
+        <translation>有一个用户没有名称；请为其命名</translation>
+    </message>
+    <message>
+        <source>There is no role {0}; create it or choose another one</source>
+        <translation>没有角色 {0}；请新建或选择其他角色</translation>
+    </message>
+    <message>
+        <source>A recipe has no name; give it one</source>
+        <translation>有一个配方没有名称；请为其命名</translation>
+    </message>
+    <message>
+        <source>A set of a recipe has no name; give it one</source>
+        <translation>配方的一组数据没有名称；请为其命名</translation>
+    </message>
+    <message>
+        <source>The recipe has the variable {0} twice; remove one of the two</source>
+        <translation>配方中变量 {0} 出现两次；请删除其中之一</translation>
+    </message>
+    <message>
+        <source>The set {0} has no value for {1}; enter one</source>
+        <translation>数据组 {0} 没有 {1} 的值；请输入值</translation>
+    </message>
+    <message>
+        <source>There is no alarm class {0}; add it or choose another one</source>
+        <translation>没有报警类别 {0}；请添加或选择其他类</translation>
+    </message>
+    <message>
+        <source>No panel and no alarm uses the key {0}; use it or remove it</source>
+        <translation>没有画面或报警使用键 {0}；请使用或删除</translation>
+    </message>
+    <message>
+        <source>The placeholders differ: {0} has {1}, {2} has {3}; use the same in both</source>
+        <translation>占位符不一致：{0} 有 {1}，{2} 有 {3}；请在两者中使用相同的占位符</translation>
+    </message>
+    <message>
+        <source>The font {0} is not installed here, so texts cannot be measured; install it</source>
+        <translation>此处未安装字体 {0}，因此无法测量文本；请安装该字体</translation>
+    </message>
+    <message>
+        <source>No font has the character {0}; use another one</source>
+        <translation>没有字体包含字符 {0}；请使用其他字符</translation>
+    </message>
+    <message>
+        <source>{0} covers a part of it; move one of the two</source>
+        <translation>{0} 遮住了它的一部分；请移动其中之一</translation>
+    </message>
+    <message>
+        <source>No button, navigation bar or alarm leads to the panel {0}; add one of them</source>
+        <translation>没有按钮、导航栏或报警通向画面 {0}；请添加其中之一</translation>
+    </message>
+    <message>
+        <source>{0} of {1} alarms have the highest priority; keep it for the few that cannot wait</source>
+        <translation>{1} 个报警中有 {0} 个为最高优先级；请仅用于少数紧急报警</translation>
+    </message>
+    <message>
+        <source>The project has {0} {0:alarm|alarms}, but no panel has an alarm list or banner; add one</source>
+        <translation>项目有 {0} 个报警，但没有任何画面带有报警列表或报警横幅；请添加</translation>
+    </message>
+    <message>
+        <source>{0} is critical after project.json, but one press writes it; set &quot;Writes are confirmed&quot;</source>
+        <translation>project.json 将 {0} 列为关键变量，但按一下即可写入；请启用“写入需确认”</translation>
+    </message>
+    <message>
+        <source>{0} suppresses alarms, but one press writes it; set &quot;Writes are confirmed&quot;</source>
+        <translation>{0} 会抑制报警，但按一下即可写入；请启用“写入需确认”</translation>
     </message>
 </context>
 <context>
@@ -3454,7 +3454,7 @@
     </message>
     <message>
         <source>Colour on</source>
-        <translation>接通颜色</translation>
+        <translation>接通时颜色</translation>
     </message>
     <message>
         <source>Rotary selector</source>
@@ -3794,7 +3794,7 @@
     </message>
     <message>
         <source>Pages</source>
-        <translation>页</translation>
+        <translation>页面</translation>
     </message>
     <message>
         <source>Index of the page</source>
@@ -5586,7 +5586,7 @@
     </message>
     <message>
         <source>The rule looks at one lag only; check the margins.</source>
-        <translation>该规则只考虑一个滞后；请检查裕度。</translation>
+        <translation>该规则只考虑一个惯性环节；请检查裕度。</translation>
     </message>
     <message>
         <source>gain and dead time</source>
@@ -5610,11 +5610,11 @@
     </message>
     <message>
         <source>two equal lags</source>
-        <translation>两个相等的滞后</translation>
+        <translation>两个相等的惯性环节</translation>
     </message>
     <message>
         <source>two equal lags with dead time</source>
-        <translation>两个相等的滞后加纯滞后</translation>
+        <translation>两个相等的惯性环节加纯滞后</translation>
     </message>
     <message>
         <source>oscillating</source>
@@ -5626,7 +5626,7 @@
     </message>
     <message>
         <source>oscillating with a lag</source>
-        <translation>振荡加一个滞后</translation>
+        <translation>振荡加一个惯性环节</translation>
     </message>
     <message>
         <source>second order with a zero</source>
@@ -5638,47 +5638,47 @@
     </message>
     <message>
         <source>three equal lags</source>
-        <translation>三个相等的滞后</translation>
+        <translation>三个相等的惯性环节</translation>
     </message>
     <message>
         <source>three equal lags with a zero</source>
-        <translation>三个相等的滞后加零点</translation>
+        <translation>三个相等的惯性环节加零点</translation>
     </message>
     <message>
         <source>four equal lags</source>
-        <translation>四个相等的滞后</translation>
+        <translation>四个相等的惯性环节</translation>
     </message>
     <message>
         <source>five equal lags</source>
-        <translation>五个相等的滞后</translation>
+        <translation>五个相等的惯性环节</translation>
     </message>
     <message>
         <source>six equal lags</source>
-        <translation>六个相等的滞后</translation>
+        <translation>六个相等的惯性环节</translation>
     </message>
     <message>
         <source>seven equal lags</source>
-        <translation>七个相等的滞后</translation>
+        <translation>七个相等的惯性环节</translation>
     </message>
     <message>
         <source>eight equal lags</source>
-        <translation>八个相等的滞后</translation>
+        <translation>八个相等的惯性环节</translation>
     </message>
     <message>
         <source>three equal lags with dead time</source>
-        <translation>三个相等的滞后加纯滞后</translation>
+        <translation>三个相等的惯性环节加纯滞后</translation>
     </message>
     <message>
         <source>three lags</source>
-        <translation>三个滞后</translation>
+        <translation>三个惯性环节</translation>
     </message>
     <message>
         <source>three lags with dead time</source>
-        <translation>三个滞后加纯滞后</translation>
+        <translation>三个惯性环节加纯滞后</translation>
     </message>
     <message>
         <source>four lags</source>
-        <translation>四个滞后</translation>
+        <translation>四个惯性环节</translation>
     </message>
     <message>
         <source>integrating</source>
@@ -5690,15 +5690,15 @@
     </message>
     <message>
         <source>integrating with a lag</source>
-        <translation>积分加一个滞后</translation>
+        <translation>积分加一个惯性环节</translation>
     </message>
     <message>
         <source>integrating with a lag and dead time</source>
-        <translation>积分加一个滞后和纯滞后</translation>
+        <translation>积分加一个惯性环节和纯滞后</translation>
     </message>
     <message>
         <source>integrating with two equal lags</source>
-        <translation>积分加两个相等的滞后</translation>
+        <translation>积分加两个相等的惯性环节</translation>
     </message>
     <message>
         <source>SIMC</source>
@@ -10834,7 +10834,7 @@ Click selects, Ctrl+click shows or hides.</source>
     </message>
     <message>
         <source>Digital</source>
-        <translation>数字</translation>
+        <translation>数字量</translation>
     </message>
     <message>
         <source>Colour</source>
@@ -11433,10 +11433,6 @@ Click selects, Ctrl+click shows or hides.</source>
 <context>
     <name>Examples</name>
     <message>
-        <source>Automatic guided vehicle</source>
-        <translation>自动导引车</translation>
-    </message>
-    <message>
         <source>Alarm texts in five languages</source>
         <translation>五种语言的报警文本</translation>
     </message>
@@ -11533,14 +11529,6 @@ Click selects, Ctrl+click shows or hides.</source>
         <translation>一阶过程的 PID 回路</translation>
     </message>
     <message>
-        <source>First-order filter and two sines a decade apart</source>
-        <translation>一阶滤波器与相差十倍频的两个正弦</translation>
-    </message>
-    <message>
-        <source>Pump that looks for its cheapest speed</source>
-        <translation>寻找最经济转速的水泵</translation>
-    </message>
-    <message>
         <source>Two pumps in a well</source>
         <translation>一口井中的两台泵</translation>
     </message>
@@ -11615,6 +11603,202 @@ Click selects, Ctrl+click shows or hides.</source>
     <message>
         <source>Tank over Modbus</source>
         <translation>通过 Modbus 连接的罐</translation>
+    </message>
+    <message>
+        <source>A vehicle between two limit switches, driven by two linked sequential function charts</source>
+        <translation>小车在两个限位开关之间行驶，由两个关联的顺序功能图控制</translation>
+    </message>
+    <message>
+        <source>A motor with three alarms that operators read in five languages</source>
+        <translation>电机的三条报警，可用五种语言显示</translation>
+    </message>
+    <message>
+        <source>One control loop with a block for each task: filter, monitor, ramp, PID, transfer</source>
+        <translation>一个控制回路，每项任务一个功能块：滤波、监视、斜坡、PID、切换</translation>
+    </message>
+    <message>
+        <source>Filler, capper and labeller with buffers between them, controlled as PackML units</source>
+        <translation>灌装机、旋盖机和贴标机，中间带缓冲，按 PackML 控制</translation>
+    </message>
+    <message>
+        <source>A robot parks cars by their number plates and fetches them again</source>
+        <translation>机器人按车牌号停车并取车</translation>
+    </message>
+    <message>
+        <source>Five wash programmes, each with a price and a recipe that the owner can edit</source>
+        <translation>五种洗车程序，价格和配方均可修改</translation>
+    </message>
+    <message>
+        <source>Cascade control: a slow loop for the room, a fast one for the supply air</source>
+        <translation>串级控制：慢回路控制房间，快回路控制送风</translation>
+    </message>
+    <message>
+        <source>A motor valve whose travel is monitored; if it takes too long, an alarm sounds</source>
+        <translation>监视电动阀的行程时间；超时则发出报警</translation>
+    </message>
+    <message>
+        <source>A belt carries an item to the right, waits ten seconds and carries it back</source>
+        <translation>传送带把工件送到右侧，等待十秒后送回</translation>
+    </message>
+    <message>
+        <source>Four belts take boxes off pallets; the settings of one can be copied to another</source>
+        <translation>四条传送带从托盘卸下箱子，设置可互相复制</translation>
+    </message>
+    <message>
+        <source>Heating and hot water from a district-heating network, with frost protection and summer mode</source>
+        <translation>区域供热的采暖和热水，带防冻和夏季模式</translation>
+    </message>
+    <message>
+        <source>A valve doses in pulses and pauses until the batch is complete</source>
+        <translation>阀门以脉冲和间歇方式投料，直到批次完成</translation>
+    </message>
+    <message>
+        <source>The pressure drop shows how dirty a filter is; an alarm reports when it is out of range</source>
+        <translation>压降反映过滤器的堵塞程度，超出范围时报警</translation>
+    </message>
+    <message>
+        <source>Silo, bin, conveyor and truck, controlled by three sequential function charts side by side</source>
+        <translation>料仓、料斗、传送带和卡车，由三个并行的顺序功能图控制</translation>
+    </message>
+    <message>
+        <source>Two on-off controls: a heater with a set point, and a valve that opens on a pump alarm</source>
+        <translation>两个开关控制：带设定值的加热器，以及泵报警时打开的阀门</translation>
+    </message>
+    <message>
+        <source>An hour meter that is loaded, enabled and held, which draws a saw-tooth</source>
+        <translation>可装载、启用和保持的计时器，曲线呈锯齿形</translation>
+    </message>
+    <message>
+        <source>A press makes items; a table counts how many in each hour of the day</source>
+        <translation>压机生产工件，表格统计每小时的数量</translation>
+    </message>
+    <message>
+        <source>Counts items, energy and water; the counts survive a power failure</source>
+        <translation>统计工件、电能和用水量，断电后数据保留</translation>
+    </message>
+    <message>
+        <source>A level sensor of 4 to 20 mA, three lamps and the detection of a wire break</source>
+        <translation>4 至 20 mA 液位传感器、三个指示灯和断线检测</translation>
+    </message>
+    <message>
+        <source>Three signals of a machine on three lamps that flash or stay on</source>
+        <translation>机器的三个信号由三个常亮或闪烁的指示灯显示</translation>
+    </message>
+    <message>
+        <source>A heat exchanger that oscillates; an experiment and its recording give better settings</source>
+        <translation>换热器发生振荡；通过一次试验及其记录得到更好的参数</translation>
+    </message>
+    <message>
+        <source>Liquids are weighed while a belt brings two bricks; then the mixer turns and tips</source>
+        <translation>称量液体，传送带送来两块料，然后搅拌并倾倒</translation>
+    </message>
+    <message>
+        <source>Start, stop and a contactor that holds itself, written in four ways that agree</source>
+        <translation>启动、停止和自保持接触器，用四种等效方式编写</translation>
+    </message>
+    <message>
+        <source>The local control box or the panel: one block decides which of them is in control</source>
+        <translation>就地控制箱或画面：由一个功能块决定控制权</translation>
+    </message>
+    <message>
+        <source>The same process with and without a PID controller, side by side in one trace</source>
+        <translation>同一过程有无 PID 控制器的对比，显示在一个跟踪中</translation>
+    </message>
+    <message>
+        <source>One filter, two sines: the slow one passes, the fast one is damped and lags behind</source>
+        <translation>一个滤波器，两个正弦信号：慢的通过，快的衰减并滞后</translation>
+    </message>
+    <message>
+        <source>A pump tries out its speeds and keeps the one with the least energy per cubic metre</source>
+        <translation>泵逐一试验转速，保持每立方米能耗最低的转速</translation>
+    </message>
+    <message>
+        <source>Two pumps take turns; a float counts only after two steady seconds</source>
+        <translation>两台泵轮换运行；浮球稳定两秒后才有效</translation>
+    </message>
+    <message>
+        <source>A sine becomes pulses for two outputs, as for a motor in two directions</source>
+        <translation>正弦信号转换为两个输出的脉冲，如同双向电机</translation>
+    </message>
+    <message>
+        <source>A robot counts encoder pulses to store and fetch loads on twelve shelves</source>
+        <translation>机器人对编码器脉冲计数，在十二个货位存取货物</translation>
+    </message>
+    <message>
+        <source>A robot takes 25 items one by one to a CNC machine and back</source>
+        <translation>机器人把 25 个工件逐个送到 CNC 机床并取回</translation>
+    </message>
+    <message>
+        <source>A robot puts three items into each box; a camera checks the result</source>
+        <translation>机器人在每个箱子里放三个工件，由相机检查结果</translation>
+    </message>
+    <message>
+        <source>Two sensors are compared; a faulty one is replaced by the healthy one without a bump</source>
+        <translation>比较两个传感器；故障的一个由正常的无扰替代</translation>
+    </message>
+    <message>
+        <source>Starts and stops six pumps by level and running hours, as a town&apos;s day flows in</source>
+        <translation>按液位和运行时间启停六台泵，来水模拟城市的一天</translation>
+    </message>
+    <message>
+        <source>A rotary switch selects the speed of a motor, a number what a module does</source>
+        <translation>旋钮选择电机转速，数字选择模块的功能</translation>
+    </message>
+    <message>
+        <source>Last in, first out: push, pop and reset, in ST and as an instruction list</source>
+        <translation>后进先出：push、pop 和 reset，用 ST 和指令表编写</translation>
+    </message>
+    <message>
+        <source>The same sequence twice: with CASE and as a chart of steps; either can be in control</source>
+        <translation>同一过程写两次：用 CASE 和顺序功能图，任选其一控制</translation>
+    </message>
+    <message>
+        <source>Fill, empty and stir with three switches; two level switches prevent mistakes</source>
+        <translation>用三个开关加料、排空和搅拌，两个液位开关防止误操作</translation>
+    </message>
+    <message>
+        <source>A current of 4 to 20 mA becomes a level, and the level becomes a volume</source>
+        <translation>4 至 20 mA 电流换算为液位，液位换算为体积</translation>
+    </message>
+    <message>
+        <source>Red, yellow and green from one counter of seconds, written in three ways</source>
+        <translation>由一个秒计数器控制红、黄、绿灯，用三种方式编写</translation>
+    </message>
+    <message>
+        <source>Five tanks, three pipelines, fifteen valves; two tanks never feed the same pipeline</source>
+        <translation>五个罐、三条管线、十五个阀门；两个罐绝不同时供同一管线</translation>
+    </message>
+    <message>
+        <source>A motor valve, a spring-return valve and a control valve, each with its block</source>
+        <translation>电动阀、弹簧复位阀和调节阀，各有一个功能块</translation>
+    </message>
+    <message>
+        <source>A float in waves: the pump starts and stops only after five steady seconds</source>
+        <translation>波浪中的浮球：稳定五秒后泵才启停</translation>
+    </message>
+    <message>
+        <source>Four BCD digits become the net weight once the scale has come to rest</source>
+        <translation>秤稳定后，四位 BCD 数换算为净重</translation>
+    </message>
+    <message>
+        <source>Samples of the language on four pages, each a program of its own with a test</source>
+        <translation>四页语言示例，每个都是带测试的独立程序</translation>
+    </message>
+    <message>
+        <source>Automated guided vehicle</source>
+        <translation>自动导引车</translation>
+    </message>
+    <message>
+        <source>First-order filter and two sines</source>
+        <translation>一阶滤波器与两个正弦信号</translation>
+    </message>
+    <message>
+        <source>Pump at its most efficient speed</source>
+        <translation>泵的最高效转速</translation>
+    </message>
+    <message>
+        <source>A controller and a tank, connected on this computer by real Modbus TCP</source>
+        <translation>控制器和罐通过本机上真实的 Modbus TCP 连接</translation>
     </message>
 </context>
 <context>
@@ -11797,7 +11981,7 @@ Click selects, Ctrl+click shows or hides.</source>
     <name>plc::plot::PlotView</name>
     <message>
         <source>Chart</source>
-        <translation>顺序功能图</translation>
+        <translation>曲线图</translation>
     </message>
     <message>
         <source>%1
@@ -12087,6 +12271,33 @@ Click selects, Ctrl+click shows or hides.</source>
     <message>
         <source>The controller&apos;s program cannot be built here as it is there; use the same version of Stepwise on both sides</source>
         <translation>控制器的程序无法在此处按其原样编译；请两侧使用相同版本的 Stepwise</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::Menu</name>
+    <message>
+        <source>File</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>编辑</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>运行</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>视图</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>帮助</translation>
     </message>
 </context>
 </TS>

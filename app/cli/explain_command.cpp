@@ -38,7 +38,7 @@ int explain(const Arguments& arguments) {
 Command explainCommand() {
     return {{"explain",
              "[CODE…]",
-             "Shows what a code means: a program that earns it, and one that is right. Without a code, all codes.",
+             "Shows what a code means: a program that causes it, and a correct one. Without a code, all codes.",
              {},
              "stepwise explain P3025"},
             explain};

@@ -1,11 +1,18 @@
 #include "editor/kit/theme.h"
 
+#include "editor/kit/paper.h"
+
 #include "editor/kit/studio_style.h"
 
+#include <QAbstractItemModel>
 #include <QApplication>
 #include <QFont>
+#include <QListWidget>
 #include <QPixmapCache>
+#include <QSignalBlocker>
 #include <QStyleFactory>
+#include <QTableWidget>
+#include <QTreeWidget>
 #include <QWidget>
 
 namespace plc::kit {
@@ -127,6 +134,34 @@ ThemeColors makeContrast() {
     return c;
 }
 
+/// What a row was given as its ink, in the other theme; an invalid colour for one that is none of ours.
+QColor inkIn(const ThemeColors& to, const ThemeColors& from, const QColor& ink) {
+    for (const auto role : {&ThemeColors::text, &ThemeColors::muted, &ThemeColors::good, &ThemeColors::warning,
+                            &ThemeColors::bad, &ThemeColors::online, &ThemeColors::forced, &ThemeColors::accent})
+        if (ink == from.*role) return to.*role;
+    return {};
+}
+
+void recolour(QAbstractItemModel& rows, const QModelIndex& parent, const ThemeColors& from, const ThemeColors& to) {
+    for (int row = 0; row < rows.rowCount(parent); ++row)
+        for (int column = 0; column < rows.columnCount(parent); ++column) {
+            const QModelIndex index = rows.index(row, column, parent);
+            if (const QVariant given = index.data(Qt::ForegroundRole); given.isValid())
+                if (const QColor ink = inkIn(to, from, given.value<QBrush>().color()); ink.isValid())
+                    rows.setData(index, QBrush(ink), Qt::ForegroundRole);
+            if (column == 0) recolour(rows, index, from, to);
+        }
+}
+
+/// These keep the inks that their rows were given; others ask again when they are painted.
+void recolourRows(QWidget& widget, const ThemeColors& from, const ThemeColors& to) {
+    auto* view = qobject_cast<QAbstractItemView*>(&widget);
+    if (!qobject_cast<QTreeWidget*>(view) && !qobject_cast<QTableWidget*>(view) && !qobject_cast<QListWidget*>(view))
+        return;
+    const QSignalBlocker nobodyEdits(view);
+    recolour(*view->model(), {}, from, to);
+}
+
 } // namespace
 
 const ThemeColors& lightColors() {
@@ -215,7 +250,9 @@ const ThemeColors& Theme::colors() const {
 
 void Theme::setChoice(ThemeChoice choice) {
     if (choice == m_choice) return;
+    const ThemeColors& before = colors();
     m_choice = choice;
+    for (QWidget* widget : qApp->allWidgets()) recolourRows(*widget, before, colors());
     apply();
 }
 
@@ -226,6 +263,9 @@ void Theme::apply() {
     for (QWidget* widget : qApp->allWidgets()) widget->update();
 }
 
-const ThemeColors& colors() { return Theme::current().colors(); }
+const ThemeColors& colors() {
+    const ThemeColors* paper = PaperColors::current();
+    return paper ? *paper : Theme::current().colors();
+}
 
 } // namespace plc::kit

@@ -146,6 +146,7 @@ void StEditor::applyTheme() {
     const kit::ThemeColors& c = kit::colors();
     m_lexer->applyTheme();
     setLexer(m_lexer);
+    SendScintilla(S::SCI_STYLESETFORE, static_cast<unsigned long>(S::STYLE_DEFAULT), c.text); // the lexer's first stays
     setCaretForegroundColor(c.text);
     QColor line = c.accent;
     line.setAlpha(c.dark ? 28 : 16);

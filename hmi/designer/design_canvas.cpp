@@ -57,6 +57,11 @@ DesignCanvas::DesignCanvas(PanelDocument& document, Selection& selection, Design
         m_scene.refresh(0);
         viewport()->update();
     });
+    connect(&m_context, &DesignContext::themesTaken, this, [this] {
+        m_scene.setThemes(m_context.project().themes);
+        m_scene.refresh(0);
+        viewport()->update();
+    });
     connect(&m_context, &DesignContext::alarmsChanged, this, [this] { m_alarms.setFile(m_context.project().alarms); });
     connect(&m_context, &DesignContext::languageChanged, this, [this] {
         m_scene.setLanguage(m_context.language());

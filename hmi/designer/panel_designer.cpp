@@ -317,14 +317,19 @@ QToolBar* PanelDesigner::makeToolBar() {
     auto* themes = new QComboBox;
     themes->setToolTip(tr("Theme of the panel"));
     themes->setAccessibleName(themes->toolTip());
-    for (const auto& [name, title] :
-         {std::pair{"light", tr("Light")}, std::pair{"dark", tr("Dark")}, std::pair{"contrast", tr("High contrast")}})
-        themes->addItem(title, QString::fromLatin1(name));
-    for (const auto& [name, theme] : m_context.project().themes.own()) themes->addItem(name, name);
     const auto showTheme = [this, themes] {
         themes->setCurrentIndex(themes->findData(m_document.panel().text("theme"_text)));
     };
-    showTheme();
+    const auto listThemes = [this, themes, showTheme] {
+        themes->clear();
+        for (const auto& [name, title] : {std::pair{"light", tr("Light")}, std::pair{"dark", tr("Dark")},
+                                          std::pair{"contrast", tr("High contrast")}})
+            themes->addItem(title, QString::fromLatin1(name));
+        for (const auto& [name, theme] : m_context.project().themes.own()) themes->addItem(name, name);
+        showTheme();
+    };
+    listThemes();
+    connect(&m_context, &DesignContext::themesTaken, themes, listThemes);
     connect(themes, &QComboBox::activated, this, [this, themes] {
         m_document.perform(tr("Theme"),
                            hmi::setProperty(m_document.panel(), {}, "theme", toUtf8(themes->currentData().toString())));

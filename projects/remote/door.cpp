@@ -29,7 +29,7 @@ Json idOf(const Json& request) {
 } // namespace
 
 Door::Door(session::Session& session, std::string origin, Rights rights)
-    : m_session(session), m_origin(std::move(origin)), m_rights(rights) {}
+    : m_session(session), m_origin(std::move(origin)), m_rights(rights), m_journal(session.history()) {}
 
 Door::~Door() {
     for (const std::string& path : m_held) m_session.release(path);
@@ -65,6 +65,7 @@ std::optional<Json> Door::answer(const Json& request) {
     if (wish == "follow") {
         m_follows = true;
         m_writer.restart();
+        m_journal.restart();
         m_next = m_session.history().statistics().end;
         m_next -= std::min<history::Position>(m_next, 1);
         m_stateSent.clear();
@@ -433,25 +434,37 @@ std::string Door::standingImage() {
 }
 
 std::string Door::bytes(size_t most) {
+    constexpr history::Position kMostScans = 4096; // whose journals are read ahead
     if (m_fetch && m_fetch->isReady) return nextPiece(most);
     if (!m_follows || m_version == 0) return {};
     const session::Status status = m_session.status();
     const history::Statistics recorded = m_session.history().statistics();
-    if (m_next < recorded.first) m_next = recorded.first;
+    const auto skipTo = [this](history::Position position) {
+        m_next = position;
+        m_journal.restart(); // what acted on those that are left out is not known there
+    };
+    if (m_next < recorded.first) skipTo(recorded.first);
+    const history::Position end = std::min<history::Position>(recorded.end, m_next + kMostScans);
+    m_journal.gather({m_next, end});
     std::string out(1, static_cast<char>(Piece::Scans));
     putNumber(out, m_version);
     const size_t head = out.size();
     const auto begin = Clock::now();
-    while (m_next < recorded.end && out.size() < most && Clock::now() - begin < std::chrono::milliseconds(10)) {
+    while (m_next < end && out.size() < most && Clock::now() - begin < std::chrono::milliseconds(10)) {
         std::shared_ptr<const image::CompiledProgram> program;
         const std::vector<std::byte> image = m_session.history().seek(m_next, &program);
-        const auto stamp = m_session.history().stamp(m_next++);
-        if (!program || !stamp || program->version != m_version) continue;
-        m_writer.write(out, {stamp->scan, stamp->time, std::span(image).first(program->layout.dataEnd)});
+        const auto stamp = m_session.history().stamp(m_next);
+        if (!program || !stamp || program->version != m_version) {
+            skipTo(m_next + 1);
+            continue;
+        }
+        m_writer.write(out, {stamp->scan, stamp->time, std::span(image).first(program->layout.dataEnd)},
+                       m_journal.of(m_next));
+        ++m_next;
     }
     // A second of scans is waited for; more is a line or a machine that cannot follow.
     const auto oldest = m_session.history().stamp(m_next);
-    if (oldest && status.time - oldest->time > std::chrono::seconds(1)) m_next = recorded.end - 1;
+    if (oldest && status.time - oldest->time > std::chrono::seconds(1)) skipTo(recorded.end - 1);
     if (out.size() > head) return out;
     if (status.state != State::Running) return standingImage();
     m_standing.clear();

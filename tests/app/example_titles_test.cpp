@@ -1,9 +1,10 @@
-// The start page speaks the language of the studio: each example's title is translated.
+// The start page speaks the language of the studio: each example's title and its sentence are translated and fit.
 #include "app/example_titles.h"
 #include "app/start_page.h"
 #include "app/translation.h"
 #include "tests/app/studio_fixture.h"
 
+#include <QFontMetrics>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QListWidget>
@@ -36,12 +37,66 @@ TEST(ExampleTitles, AreInEveryLanguage) {
     }
 }
 
+TEST(ExampleTitles, HaveASentenceInEveryLanguage) {
+    for (const QString& title : titles()) {
+        const QString english = exampleSummary(title);
+        EXPECT_FALSE(english.isEmpty()) << "“" << title.toStdString() << "”: write it in app/example_titles.cpp";
+        for (const QString& language : translatedLanguages()) {
+            if (language == "en") continue;
+            installTranslation(*qApp, language);
+            const QString shown = exampleSummary(title);
+            EXPECT_NE(shown, english) << language.toStdString();
+        }
+        installTranslation(*qApp, "en");
+    }
+    EXPECT_EQ(exampleSummary("My machine"), QString());
+}
+
+/// The cards paint three lines and cut the rest off.
+TEST(ExampleTitles, FitOnTheirCards) {
+    for (const QString& language : translatedLanguages()) {
+        installTranslation(*qApp, language);
+        Settings settings;
+        StartPage page(settings);
+        QListWidget& cards = page.examples();
+        const QFontMetrics font(cards.font());
+        QFont bold = cards.font();
+        bold.setBold(true);
+        const int width = cards.sizeHintForIndex(cards.model()->index(0, 0)).width() - 14 - 24;
+        for (int row = 0; row < cards.count(); ++row) {
+            const QListWidgetItem* item = cards.item(row);
+            const QString summary = item->data(Qt::UserRole + 2).toString();
+            const QRect needed = font.boundingRect(QRect(0, 0, width, 1000), Qt::TextWordWrap, summary);
+            EXPECT_LE(needed.height(), 3 * font.lineSpacing() + 1)
+                << language.toStdString() << ": " << summary.toStdString();
+            EXPECT_LE(font.horizontalAdvance(summary), width * 2.8) << language.toStdString() << summary.toStdString();
+            EXPECT_LE(QFontMetrics(bold).horizontalAdvance(item->text()), width)
+                << language.toStdString() << ": " << item->text().toStdString();
+        }
+    }
+    installTranslation(*qApp, "en");
+}
+
+TEST(ExampleTitles, AreInTheRecentListAsWell) {
+    installTranslation(*qApp, "de");
+    Settings settings;
+    settings.addRecent(StartPage::examplesFolder() + "/traffic_light");
+    {
+        StartPage page(settings);
+        bool isShown = false;
+        for (const QListWidget* list : page.findChildren<QListWidget*>())
+            if (list != &page.examples()) isShown = isShown || !list->findItems("Ampel", Qt::MatchExactly).isEmpty();
+        EXPECT_TRUE(isShown);
+    }
+    installTranslation(*qApp, "en");
+}
+
 TEST(ExampleTitles, AreWrittenOnTheCards) {
     installTranslation(*qApp, "de");
     EXPECT_EQ(exampleTitle("Traffic light"), "Ampel");
     EXPECT_EQ(exampleTitle("My machine"), "My machine") << "a project of the user";
     Settings settings;
-    const StartPage page(settings);
+    StartPage page(settings);
     bool isShown = false;
     for (const QListWidget* list : page.findChildren<QListWidget*>())
         isShown = isShown || !list->findItems("Ampel", Qt::MatchExactly).isEmpty();

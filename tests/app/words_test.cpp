@@ -64,10 +64,10 @@ QStringList cellsOf(const QAbstractItemModel& model, const QModelIndex& parent =
     return out;
 }
 
-/// Lists whose texts come from files: the examples' README, the comments of libraries, values, the panel's own texts.
+/// Lists whose texts come from files: the comments of libraries, values, the panel's own texts.
 bool isOfTheProject(const QWidget& widget) {
     for (const QWidget* each = &widget; each; each = each->parentWidget())
-        if (each->inherits("plc::app::StartPage") || each->inherits("plc::app::ProjectTree")) return true;
+        if (each->inherits("plc::app::ProjectTree")) return true;
     return widget.inherits("plc::hmi::Outline");
 }
 

@@ -42,7 +42,7 @@ std::string harnessText(const Corpus& corpus, const json& listing) {
     return text;
 }
 
-/// The text of a listing that is meant to compile: the mended one where the printed one has a slip.
+/// The text of a listing that is meant to compile: the corrected one where the printed one has a slip.
 std::string unitText(const Corpus& corpus, const json& listing, bool asPrinted) {
     std::string text =
         !asPrinted && listing["files"].contains("fixed") ? corpus.read(listing, "fixed") : corpus.read(listing, "st");

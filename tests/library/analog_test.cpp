@@ -1,4 +1,4 @@
-// The blocks of IEC 61131-3 Annex F, with the slips of the printed text mended.
+// The blocks of IEC 61131-3 Annex F, with the slips of the printed text corrected.
 #include "tests/library/bench.h"
 
 #include <gtest/gtest.h>

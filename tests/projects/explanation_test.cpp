@@ -1,4 +1,4 @@
-// Every diagnostic has its page: the wrong program earns it, the right one is right, and docs/diagnostics.md shows
+// Every diagnostic has its page: the wrong program causes it, the right one is right, and docs/diagnostics.md shows
 // both.
 #include "projects/analysis/explanation.h"
 #include "tests/support/paths.h"

@@ -101,7 +101,10 @@ struct Browsers {
     }
 };
 
-int messages() { return qEnvironmentVariableIsSet("STEPWISE_LONG") ? 10'000'000 : 20'000; }
+int messages() {
+    const int wanted = qEnvironmentVariableIntValue("STEPWISE_MESSAGES"); // a share of the long run
+    return wanted > 0 ? wanted : qEnvironmentVariableIsSet("STEPWISE_LONG") ? 10'000'000 : 20'000;
+}
 
 void feed(Browsers& browsers, bool isOperator, uint32_t seed) {
     Fuzz fuzz(seed);

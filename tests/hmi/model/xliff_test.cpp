@@ -105,7 +105,7 @@ TEST(Xliff, SaysWhatDoesNotFitAndTakesNoneOfIt) {
     ASSERT_TRUE(file) << file.error().english();
     const XliffReport report = takeXliff(table, *file, QStringLiteral("f.xlf"));
     ASSERT_EQ(report.remarks.size(), 3u);
-    EXPECT_EQ(report.remarks[0].english(), "f.xlf:2: The key gone is not in the text table");
+    EXPECT_EQ(report.remarks[0].english(), "f.xlf:2: The key gone is not in the text table; add it there");
     EXPECT_EQ(report.remarks[1].place, "f.xlf:3");
     EXPECT_EQ(report.remarks[2].place, "f.xlf:4");
     EXPECT_TRUE(table.text(QStringLiteral("a"), QStringLiteral("de")).isEmpty());

@@ -69,7 +69,7 @@ TEST(PropertyCheck, EachRuleHasAnElementThatBreaksIt) {
         {R"("kind":"lamp","when":"b")", "a.when: The value must be a list of objects"},
         {R"("kind":"line","points":[[0,1],[2]])",
          "a.points: The value must be a list of points, each a list of two numbers"},
-        {R"("kind":"lamp","parent":"g")", "a.parent: The panel has no group or tab g"},
+        {R"("kind":"lamp","parent":"g")", "a.parent: The panel has no group or tab g; create it or choose another one"},
         {R"("kind":"group","parent":"a")", "a.parent: The group a contains itself"},
         {R"("kind":"hologram","colour":7)",
          "a.kind: This version does not know the element kind \"hologram\"; it is kept as it is"},

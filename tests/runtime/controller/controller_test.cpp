@@ -316,12 +316,12 @@ TEST(Controller, WritesThatDoNotFitAreRefusedInWords) {
         {"real", integer(TypeKind::Int, 3), ""},
         {"small", integer(TypeKind::Int, 12), "12 is outside 0..10"},
         {"text", Value{plain.made.types().string(80), std::string("abcdef")},
-         "the text has 6 characters, the maximum is 5"},
+         "the text has 6 characters, the maximum is 5; shorten it"},
         {"text", Value{{}, std::string("abc")}, ""},
         {"delay", integer(TypeKind::Time, 5), ""},
         {"delay", integer(TypeKind::Int, 5), "5 does not fit into a variable of type TIME"},
         {"lamp", integer(TypeKind::Int, 2), "2 does not fit into a variable of type BOOL"},
-        {"fixed", integer(TypeKind::Int, 2), "a constant cannot be written"},
+        {"fixed", integer(TypeKind::Int, 2), "a constant cannot be written; change it in the program"},
         {"moude", integer(TypeKind::Int, 2), "there is no variable 'moude'; did you mean 'mode'?"},
     };
     for (const Row& row : rows) {

@@ -136,11 +136,12 @@ TEST_F(Fixture, AReferenceIsChecked) {
         return shown(integer);
     };
     EXPECT_EQ(follow(200), "42");
-    EXPECT_EQ(follow(0), "the reference is NULL");
-    EXPECT_EQ(follow(8), "the reference does not point to a variable of its type") << "the header is no variable";
-    EXPECT_EQ(follow(511), "the reference does not point to a variable of its type");
-    EXPECT_EQ(follow(-1), "the reference does not point to a variable of its type");
-    EXPECT_EQ(follow(INT64_MAX), "the reference does not point to a variable of its type");
+    EXPECT_EQ(follow(0), "the reference is NULL; assign a variable to it, or compare it with NULL first");
+    EXPECT_EQ(follow(8), "the reference does not point to a variable of its type; assign one to it")
+        << "the header is no variable";
+    EXPECT_EQ(follow(511), "the reference does not point to a variable of its type; assign one to it");
+    EXPECT_EQ(follow(-1), "the reference does not point to a variable of its type; assign one to it");
+    EXPECT_EQ(follow(INT64_MAX), "the reference does not point to a variable of its type; assign one to it");
 }
 
 TEST_F(Fixture, AnInOutIsFollowed) {
@@ -154,7 +155,7 @@ TEST_F(Fixture, AnInOutIsFollowed) {
         return shown(integer);
     };
     EXPECT_EQ(follow(200), "42");
-    EXPECT_EQ(follow(0), "a VAR_IN_OUT is not connected to a variable");
+    EXPECT_EQ(follow(0), "a VAR_IN_OUT is not connected to a variable; connect it in the call");
 }
 
 TEST_F(Fixture, AnArrayOfOpenLengthBringsItsBounds) {
@@ -175,10 +176,10 @@ TEST_F(Fixture, AnArrayOfOpenLengthBringsItsBounds) {
     EXPECT_EQ(element(2, 3), "index 3 is outside 0..2");
     EXPECT_EQ(element(0, 0), "index 0 is outside 1..2");
     put<int64_t>(64, 0);
-    EXPECT_EQ(element(1, 0), "a VAR_IN_OUT is not connected to a variable");
+    EXPECT_EQ(element(1, 0), "a VAR_IN_OUT is not connected to a variable; connect it in the call");
     put<int64_t>(64, 200);
     put<int64_t>(80, int64_t{1} << 40);
-    EXPECT_EQ(element(int64_t{1} << 40, 0), "the reference does not point to a variable of its type")
+    EXPECT_EQ(element(int64_t{1} << 40, 0), "the reference does not point to a variable of its type; assign one to it")
         << "broken bounds must not lead out of the image";
 }
 

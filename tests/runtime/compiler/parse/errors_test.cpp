@@ -110,11 +110,11 @@ TEST(SyntaxErrors, OfferAFixThatMends) {
         const Parsed parsed(text);
         ASSERT_EQ(parsed.diagnostics.size(), 1u) << text << parsed.codes();
         ASSERT_EQ(parsed.diagnostics[0].fixes.size(), 1u) << text;
-        std::string mended = text;
+        std::string repaired = text;
         auto edits = parsed.diagnostics[0].fixes[0].edits;
         for (auto it = edits.rbegin(); it != edits.rend(); ++it)
-            mended.replace(it->range.begin, it->range.length(), it->text);
-        const Parsed again(mended);
-        EXPECT_EQ(again.codes(), "") << mended;
+            repaired.replace(it->range.begin, it->range.length(), it->text);
+        const Parsed again(repaired);
+        EXPECT_EQ(again.codes(), "") << repaired;
     }
 }

@@ -1,4 +1,4 @@
-// Every message of P2xxx and P3xxx: a program that earns it, with the text it points at, and one that does not.
+// Every message of P2xxx and P3xxx: a program that causes it, with the text it points at, and one that does not.
 #include "tests/runtime/compiler/sema/checked.h"
 
 #include <gtest/gtest.h>
