@@ -126,9 +126,10 @@ Json Door::list(const Json& request) const {
     Json all = Json::array();
     const image::VariableTree tree(layout);
     tree.visit(
-        tree.declared(),
+        tree.roots(),
         [&](const image::VariableNode& node, int) {
             if (all.size() >= kMost) return Next::Stop;
+            if (node.isGroup()) return Next::Into;
             if (node.isConstant || node.isInOut) return Next::Over;
             const types::Type& type = (*layout.types)[node.type];
             if (layout.types->isAggregate(node.type) && type.kind != types::TypeKind::Array) return Next::Into;

@@ -78,14 +78,17 @@ std::vector<VariableNode> VariableTree::declared() const {
 
 std::vector<VariableNode> VariableTree::roots() const {
     std::vector<VariableNode> out;
-    std::set<std::string> lists;
-    for (VariableNode& node : declared()) {
+    std::set<std::string> taken; // programs, and lists that are there
+    const std::vector<VariableNode> all = declared();
+    for (const VariableNode& node : all)
+        if (node.kind == VariableKind::Program) taken.insert(foldCase(node.path));
+    for (const VariableNode& node : all) {
         if (node.root->list.empty()) {
-            out.push_back(std::move(node));
+            out.push_back(node);
             continue;
         }
         const std::string list = listOf(*node.root);
-        if (lists.insert(foldCase(list)).second)
+        if (taken.insert(foldCase(list)).second)
             out.push_back({list, list, VariableKind::List, {}, {}, node.root, true, false, false});
     }
     std::stable_sort(out.begin(), out.end(),
@@ -154,16 +157,25 @@ std::vector<VariableNode> VariableTree::members(const VariableNode& node) const 
     return out;
 }
 
+std::vector<VariableNode> VariableTree::below(const VariableNode& node) const {
+    std::vector<VariableNode> out = members(node);
+    if (node.kind != VariableKind::Program) return out;
+    std::vector<VariableNode> placed = listed(node.path);
+    out.insert(out.end(), std::make_move_iterator(placed.begin()), std::make_move_iterator(placed.end()));
+    return out;
+}
+
 std::vector<VariableNode> VariableTree::children(std::string_view path) const {
     if (path.empty()) return roots();
-    if (std::vector<VariableNode> list = listed(path); !list.empty()) return list;
     const Result<Place> place = m_layout.find(path);
-    if (!place || place->bit >= 0) return {};
+    if (!place) return listed(path);
+    if (place->bit >= 0) return {};
     VariableNode node;
     node.path = path;
     node.type = place->type;
+    node.kind = VariableKind::Program; // with what is listed under its name, if it is one
     node.hasMembers = hasMembers((*m_layout.types)[place->type]);
-    return members(node);
+    return below(node);
 }
 
 bool VariableTree::visit(const VariableNode& node, int depth, const Visitor& visitor, bool intoArrays) const {
@@ -176,7 +188,7 @@ bool VariableTree::visit(const VariableNode& node, int depth, const Visitor& vis
         break;
     }
     if (!intoArrays && !node.isGroup() && (*m_layout.types)[node.type].kind == TypeKind::Array) return true;
-    for (const VariableNode& each : members(node))
+    for (const VariableNode& each : below(node))
         if (!visit(each, depth + 1, visitor, intoArrays)) return false;
     return true;
 }

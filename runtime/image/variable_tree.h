@@ -30,12 +30,14 @@ class VariableTree {
 public:
     explicit VariableTree(const Layout& layout) : m_layout(layout) {}
 
-    /// Programs, lists of globals and globals without a list, each in order of declaration.
+    /// Programs, lists of globals and globals without a list, each in order of declaration. Located variables and
+    /// constants of a program have a place of their own; they are below their program.
     [[nodiscard]] std::vector<VariableNode> roots() const;
-    /// The same without lists: their variables themselves, all in order of declaration.
+    /// Whatever has a place of its own, without lists, in order of declaration.
     [[nodiscard]] std::vector<VariableNode> declared() const;
     /// What is below a path, which may be that of a list; of the empty path: the roots. Of a long array, the start.
     [[nodiscard]] std::vector<VariableNode> children(std::string_view path) const;
+    /// What lies within the node's own place; of a list, its variables.
     [[nodiscard]] std::vector<VariableNode> members(const VariableNode& node) const;
 
     enum class Next { Into, Over, Stop };
@@ -52,6 +54,7 @@ private:
     bool visit(const VariableNode& node, int depth, const Visitor& visitor, bool intoArrays) const;
     std::vector<VariableNode> elements(const VariableNode& array) const;
     std::vector<VariableNode> listed(std::string_view list) const;
+    std::vector<VariableNode> below(const VariableNode& node) const;
 
     const Layout& m_layout;
 };

@@ -12,7 +12,6 @@ using image::VariableNode;
 using image::VariableTree;
 
 const char* const kSource = R"(
-{attribute 'qualified_only'}
 VAR_GLOBAL
     speed : REAL; // of the belt [m/s]
 END_VAR
@@ -43,7 +42,7 @@ END_PROGRAM
 struct Tree : testing::Test {
     driver::Built built = [] {
         driver::BuildInput input;
-        input.files.push_back({"main.st", kSource});
+        input.files.push_back({"plant.st", kSource}); // which names the list of its globals
         return driver::build(input);
     }();
     void SetUp() override {
@@ -76,6 +75,24 @@ TEST_F(Tree, ProgramsComeFirstAndMembersInOrderOfDeclaration) {
     const std::string members = paths(tree().children("main")); // as every name: without case
     EXPECT_TRUE(members.starts_with("main.m main.p main.long")) << members;
     EXPECT_EQ(members.find("speed"), std::string::npos) << "an external variable is listed where it is declared";
+}
+
+TEST_F(Tree, WhatAProgramPlacesElsewhereIsBelowIt) {
+    const std::string members = paths(tree().children("Main"));
+    EXPECT_TRUE(members.starts_with("Main.m Main.p Main.long")) << members;
+    EXPECT_NE(members.find("Main.out"), std::string::npos) << "located: " << members;
+    EXPECT_NE(members.find("Main.k"), std::string::npos) << "constant: " << members;
+    int mains = 0, outs = 0;
+    tree().visit(
+        tree().roots(),
+        [&](const VariableNode& node, int) {
+            mains += node.path == "Main";
+            outs += node.path == "Main.out";
+            return VariableTree::Next::Into;
+        },
+        false);
+    EXPECT_EQ(mains, 1) << "and no list of the same name beside it";
+    EXPECT_EQ(outs, 1);
 }
 
 TEST_F(Tree, MembersThatAreHiddenAreNotListedAndAnInOutLeadsNowhere) {
