@@ -119,10 +119,10 @@ TEST_F(LanguageServer, DiagnosticsComeAlsoWhenQuestionsFollowTheChangeAtOnce) {
         R"("languageId":"st","version":1,"text":"FUNCTION_BLOCK Typed\nEND_FUNCTION_BLOCK\n"}}})");
     m_sent.clear();
     // As Kate sends them: the questions have arrived before anybody is idle.
-    server.receive(R"({"jsonrpc":"2.0","method":"textDocument/didChange","params":{"textDocument":)"
-                   R"({"uri":"file:///typed.st","version":2},"contentChanges":[{"text":"slip := 1;"}]}})");
-    server.receive(R"({"jsonrpc":"2.0","id":2,"method":"textDocument/semanticTokens/full",)"
-                   R"("params":{"textDocument":{"uri":"file:///typed.st"}}})");
+    server.receive(std::string(R"({"jsonrpc":"2.0","method":"textDocument/didChange","params":{"textDocument":)"
+                               R"({"uri":"file:///typed.st","version":2},"contentChanges":[{"text":"slip := 1;"}]}})"));
+    server.receive(std::string(R"({"jsonrpc":"2.0","id":2,"method":"textDocument/semanticTokens/full",)"
+                               R"("params":{"textDocument":{"uri":"file:///typed.st"}}})"));
     ASSERT_TRUE(server.hasWork());
     while (server.hasWork()) server.work();
     EXPECT_TRUE(std::any_of(m_sent.begin(), m_sent.end(), [](const std::string& each) {
