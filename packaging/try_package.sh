@@ -81,7 +81,8 @@ try stepwise tune $example/cascade --loop Main.controller.PI --set Main.SetPoint
 try stepwise texts $example/alarm_texts --export /tmp/alarm_texts.de.xlf --language de
 try stepwise recipe $example/bottling --list
 try stepwise people /tmp/try/motor --user anna --role operator
-try stepwise alarms /tmp/try/alarm_texts
+try sh -c 'stepwise alarms /tmp/try/alarm_texts 2>&1 | grep "no journal of alarms yet"'
+tried+="alarms "
 try stepwise devices $example/modbus_tank
 try stepwise explain P3025
 for target in x86_64 aarch64; do try stepwise build $example/pid_pt1 --target $target --output /tmp/pid-$target; done
