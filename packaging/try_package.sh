@@ -29,6 +29,8 @@ bare apt-get update -q >"/tmp/bare-apt.log" 2>&1
 say "what the package depends on"
 bare sh -c 'apt-get install -y -q --no-install-recommends $(dpkg-deb -f /tmp/stepwise.deb Depends | sed "s/([^)]*)//g; s/|[^,]*//g; s/,/ /g") lld-19 shared-mime-info' >>/tmp/bare-apt.log 2>&1 ||
     { tail -5 /tmp/bare-apt.log; exit 1; }
+bare apt-get purge -y -q stepwise >>/tmp/bare-apt.log 2>&1 || true # of a run that was cut short
+bare rm -rf /usr/share/stepwise /tmp/try /tmp/serve /tmp/imported
 list >/tmp/bare-before.txt
 begin=$(date +%s)
 bare apt-get install -y -q --no-install-recommends /tmp/stepwise.deb >>/tmp/bare-apt.log 2>&1 || { tail -5 /tmp/bare-apt.log; exit 1; }
@@ -81,7 +83,8 @@ try stepwise tune $example/cascade --loop Main.controller.PI --set Main.SetPoint
 try stepwise texts $example/alarm_texts --export /tmp/alarm_texts.de.xlf --language de
 try stepwise recipe $example/bottling --list
 try stepwise people /tmp/try/motor --user anna --role operator
-try stepwise alarms /tmp/try/alarm_texts
+try sh -c 'stepwise alarms /tmp/try/alarm_texts 2>&1 | grep "no journal of alarms yet"'
+tried+="alarms "
 try stepwise devices $example/modbus_tank
 try stepwise explain P3025
 for target in x86_64 aarch64; do try stepwise build $example/pid_pt1 --target $target --output /tmp/pid-$target; done
@@ -110,7 +113,7 @@ test -s "$root/tmp/serve/access-code" && ls "$root"/tmp/serve/recording/*.rec >/
 echo "  good: it served, was attached to, kept its recording and stopped"
 for command in $commands; do [[ $tried == *" $command "* ]] || fail "nobody tried $command: add a line for it here"; done
 echo "  good: all $(wc -w <<<"$commands") commands of the table"
-try sh -c 'QT_QPA_PLATFORM=offscreen timeout 5 stepwise /usr/share/stepwise/examples/motor; test $? = 124'
+try sh -c 'QT_QPA_PLATFORM=offscreen timeout 5 stepwise /tmp/try/motor; test $? = 124'
 try sh -c 'dpkg -L stepwise | while read -r file; do test -e "$file" || { echo "$file is missing"; exit 1; }; done'
 rm -rf "$root/root/.config" "$root/root/.local" "$root/root/.cache" "$root/root/Stepwise" "$root/root/Documents"
 bare apt-get purge -y -q stepwise >>/tmp/bare-apt.log 2>&1

@@ -253,7 +253,9 @@ TEST(Attach, StrangersFloodsAndNonsenseAreClosed) {
     EXPECT_EQ(page.answers, 0);
     EXPECT_TRUE(waitUntil([&] { return plant.server->figures().studios == 0; }));
     EXPECT_EQ(plant.machine->status().state, controller::State::Running);
-    EXPECT_EQ(plant.machine->status().skippedScans, 0u) << "no scan waited for them";
+    // Not that none was left out: a machine that does other things as well leaves some out by itself.
+    const uint64_t scans = plant.machine->status().scans;
+    EXPECT_TRUE(waitUntil([&] { return plant.machine->status().scans > scans + 20; })) << "no scan waits for them";
 }
 
 TEST(Attach, TheCodeNeverCrossesANetworkUnprotected) {
