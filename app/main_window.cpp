@@ -170,6 +170,7 @@ void MainWindow::makeDocks() {
     tabifyDockWidget(log, tests);
     auto* tuning = new editor::TuningView(*m_control);
     connect(tuning, &editor::TuningView::message, this, &MainWindow::say);
+    connect(tuning, &editor::TuningView::textEdits, this, [this](const auto& edits) { m_tabs->applyEdits(edits); });
     auto* roomForTuning = new QScrollArea; // four charts and a column of settings: wider than a small screen
     roomForTuning->setFrameShape(QFrame::NoFrame);
     roomForTuning->setWidgetResizable(true);

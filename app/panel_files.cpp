@@ -13,6 +13,29 @@ namespace {
 constexpr int kSettleMs = 80;
 constexpr QLatin1String kTexts("texts"), kAlarms("alarms"), kRecipes("recipes"), kPeople("people"), kPanel("panel:");
 
+QStringList themesOnDisk(const hmi::PanelProject& panels) {
+    return QDir(panels.folder + "/hmi/themes").entryList({"*.json"}, QDir::Files, QDir::Name);
+}
+
+/// Themes that came, went or are others now. One that could not be understood is read again when it changes.
+bool areThemesOther(const hmi::PanelProject& panels, std::map<QString, std::string>& notUnderstood) {
+    const QStringList files = themesOnDisk(panels);
+    const auto isGone = [&](const QString& file) { return !files.contains(file); };
+    bool isOther = false;
+    for (const auto& [name, theme] : panels.themes.own()) isOther |= isGone(name + ".json");
+    for (const Error& each : panels.problems) {
+        const QString place = QString::fromStdString(each.place);
+        isOther |= place.startsWith("hmi/themes/") && isGone(place.section('/', 2).section(':', 0, 0));
+    }
+    for (const QString& file : files) {
+        const QString path = panels.folder + "/hmi/themes/" + file;
+        const auto now = panels.disk->newer(path);
+        if (!now || std::exchange(notUnderstood[path], *now) == *now) continue;
+        isOther = true;
+    }
+    return isOther;
+}
+
 QString panelOf(const QString& key) { return key.startsWith(kPanel) ? key.mid(kPanel.size()) : QString(); }
 } // namespace
 
@@ -105,7 +128,8 @@ void PanelFiles::watch() {
     QStringList paths{m_workspace.folder()}; // a first panel makes the folder for the panels
     for (const Key& key : known()) paths << pathOf(key);
     for (const QString& name : hmi::panelsOnDisk(m_workspace.folder())) paths << m_live.panels().panelPath(name);
-    paths << m_workspace.folder() + "/hmi" << m_workspace.folder() + "/traces";
+    for (const QString& file : themesOnDisk(m_live.panels())) paths << m_workspace.folder() + "/hmi/themes/" + file;
+    paths << m_workspace.folder() + "/hmi/themes" << m_workspace.folder() + "/hmi" << m_workspace.folder() + "/traces";
     paths.removeDuplicates();
     paths.removeIf([](const QString& path) { return !QFileInfo::exists(path); });
     m_watcher.addPaths(paths);
@@ -116,6 +140,7 @@ void PanelFiles::look() {
     m_isAsking = true;
     const bool isOther = lookForPanels();
     for (const Key& key : known()) lookAt(key);
+    lookForThemes();
     m_isAsking = false;
     if (isOther)
         if (auto read = m_workspace.rereadProject(); !read) emit message(kit::messageText(read.error()), true);
@@ -148,6 +173,16 @@ bool PanelFiles::lookForPanels() {
         isOther = true;
     }
     return isOther;
+}
+
+/// Themes are not edited here: what is on disk is taken at once, and panels that are open show it.
+void PanelFiles::lookForThemes() {
+    hmi::PanelProject& panels = m_live.panels();
+    if (!m_live.design() || !areThemesOther(panels, m_postponed)) return;
+    panels.readThemes();
+    emit m_live.design()->themesTaken();
+    if (m_live.player()) m_live.player()->scene().setThemes(panels.themes);
+    emit m_live.designEdited(); // what is wrong with them is a finding
 }
 
 void PanelFiles::lookAt(const Key& key) {

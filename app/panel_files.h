@@ -47,6 +47,7 @@ private:
     [[nodiscard]] std::vector<Key> known() const;
     [[nodiscard]] std::string bytesHere(const Key& key) const;
     void watch();
+    void lookForThemes();
     void lookAt(const Key& key);
     void take(const Key& key);
     /// The merged text, not saved yet; false when it is none of this kind.

@@ -1,6 +1,7 @@
 #include "app/settings_dialog.h"
 
 #include "app/main_window.h"
+#include "app/translation.h"
 #include "editor/kit/mnemonics.h"
 
 #include <QCheckBox>
@@ -51,12 +52,7 @@ QWidget* SettingsDialog::makeGeneral() {
     m_theme->setCurrentIndex(static_cast<int>(m_settings.theme()));
     m_language = new QComboBox(page);
     m_language->addItem(tr("System default"), "");
-    m_language->addItem("English", "en");
-    m_language->addItem("Deutsch", "de");
-    m_language->addItem("Dansk", "da");
-    m_language->addItem("Français", "fr");
-    m_language->addItem("Español", "es");
-    m_language->addItem("简体中文", "zh_CN");
+    for (const QString& language : translatedLanguages()) m_language->addItem(ownNameOf(language), language);
     m_language->setCurrentIndex(std::max(0, m_language->findData(m_settings.language())));
     form->addRow(tr("Theme"), m_theme);
     form->addRow(tr("Language of the studio"), m_language);

@@ -8,6 +8,7 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QGridLayout>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -140,7 +141,9 @@ StartPage::StartPage(Settings& settings, QWidget* parent) : QWidget(parent), m_s
     };
     m_recent = new QListWidget(this);
     m_recent->setFrameShape(QFrame::NoFrame);
+    m_recent->setObjectName(QStringLiteral("recentProjects"));
     m_recent->setAccessibleName(tr("Recent projects"));
+    m_recent->setTextElideMode(Qt::ElideMiddle);
     m_recent->setSpacing(2);
     m_examples = new QListWidget(this);
     m_examples->setFrameShape(QFrame::NoFrame);
@@ -208,7 +211,9 @@ QString StartPage::examplesFolder() {
 void StartPage::reload() {
     m_recent->clear();
     for (const QString& folder : m_settings.recentProjects()) {
-        auto* item = new QListWidgetItem(kit::icon(kit::Icon::Project), exampleTitle(titleOf(folder)), m_recent);
+        const QString name =
+            exampleTitle(titleOf(folder)) + QChar::LineSeparator + QDir::toNativeSeparators(QFileInfo(folder).path());
+        auto* item = new QListWidgetItem(kit::icon(kit::Icon::Project), name, m_recent);
         item->setToolTip(folder);
         item->setData(Qt::UserRole, folder);
     }

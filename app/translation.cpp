@@ -10,7 +10,28 @@
 
 namespace plc::app {
 
-QStringList translatedLanguages() { return {"en", "de", "da", "fr", "es", "zh_CN"}; }
+namespace {
+
+struct Language {
+    const char* tag;
+    const char* name; // in itself, so that who cannot read the present one finds it
+};
+constexpr Language kLanguages[] = {{"en", "English"},  {"de", "Deutsch"}, {"da", "Dansk"},
+                                   {"fr", "Français"}, {"es", "Español"}, {"zh_CN", "简体中文"}};
+
+} // namespace
+
+QStringList translatedLanguages() {
+    QStringList out;
+    for (const Language& language : kLanguages) out << language.tag;
+    return out;
+}
+
+QString ownNameOf(const QString& language) {
+    for (const Language& known : kLanguages)
+        if (language == known.tag) return known.name;
+    return language;
+}
 
 void installTranslation(QApplication& application, const QString& tag) {
     QString language = kit::translationTag(tag.isEmpty() ? QLocale::system().name() : tag);

@@ -10,6 +10,7 @@ namespace plc::app {
 
 /// "" = the system's language when there is one for it, else English.
 void installTranslation(QApplication& application, const QString& tag);
-[[nodiscard]] QStringList translatedLanguages(); // "en", "de", "da", "fr", "es", "zh_CN"
+[[nodiscard]] QStringList translatedLanguages(); // their tags: "en", "de", …
+[[nodiscard]] QString ownNameOf(const QString& language);
 
 } // namespace plc::app

@@ -40,6 +40,8 @@ int documentDiagnostics(const Arguments& arguments) {
         std::cerr << path << " is stale (stepwise doc diagnostics writes it)\n";
         return kProgramWrong;
     }
+    std::error_code ignored; // what it leads to is said below
+    std::filesystem::create_directories(std::filesystem::path(path).parent_path(), ignored);
     std::ofstream file(path, std::ios::binary);
     if (!(file << text).flush()) return wrongUse({errors::OutputNotWritten(), path});
     std::cout << path << " written\n";

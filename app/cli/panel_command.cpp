@@ -158,7 +158,7 @@ int play(const Arguments& arguments, const projects::Project& project) {
 int alarmHistory(const Arguments& arguments, const projects::Project& project) {
     needApplication();
     const hmi::PanelProject panels = hmi::loadPanelProject(project);
-    const QString path = hmi::PanelPlayer::alarmStoreOf(panels);
+    const QString path = hmi::OperatorStation::alarmStoreOf(panels);
     hmi::AlarmBook book;
     book.setFile(panels.alarms);
     if (QFileInfo::exists(path))

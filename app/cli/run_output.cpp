@@ -2,6 +2,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/errors.h"
+#include "runtime/image/variable_tree.h"
 #include "runtime/types/conversion.h"
 
 #include <algorithm>
@@ -14,31 +15,31 @@ namespace plc::cli {
 
 using types::Value;
 
+namespace {
+/// Of the project itself, not of a library.
+bool isOfProject(const driver::Built& built, const image::Root& root) {
+    if (root.space.empty()) return true;
+    const std::string& file =
+        root.declaration.file.isValid() ? built.program->sources[root.declaration.file].path() : root.space;
+    return std::any_of(built.input->files.begin(), built.input->files.end(),
+                       [&](const driver::SourceFile& source) { return source.path == file; });
+}
+} // namespace
+
 std::vector<Watch> allVariables(const driver::Built& built) {
     std::vector<Watch> out;
-    const image::Layout& layout = built.program->layout;
-    const auto add = [&](const std::string& path) {
-        if (auto expression = driver::compileExpression(built.checked, path))
-            out.push_back({path, *expression, kLargestListed});
+    const auto add = [&](const image::VariableNode& node) {
+        if (node.isConstant || node.isInOut) return;
+        if (auto expression = driver::compileExpression(built.checked, node.path))
+            out.push_back({node.path, *expression, kLargestListed});
     };
-    for (const image::Root& root : layout.roots) {
-        if (root.isHidden || root.constant) continue;
-        if (!root.space.empty()) { // a namespace of the project; those of libraries are theirs
-            const std::string& file =
-                root.declaration.file.isValid() ? built.program->sources[root.declaration.file].path() : root.space;
-            if (std::any_of(built.input->files.begin(), built.input->files.end(),
-                            [&](const driver::SourceFile& source) { return source.path == file; }))
-                add(root.space + "." + root.name);
-            continue;
-        }
-        if (root.area != image::Area::Program) {
-            add(root.list.empty() ? root.name : root.list + "." + root.name);
-            continue;
-        }
-        for (const types::Field& field : (*layout.types)[root.type].fields)
-            if (!field.isPrivate && !field.constant && field.section != types::FieldSection::InOut &&
-                field.section != types::FieldSection::External)
-                add(root.name + "." + field.name);
+    const image::VariableTree tree(built.program->layout);
+    for (const image::VariableNode& node : tree.declared()) {
+        if (!isOfProject(built, *node.root)) continue;
+        if (node.kind != image::VariableKind::Program)
+            add(node);
+        else
+            for (const image::VariableNode& member : tree.members(node)) add(member);
     }
     return out;
 }

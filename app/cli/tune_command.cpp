@@ -6,6 +6,7 @@
 #include "app/cli/tune_output.h"
 
 #include "editor/plot/page_pdf.h"
+#include "projects/loops/trial.h"
 #include "projects/session/session.h"
 #include "projects/storage/project_file.h"
 
@@ -173,9 +174,10 @@ int answer(const Arguments& arguments, const Question& question, TuneReport& rep
     if (settings) report.now = tuning::assess(process, settings->gains, conditions);
     if (const RuleAnswer* chosen = report.answer(); chosen && report.loop)
         report.parameters = tuning::parametersOf(*report.loop->form, chosen->assessment.gains, report.cycle);
-    if (const auto path = arguments.value("--picture"))
-        if (auto written = writeText(*path, pictureOf(report, arguments.has("--dark"))); !written)
-            return wrongUse(written.error());
+    for (const auto& [option, draw] : {std::pair{"--picture", &pictureOf}, std::pair{"--bode", &bodePictureOf}})
+        if (const auto path = arguments.value(option))
+            if (auto written = writeText(*path, draw(report, arguments.has("--dark"))); !written)
+                return wrongUse(written.error());
     if (page) {
         report.health = tuning::healthOf(report.series, limitsOf(report, settings));
         if (auto written = writeReport(report, *page); !written) return wrongUse(written.error());
@@ -196,6 +198,8 @@ int tuneTable(const Arguments& arguments, const Question& question, const std::s
     TuneReport report;
     report.name = std::filesystem::path(path).filename().string();
     report.channels = question.channels;
+    report.measuredName = question.channels.output;
+    report.inputName = question.channels.input;
     report.series = std::move(*series);
     return answer(arguments, question, report, std::nullopt);
 }
@@ -224,6 +228,12 @@ int tuneHistory(const Arguments& arguments, const Question& question, const hist
     report.loop = *loop;
     report.name = report.loop ? report.loop->name : arguments.paths()[0];
     report.channels = report.loop ? loops::signalsOf(*report.loop) : question.channels;
+    report.measuredName = report.channels.output;
+    report.inputName = report.channels.input;
+    if (report.loop)
+        if (std::string source = loops::sourceOf(*report.loop, programs.back(), report.loop->form->output);
+            !source.empty())
+            report.measuredName = std::move(source);
     auto series = loops::seriesOf(history, report.channels);
     if (!series) return wrongUse(series.error());
     report.series = std::move(*series);
@@ -232,6 +242,7 @@ int tuneHistory(const Arguments& arguments, const Question& question, const hist
         const history::Statistics all = history.statistics();
         settings = loops::settingsOf(*report.loop, *programs.back(), history.seek(all.end - 1));
         report.targets = loops::targetsOf(*report.loop, programs.back());
+        report.constants = loops::callConstants(*report.loop, programs.back());
     }
     return answer(arguments, question, report, settings);
 }
@@ -278,6 +289,7 @@ Command tuneCommand() {
           {"--cycle", "100ms", "interval of the calls (default: as the program says, or that of the samples)"},
           {"--step", "3", "use this step for the model (repeatable; default: the clearest ones)"},
           {"--picture", "out.svg", "draw data and model, the responses and the Bode plot"},
+          {"--bode", "out.svg", "draw the Bode plot of process and loop, crossover and margins marked"},
           {"--report", "out.html",
            "write a page on how the loop is doing, with charts, model and settings (.html or .pdf)"},
           {"--dark", "", "draw on a dark ground"},

@@ -1,5 +1,6 @@
 #include "app/cli/tune_output.h"
 
+#include "projects/tuning/bode_plot.h"
 #include "projects/waveform/chart.h"
 #include "runtime/base/xml_text.h"
 
@@ -31,7 +32,17 @@ const char* word(tuning::ControllerKind kind) {
     return "";
 }
 
-const char* word(tuning::Moved moved) { return moved == tuning::Moved::Input ? "input" : "set point"; }
+const char* word(tuning::Moved moved) {
+    switch (moved) {
+    case tuning::Moved::Input:
+        return "input";
+    case tuning::Moved::SetPoint:
+        return "set point";
+    case tuning::Moved::Load:
+        return "load";
+    }
+    return "";
+}
 
 bool isUsed(const TuneReport& report, size_t index) {
     return std::find(report.study.used.begin(), report.study.used.end(), index) != report.study.used.end();
@@ -114,6 +125,13 @@ std::string settingsText(const TuneReport& report) {
     return out;
 }
 
+std::vector<const loops::CallConstant*> constantsOf(const TuneReport& report, const std::string& member) {
+    std::vector<const loops::CallConstant*> out;
+    for (const loops::CallConstant& constant : report.constants)
+        if (constant.member == member) out.push_back(&constant);
+    return out;
+}
+
 std::string chosenText(const TuneReport& report) {
     const RuleAnswer* answer = report.answer();
     if (!answer) return "\nThe rule " + std::string(title(report.rule)) + " has no answer for this process.\n";
@@ -126,8 +144,13 @@ std::string chosenText(const TuneReport& report) {
     for (size_t i = 0; i < report.parameters.size(); ++i) {
         const tuning::ParameterValue& value = report.parameters[i];
         const std::string& path = report.targets[i].path;
-        out += path.empty() ? "  // " + value.member + " is written in the call: " + value.text + "\n"
-                            : "  " + path + " := " + value.text + ";\n";
+        if (!path.empty()) out += "  " + path + " := " + value.text + ";\n";
+        const auto constants = constantsOf(report, value.member);
+        for (const loops::CallConstant* constant : constants)
+            out += "  // " + constant->file + ":" + std::to_string(constant->line) + ": " + value.member +
+                   " := " + value.text + " in the place of " + constant->text + "\n";
+        if (path.empty() && constants.empty())
+            out += "  // " + value.member + " is computed in the call: should be " + value.text + "\n";
         if (value.isLimited) out += "  // limited to what the block takes\n";
     }
     return out;
@@ -180,6 +203,8 @@ Json assessmentJson(const tuning::Assessment& one) {
             {"filter_time", one.gains.filterTime},
             {"stable", one.figures.isStable},
             {"ms", one.figures.sensitivity},
+            {"crossover", one.figures.phaseMarginAt},
+            {"phase_crossover", one.figures.gainMarginAt},
             {"gain_margin", finite(one.figures.gainMargin)},
             {"phase_margin", finite(one.figures.phaseMargin)},
             {"overshoot", one.setPoint.overshoot},
@@ -222,11 +247,15 @@ std::string jsonOf(const TuneReport& report) {
     json["settings"] = std::move(answers);
     if (report.loop) {
         Json writes = Json::array();
-        for (size_t i = 0; i < report.parameters.size(); ++i)
+        for (size_t i = 0; i < report.parameters.size(); ++i) {
             writes.push_back({{"pin", report.parameters[i].member},
                               {"path", report.targets[i].path},
                               {"value", report.parameters[i].text},
                               {"limited", report.parameters[i].isLimited}});
+            for (const loops::CallConstant* constant : constantsOf(report, report.parameters[i].member))
+                writes.back()["constants"].push_back(
+                    {{"file", constant->file}, {"line", constant->line}, {"text", constant->text}});
+        }
         json["block"] = std::string(report.loop->form->type);
         json["writes"] = std::move(writes);
     }
@@ -247,7 +276,7 @@ void thin(waveform::Curve& curve) {
 }
 
 waveform::Chart dataChart(const TuneReport& report) {
-    waveform::Chart chart{"Recorded and modelled", "time [s]", report.channels.output, {}, false};
+    waveform::Chart chart{"Recorded and modelled", "time [s]", report.measuredName, {}, false};
     for (size_t i = 0; i < report.study.used.size(); ++i) {
         const tuning::Excerpt& excerpt = report.study.excerpts[i];
         const auto times = timesOf(report.series, report.study.steps[report.study.used[i]], excerpt);
@@ -276,43 +305,63 @@ void addCurves(const TuneReport& report, waveform::Chart& chart, tuning::Traject
     }
 }
 
-waveform::Chart bodeChart(const TuneReport& report) {
-    waveform::Chart chart{"Bode plot", "frequency [rad/s]", "magnitude [dB]", {}, true};
-    const tuning::ProcessModel& process = report.best().model;
-    auto [low, high] = frequencyRange(process);
-    const auto add = [&](const char* name, int colour, const tuning::Response& response) {
-        waveform::Curve curve{name, {}, {}, colour, waveform::CurveStyle::Line};
-        for (const tuning::BodePoint& point : tuning::bode(response, low * 10, high / 10, 300)) {
-            curve.x.push_back(point.omega);
-            curve.y.push_back(std::max(point.decibels, -80.0));
-        }
-        chart.curves.push_back(std::move(curve));
-    };
-    add("process", 5, [&](double w) { return process.at(w); });
-    if (const RuleAnswer* answer = report.answer()) {
-        const tuning::ControllerGains gains = answer->assessment.gains;
-        add("loop", 0, [&process, gains](double w) { return process.at(w) * gains.at(w); });
-        add("sensitivity", 1, [&process, gains](double w) { return 1.0 / (1.0 + process.at(w) * gains.at(w)); });
+std::array<waveform::Chart, 2> bodeOf(const TuneReport& report) {
+    std::vector<tuning::PlottedLoop> loops;
+    if (report.now && report.now->figures.isStable)
+        loops.push_back({"loop now", report.now->gains, report.now->figures, 1, false});
+    if (const RuleAnswer* answer = report.answer())
+        loops.push_back({"loop, " + std::string(title(answer->rule)), answer->assessment.gains,
+                         answer->assessment.figures, 0, true});
+    return tuning::bodeCharts(report.best().model, loops, tuning::samplingDelay(report.cycle));
+}
+
+waveform::Chart residualChart(const TuneReport& report) {
+    waveform::Chart chart{"What the model leaves", "time [s]", report.measuredName, {}, false};
+    for (size_t i = 0; i < report.study.used.size(); ++i) {
+        const tuning::Excerpt& excerpt = report.study.excerpts[i];
+        const std::vector<double>& model = report.best().simulated[i];
+        waveform::Curve left{"",
+                             timesOf(report.series, report.study.steps[report.study.used[i]], excerpt),
+                             {},
+                             1,
+                             waveform::CurveStyle::Line};
+        for (size_t s = 0; s < std::min(excerpt.output.size(), model.size()); ++s)
+            left.y.push_back(excerpt.output[s] - model[s]);
+        chart.curves.push_back(std::move(left));
     }
     return chart;
+}
+
+waveform::ChartPage pageFor(const TuneReport& report, bool isDark) {
+    waveform::ChartPage page;
+    page.isDark = isDark;
+    page.title = report.name;
+    page.lines.push_back(formula(report.best().model) + ", explains " + numberText(report.best().fit, 4) + " %");
+    if (const RuleAnswer* answer = report.answer())
+        page.lines.push_back(std::string(title(answer->rule)) + ": " + gainsText(answer->assessment.gains) + ", Ms " +
+                             numberText(answer->assessment.figures.sensitivity, 3));
+    return page;
 }
 
 } // namespace
 
 std::string pictureOf(const TuneReport& report, bool isDark) {
-    waveform::ChartPage page;
-    page.isDark = isDark;
-    page.title = report.name;
-    page.lines.push_back(formula(report.best().model) + "   explains " + numberText(report.best().fit, 4) + " %");
-    if (const RuleAnswer* answer = report.answer())
-        page.lines.push_back(std::string(title(answer->rule)) + ": " + gainsText(answer->assessment.gains) + ", Ms " +
-                             numberText(answer->assessment.figures.sensitivity, 3));
+    waveform::ChartPage page = pageFor(report, isDark);
     page.charts.push_back(dataChart(report));
-    page.charts.push_back(bodeChart(report));
-    page.charts.push_back({"Step of the set point", "time [s]", report.channels.output, {}, false});
+    page.charts.push_back(residualChart(report));
+    const std::string measured = report.measuredName;
+    page.charts.push_back({"Step of the set point by 1", "time [s]", measured, {}, false});
     addCurves(report, page.charts.back(), &tuning::Assessment::setPointTrajectory);
-    page.charts.push_back({"Step of the load", "time [s]", report.channels.output, {}, false});
+    page.charts.push_back({"Step of the load by 1", "time [s]", measured, {}, false});
     addCurves(report, page.charts.back(), &tuning::Assessment::loadTrajectory);
+    for (waveform::Chart& chart : bodeOf(report)) page.charts.push_back(std::move(chart));
+    return svgOf(page);
+}
+
+std::string bodePictureOf(const TuneReport& report, bool isDark) {
+    waveform::ChartPage page = pageFor(report, isDark);
+    page.columns = 1;
+    for (waveform::Chart& chart : bodeOf(report)) page.charts.push_back(std::move(chart));
     return svgOf(page);
 }
 
@@ -335,10 +384,10 @@ std::string recordedChart(const TuneReport& report) {
         thin(chart.curves.back());
     };
     page.title = "Recorded";
-    page.charts.push_back({"Set point and measured value", "time [s]", "", {}, false});
+    page.charts.push_back({"Set point and measured value", "time [s]", report.measuredName, {}, false});
     add(page.charts.back(), "set point", 0, report.series.setPoint);
     add(page.charts.back(), "measured", 2, report.series.output);
-    page.charts.push_back({"Output", "time [s]", "", {}, false});
+    page.charts.push_back({"Output", "time [s]", report.inputName, {}, false});
     add(page.charts.back(), "output", 3, report.series.input);
     return svgOf(page);
 }
@@ -353,21 +402,21 @@ std::string healthText(const TuneReport& report) {
 }
 
 std::string pageOf(const TuneReport& report) {
-    std::string out = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" +
-                      xmlText(report.name) +
-                      "</title>\n<style>body{font-family:\"Noto Sans\",sans-serif;margin:24px;max-width:1160px}"
-                      "td{padding:2px 18px 2px 0}pre{background:#f5f6f7;padding:12px;overflow:auto}svg{max-width:100%;"
-                      "height:auto}</style></head><body>\n<h1>" +
-                      xmlText(report.name) + "</h1>\n<p>" + xmlText(report.channels.output) + " by " +
-                      xmlText(report.channels.input) + "</p>\n<h2>How it is doing</h2>\n";
+    std::string out =
+        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + xmlText(report.name) +
+        "</title>\n<style>body{font-family:\"Noto Sans\",sans-serif;margin:0;padding:24px;max-width:1160px}"
+        "td{padding:2px 18px 2px 0}pre{background:#f5f6f7;padding:12px;overflow:auto}svg{max-width:100%;"
+        "height:auto}</style></head><body>\n<h1>" +
+        xmlText(report.name) + "</h1>\n<p>" + xmlText(report.channels.output) + " by " +
+        xmlText(report.channels.input) + "</p>\n<h2>How it is doing</h2>\n";
     for (const Message& sentence : wordsOf(report.health)) out += "<p>" + xmlText(sentence.english()) + "</p>\n";
     out += "<table>\n";
     for (const auto& [what, value] : healthRows(report.health))
         out += "<tr><td>" + xmlText(what) + "</td><td>" + xmlText(value) + "</td></tr>\n";
     out += "</table>\n" + recordedChart(report);
     if (!report.study.models.empty())
-        out +=
-            "<h2>Model and settings</h2>\n" + pictureOf(report, false) + "<pre>" + xmlText(textOf(report)) + "</pre>\n";
+        out += "<h2 style=\"page-break-before:always\">Model and settings</h2>\n" + pictureOf(report, false) +
+               "<h2 style=\"page-break-before:always\">In figures</h2>\n<pre>" + xmlText(textOf(report)) + "</pre>\n";
     return out + "</body></html>\n";
 }
 

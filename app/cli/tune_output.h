@@ -1,6 +1,6 @@
 // What `stepwise tune` prints and draws: steps, models, settings. Values and functions, one thread.
 #pragma once
-#include "projects/loops/loops.h"
+#include "projects/loops/call_constants.h"
 #include "projects/tuning/health.h"
 #include "projects/tuning/proposal.h"
 
@@ -24,6 +24,8 @@ struct TuneReport {
     std::optional<tuning::Assessment> now; // with the block's present parameters
     std::vector<tuning::ParameterValue> parameters;
     std::vector<loops::Target> targets;
+    std::vector<loops::CallConstant> constants; // parameters that the call has as numbers
+    std::string measuredName, inputName;        // for axes: the variables behind the pins
 
     tuning::Health health;
 
@@ -35,6 +37,9 @@ struct TuneReport {
 [[nodiscard]] std::string jsonOf(const TuneReport& report);
 /// Data and model, both responses, the Bode plot of the loop.
 [[nodiscard]] std::string pictureOf(const TuneReport& report, bool isDark);
+
+/// Gain and phase of the process and of the loop, now and with the answer, crossover and margins marked.
+[[nodiscard]] std::string bodePictureOf(const TuneReport& report, bool isDark);
 
 /// How the loop is doing, as sentences and figures.
 [[nodiscard]] std::string healthText(const TuneReport& report);

@@ -23,9 +23,9 @@ hmi::LogIn::Answer answerOf(const Gate::Outcome& outcome) {
 } // namespace
 
 PanelLink::PanelLink(QWebSocket* socket, const hmi::PanelProject& project, session::Run& run,
-                     hmi::web::PaintStore& store, hmi::PanelPlayer& station, Gate& gate, LinkLimits limits,
+                     hmi::web::PaintStore& store, hmi::OperatorStation& keeper, Gate& gate, LinkLimits limits,
                      QObject* parent)
-    : QObject(parent), m_socket(socket), m_panel(project, run, store, station), m_gate(gate), m_limits(limits),
+    : QObject(parent), m_socket(socket), m_panel(project, run, store, keeper), m_gate(gate), m_limits(limits),
       m_address(socket->peerAddress().toString()), m_budget(limits.messagesPerSecond) {
     socket->setParent(this);
     m_panel.setDoor([this](const QString& user, const QString& password) {

@@ -19,7 +19,7 @@ class PanelLink final : public QObject {
     Q_OBJECT
 public:
     PanelLink(QWebSocket* socket, const hmi::PanelProject& project, session::Run& run, hmi::web::PaintStore& store,
-              hmi::PanelPlayer& station, Gate& gate, LinkLimits limits, QObject* parent);
+              hmi::OperatorStation& keeper, Gate& gate, LinkLimits limits, QObject* parent);
     ~PanelLink() override;
 
     /// Sends what is new, if the browser is ready for it; time in ms of any epoch.

@@ -27,7 +27,7 @@ QByteArray escaped(const QString& text) { return text.toHtmlEscaped().toUtf8(); 
 
 Server::Server(const hmi::PanelProject& project, session::Session& session, LogIn logIn, ServerSettings settings)
     : m_project(project), m_session(session), m_settings(std::move(settings)), m_gate(std::move(logIn)),
-      m_station(project, &session), m_listener(m_settings.listener),
+      m_keeper(project, &session), m_listener(m_settings.listener),
       m_sockets(QStringLiteral("Stepwise"), QWebSocketServer::NonSecureMode),
       m_attachGate(m_settings.attach ? byAccessCode(m_settings.attach->code) : LogIn()) {
     [[maybe_unused]] static const bool registered = (registerPages(), true);
@@ -38,7 +38,7 @@ Server::Server(const hmi::PanelProject& project, session::Session& session, LogI
     m_listener.onWebSocket = [this](QTcpSocket* socket) { m_sockets.handleConnection(socket); };
     connect(&m_sockets, &QWebSocketServer::newConnection, this, &Server::accept);
     // Writes that the scan refused do not say who asked for them.
-    connect(&m_station, &hmi::PanelPlayer::writeRefused, this, [this](const QString& reason) {
+    connect(&m_keeper, &hmi::OperatorStation::writeRefused, this, [this](const QString& reason) {
         for (PanelLink* link : m_links) link->tell(reason);
         for (AttachLink* link : m_attached) link->tell(reason);
     });
@@ -158,7 +158,7 @@ void Server::accept() {
             connect(socket, &QWebSocket::disconnected, socket, &QObject::deleteLater);
             continue;
         }
-        auto* link = new PanelLink(socket, m_project, m_session, m_store, m_station, m_gate, m_settings.link, this);
+        auto* link = new PanelLink(socket, m_project, m_session, m_store, m_keeper, m_gate, m_settings.link, this);
         m_links.push_back(link);
         connect(link, &PanelLink::gone, this, [this, link](bool wasHostile) {
             m_goneBytes += link->sentBytes();
@@ -189,6 +189,7 @@ void Server::acceptStudio(QWebSocket* socket) {
 /// Many browsers, or slow pictures, get fewer frames: half of the time is left for everything else.
 void Server::frames() {
     const qint64 begin = m_clock.elapsed();
+    m_keeper.frame(std::chrono::steady_clock::now());
     for (PanelLink* link : std::vector(m_links)) link->frame(now());
     for (AttachLink* link : std::vector(m_attached)) link->frame(now());
     const qint64 took = m_clock.elapsed() - begin;

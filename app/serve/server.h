@@ -53,7 +53,7 @@ private:
     ServerSettings m_settings;
     Gate m_gate;
     hmi::web::PaintStore m_store;
-    hmi::PanelPlayer m_station; // keeps the alarms, is never seen
+    hmi::OperatorStation m_keeper; // of the alarms; nobody looks at it
     Listener m_listener;
     QWebSocketServer m_sockets;
     std::vector<PanelLink*> m_links;

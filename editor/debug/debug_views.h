@@ -7,6 +7,7 @@
 #include <QWidget>
 
 class QAction;
+class QLabel;
 class QLineEdit;
 
 namespace plc::editor {
@@ -34,11 +35,14 @@ signals:
 
 private:
     void showValues();
+    /// The scan that is looked at ended in the fault whose call stack is at hand, or nothing but now is looked at.
+    [[nodiscard]] bool showsItsMoment() const;
     [[nodiscard]] int frameOf(QTreeWidgetItem* item) const;
 
     RunControl& m_control;
     QTreeWidget* m_frames;
     QTreeWidget* m_values;
+    QLabel* m_none;                    // why there is no call stack
     std::vector<SourceRange> m_ranges; // of the frames, in the program
     controller::State m_shownState = controller::State::Stopped;
 };

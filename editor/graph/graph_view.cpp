@@ -2,6 +2,7 @@
 
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
+#include "editor/kit/paper.h"
 #include "editor/kit/post.h"
 #include "editor/kit/texts.h"
 #include "editor/kit/theme.h"
@@ -10,7 +11,7 @@
 #include <QGraphicsScene>
 #include <QKeyEvent>
 #include <QLabel>
-#include <QPrintDialog>
+#include <QPrintPreviewDialog>
 #include <QPrinter>
 #include <QScrollBar>
 #include <QToolBar>
@@ -55,18 +56,35 @@ void GraphView::addSheetCommands() {
             QFileDialog::getSaveFileName(this, tr("Export the Drawing"), QString(m_unit).replace('.', '_') + ".svg",
                                          tr("SVG (*.svg);;PNG (*.png);;PDF (*.pdf)"));
         if (path.isEmpty()) return;
-        const bool good = path.endsWith(".png")   ? m_canvas->exportPng(path)
-                          : path.endsWith(".pdf") ? m_canvas->exportPdf(path)
-                                                  : m_canvas->exportSvg(path);
+        bool good = false;
+        if (path.endsWith(".pdf"))
+            onPaper([&] { good = m_canvas->exportPdf(path); });
+        else
+            good = path.endsWith(".png") ? m_canvas->exportPng(path) : m_canvas->exportSvg(path);
         if (!good) emit failed(tr("%1 cannot be written").arg(path));
     });
     addCommand(kit::Icon::Print, tr("Print…"), this, [this] {
         QPrinter printer;
-        if (QPrintDialog(&printer, this).exec() == QDialog::Accepted) m_canvas->print(printer);
+        QPrintPreviewDialog preview(&printer, this);
+        connect(&preview, &QPrintPreviewDialog::paintRequested, this, [this](QPrinter* paper) { print(*paper); });
+        preview.exec();
     });
     m_state = new QLabel(this);
     m_state->setContentsMargins(8, 0, 8, 0);
     m_bar->addWidget(m_state);
+}
+
+void GraphView::onPaper(const std::function<void()>& draw) {
+    {
+        const kit::PaperColors paper;
+        themeChanged();
+        draw();
+    }
+    themeChanged();
+}
+
+void GraphView::print(QPrinter& printer) {
+    onPaper([&] { m_canvas->print(printer, m_unit + "  " + m_file); });
 }
 
 void GraphView::setBreakpoints(const std::set<int>& lines, const std::set<int>& disabled) {

@@ -17,6 +17,7 @@
 #include <set>
 
 class QLabel;
+class QPrinter;
 class QToolBar;
 
 namespace plc::editor {
@@ -71,6 +72,8 @@ public:
     /// Selects what stands at the text's cursor.
     virtual void showCursor(uint32_t offset) = 0;
     [[nodiscard]] bool isReadOnly() const { return m_isStale; }
+    /// In the colours of paper, in whatever theme the studio is.
+    void print(QPrinter& printer);
     [[nodiscard]] kit::Canvas& canvas() { return *m_canvas; }
     [[nodiscard]] kit::ExpressionEdit& field() { return *m_field; }
 
@@ -104,6 +107,7 @@ protected:
     [[nodiscard]] QAction* makeCommand(kit::Icon icon, const QString& text);
     virtual void showStale(const QString& reason);
     void showFresh();
+    void onPaper(const std::function<void()>& draw);
     void request(const Result<Edits>& edits, const QString& selectAfter = {});
     void updateMap();
     /// Where a new drawing is looked at first.

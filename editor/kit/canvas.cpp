@@ -1,5 +1,6 @@
 #include "editor/kit/canvas.h"
 
+#include "editor/kit/paper.h"
 #include "editor/kit/theme.h"
 
 #include <QApplication>
@@ -214,12 +215,8 @@ bool Canvas::exportPdf(const QString& path) const {
 
 void Canvas::copyPicture() const { QApplication::clipboard()->setImage(picture(2)); }
 
-void Canvas::print(QPrinter& printer) const {
-    QPainter painter(&printer);
-    const QRectF page(QPointF(), printer.pageLayout().paintRectPixels(printer.resolution()).size());
-    QSizeF size = exportRect().size();
-    size.scale(page.size(), Qt::KeepAspectRatio);
-    renderScene(painter, QRectF(QPointF(), size));
+void Canvas::print(QPrinter& printer, const QString& title) const {
+    if (scene()) printScene(printer, *scene(), exportRect(), title);
 }
 
 void Canvas::wheelEvent(QWheelEvent* event) {

@@ -36,7 +36,8 @@ public:
     bool exportPdf(const QString& path) const;
     QImage picture(double scale = 1) const;
     void copyPicture() const;
-    void print(QPrinter& printer) const;
+    /// Ink on white, over as many pages as it takes.
+    void print(QPrinter& printer, const QString& title) const;
 
 signals:
     void zoomChanged(double factor);

@@ -1,5 +1,7 @@
 #include "editor/kit/theme.h"
 
+#include "editor/kit/paper.h"
+
 #include "editor/kit/studio_style.h"
 
 #include <QAbstractItemModel>
@@ -261,6 +263,9 @@ void Theme::apply() {
     for (QWidget* widget : qApp->allWidgets()) widget->update();
 }
 
-const ThemeColors& colors() { return Theme::current().colors(); }
+const ThemeColors& colors() {
+    const ThemeColors* paper = PaperColors::current();
+    return paper ? *paper : Theme::current().colors();
+}
 
 } // namespace plc::kit

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace plc::plot {
 
@@ -25,7 +26,8 @@ QString text(const std::string& s) { return QString::fromStdString(s); }
 
 QColor colourOf(const Curve& curve) {
     const QColor own(text(curve.ownColour));
-    return own.isValid() ? own : kit::colors().curve(curve.colour);
+    if (own.isValid()) return own;
+    return curve.colour < 0 ? kit::colors().muted : kit::colors().curve(curve.colour);
 }
 
 double shareOf(double value, const PlotRange& range, bool isLogarithmic) {
@@ -64,18 +66,20 @@ PlotRange withMargin(PlotRange range, bool isLogarithmic, double share) {
 PlotRange valuesOf(const Chart& chart) {
     PlotRange range = rangeOf(chart, &Curve::y, chart.isLogarithmicY);
     constexpr double kMostDecades = 1e6;
-    if (chart.isLogarithmicY) range.low = std::max(range.low, range.high / kMostDecades);
+    if (chart.isLogarithmicY)
+        range.low = std::max(range.low, range.high / kMostDecades);
+    else
+        std::tie(range.low, range.high) = waveform::spanOf(range.low, range.high, chart.leastSpan);
     return withMargin(range, chart.isLogarithmicY, 0.06);
 }
 
 std::vector<PlotTick> ticksOf(const PlotRange& range, bool isLogarithmic, int most) {
-    if (!isLogarithmic || range.high / range.low < 10) return numberTicks(range.low, range.high, most);
+    if (!isLogarithmic || range.high / range.low < 4) return numberTicks(range.low, range.high, most);
     std::vector<PlotTick> out;
-    const int first = static_cast<int>(std::ceil(std::log10(range.low) - 1e-9));
-    const int last = static_cast<int>(std::floor(std::log10(range.high) + 1e-9));
-    const int step = std::max(1, (last - first + most) / std::max(most, 1));
-    for (int decade = first; decade <= last; decade += step)
-        out.push_back({std::pow(10.0, decade), valueText(std::pow(10.0, decade), 3)});
+    const std::vector<double> all = waveform::logarithmicTicks(range.low, range.high);
+    const size_t step =
+        (all.size() + static_cast<size_t>(std::max(most, 1)) - 1) / static_cast<size_t>(std::max(most, 1));
+    for (size_t i = 0; i < all.size(); i += std::max<size_t>(step, 1)) out.push_back({all[i], valueText(all[i], 3)});
     return out;
 }
 
@@ -111,6 +115,7 @@ void paintAxes(QPainter& painter, const Chart& chart, const FigureFrame& frame, 
     painter.setBrush(Qt::NoBrush);
     painter.setPen(colors.border);
     painter.drawRect(frame.area);
+    if (!frame.hasTitleX) return;
     painter.setPen(colors.muted);
     drawText(painter, {frame.area.center().x(), frame.area.bottom() + metrics.height() + 3},
              Qt::AlignHCenter | Qt::AlignTop, text(chart.xTitle));
@@ -184,7 +189,8 @@ void paintNotes(QPainter& painter, const Chart& chart, const FigureFrame& frame,
     }
 }
 
-void paintHead(QPainter& painter, const Chart& chart, const FigureFrame& frame, const QRectF& rect, const QFont& font) {
+void paintHead(QPainter& painter, const Chart& chart, const FigureFrame& frame, const QFont& font) {
+    const QRectF& rect = frame.place;
     const kit::ThemeColors& colors = kit::colors();
     const QFontMetricsF metrics(font);
     const double base = frame.area.top() - 5 - metrics.descent();
@@ -244,8 +250,20 @@ double FigureFrame::yAt(double pixel) const {
 std::vector<FigureFrame> framesOf(const Figure& figure, const QRectF& rect, const QFont& font, const FigureZoom& zoom) {
     std::vector<FigureFrame> out;
     const QFontMetricsF metrics(font);
-    const double head = metrics.height() + 10, foot = 2 * metrics.height() + 8;
-    const double each = rect.height() / static_cast<double>(std::max<size_t>(figure.charts.size(), 1));
+    const size_t count = std::max<size_t>(figure.charts.size(), 1);
+    const double head = metrics.height() + 10, ticks = metrics.height() + 6, title = metrics.height() + 2;
+    // charts one above the other share the title of their axis
+    const auto hasTitle = [&](size_t i) {
+        return i + 1 == figure.charts.size() || figure.charts[i].xTitle != figure.charts[i + 1].xTitle;
+    };
+    double titles = 0, top = rect.top();
+    for (size_t i = 0; i < figure.charts.size(); ++i) titles += hasTitle(i) ? title : 0;
+    double each = (rect.height() - titles) / static_cast<double>(count) - head - ticks;
+    // a low and wide place has room for them side by side
+    constexpr double kLeastHeight = 36, kLeastWidth = 140;
+    const bool isBeside = count > 1 && each < kLeastHeight && rect.width() / static_cast<double>(count) >= kLeastWidth;
+    if (isBeside) each = rect.height() - head - ticks - title;
+    const double wide = isBeside ? rect.width() / static_cast<double>(count) : rect.width();
     double widest = 0;
     for (size_t i = 0; i < figure.charts.size(); ++i) {
         const Chart& chart = figure.charts[i];
@@ -256,15 +274,17 @@ std::vector<FigureFrame> framesOf(const Figure& figure, const QRectF& rect, cons
         frame.isLogarithmicY = chart.isLogarithmicY && frame.y.low > 0;
         if (zoom.x) frame.x = *zoom.x;
         if (i < zoom.y.size() && zoom.y[i]) frame.y = *zoom.y[i];
-        frame.area = QRectF(rect.left(), rect.top() + each * static_cast<double>(i) + head, rect.width(),
-                            std::max(each - head - foot, 1.0));
+        frame.hasTitleX = isBeside || hasTitle(i);
+        frame.place = QRectF(rect.left() + (isBeside ? wide * static_cast<double>(i) : 0), top, wide, 0);
+        frame.area = QRectF(frame.place.left(), top + head, wide, std::max(each, 1.0));
+        if (!isBeside) top += head + each + ticks + (frame.hasTitleX ? title : 0);
         for (const PlotTick& tick : ticksOf(frame.y, frame.isLogarithmicY, std::max(int(frame.area.height()) / 32, 2)))
             widest = std::max(widest, metrics.horizontalAdvance(tick.label));
         out.push_back(frame);
     }
     for (FigureFrame& frame : out) { // their left edges in line
-        frame.area.setLeft(std::round(rect.left() + widest + 2 * kPad));
-        frame.area.setRight(std::max(rect.right() - 2 * kPad, frame.area.left() + 1));
+        frame.area.setLeft(std::round(frame.place.left() + widest + 2 * kPad));
+        frame.area.setRight(std::max(frame.place.right() - 2 * kPad, frame.area.left() + 1));
     }
     return out;
 }
@@ -284,7 +304,7 @@ void paintFigure(QPainter& painter, const Figure& figure, const QRectF& rect, co
             if (!figure.charts[i].curves.empty()) paintAxes(painter, figure.charts[i], frames[i], font);
             paintCurves(painter, figure.charts[i], frames[i]);
             paintNotes(painter, figure.charts[i], frames[i], font);
-            paintHead(painter, figure.charts[i], frames[i], rect, font);
+            paintHead(painter, figure.charts[i], frames[i], font);
         }
         if (ruler) paintRuler(painter, *ruler, frames, font);
     }

@@ -30,8 +30,10 @@ struct FigureZoom {
 /// Where the values of one chart are on the paper.
 struct FigureFrame {
     QRectF area;
+    QRectF place; // with title and axes; its height does not count
     PlotRange x, y;
     bool isLogarithmicX = false, isLogarithmicY = false;
+    bool hasTitleX = true;
     [[nodiscard]] double xOf(double value) const;
     [[nodiscard]] double yOf(double value) const;
     [[nodiscard]] double xAt(double pixel) const;

@@ -2,6 +2,7 @@
 
 #include "editor/kit/pen_order.h"
 #include "editor/kit/theme.h"
+#include "editor/plot/plot_line.h"
 #include "editor/plot/plot_raster.h"
 #include "editor/plot/plot_scale.h"
 #include "editor/plot/plot_text.h"
@@ -294,6 +295,16 @@ void drawCurve(QPainter& painter, const CurveShape& shape, const PlotCurve& curv
         fillColumns(*pixels.image, pixels.area, spans, width, color);
         return;
     }
+    drawLine(painter, shape, curve, mapping, color);
+    if (!shape.isExact) return;
+    painter.save();
+    painter.setClipRect(mapping.area, Qt::IntersectClip);
+    drawDots(painter, shape, curve, mapping, color);
+    painter.restore();
+}
+
+void drawLine(QPainter& painter, const CurveShape& shape, const PlotCurve& curve, const PlotMapping& mapping,
+              const QColor& color) {
     std::vector<QPolygonF> lines;
     if (shape.isExact)
         LineMaker(shape, curve, mapping).run([&](const QPolygonF& line) { lines.push_back(line); });
@@ -312,7 +323,6 @@ void drawCurve(QPainter& painter, const CurveShape& shape, const PlotCurve& curv
         else
             painter.drawPolyline(clipped(line, mapping.area));
     }
-    if (shape.isExact) drawDots(painter, shape, curve, mapping, color);
     painter.restore();
 }
 

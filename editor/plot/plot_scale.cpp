@@ -1,5 +1,7 @@
 #include "editor/plot/plot_scale.h"
 
+#include <QLocale>
+
 #include <algorithm>
 #include <cmath>
 
@@ -16,6 +18,9 @@ int decimalsOf(double step) {
 
 /// Division that rounds down.
 int64_t floorDiv(int64_t a, int64_t b) { return a / b - (a % b != 0 && (a < 0) != (b < 0)); }
+
+/// With the decimal sign of the studio's language; everything here is for reading, ST and CSV are written elsewhere.
+QString localized(QString text) { return text.replace(QLatin1Char('.'), QLocale().decimalPoint()); }
 
 QString trimmedZeros(QString text) {
     if (!text.contains(QLatin1Char('.')) || text.contains(QLatin1Char('e'))) return text;
@@ -82,11 +87,11 @@ TimeStyle styleFor(int64_t furthest, int64_t step) {
 QString timeLabel(int64_t time, const TimeStyle& style) {
     switch (style.form) {
     case TimeStyle::Form::Unit:
-        return fixedText(time, style.unit, style.decimals);
+        return localized(fixedText(time, style.unit, style.decimals));
     case TimeStyle::Form::MinuteSecond:
-        return clockText(time, false, style.decimals);
+        return localized(clockText(time, false, style.decimals));
     case TimeStyle::Form::HourMinuteSecond:
-        return clockText(time, true, style.decimals);
+        return localized(clockText(time, true, style.decimals));
     case TimeStyle::Form::DayHour:
         return QStringLiteral("%1 d %2:%3")
             .arg(floorDiv(time, Day))
@@ -132,7 +137,7 @@ std::vector<PlotTick> numberTicks(double low, double high, int most) {
         QString label =
             scientific && value != 0 ? QString::number(value, 'g', digits) : QString::number(value, 'f', decimals);
         if (label.startsWith(QLatin1Char('-'))) label.replace(0, 1, QStringLiteral("−"));
-        ticks.push_back({value, label});
+        ticks.push_back({value, localized(label)});
         if (ticks.size() > 200) break;
     }
     return ticks;
@@ -189,7 +194,7 @@ QString valueText(double value, int digits) {
     }
     if (text == QLatin1String("-0")) text = QStringLiteral("0");
     if (text.startsWith(QLatin1Char('-'))) text.replace(0, 1, QStringLiteral("−"));
-    return text;
+    return localized(text);
 }
 
 QString durationText(int64_t time) {
@@ -212,8 +217,8 @@ QString durationText(int64_t time) {
 }
 
 QString momentText(int64_t time) {
-    if (std::abs(time) < 10 * Minute) return trimmedZeros(fixedText(time, Second, 9)) + QStringLiteral(" s");
-    return trimmedZeros(clockText(time, std::abs(time) >= Hour, 9));
+    if (std::abs(time) < 10 * Minute) return localized(trimmedZeros(fixedText(time, Second, 9))) + QStringLiteral(" s");
+    return localized(trimmedZeros(clockText(time, std::abs(time) >= Hour, 9)));
 }
 
 QString frequencyText(int64_t period) {

@@ -170,7 +170,7 @@ void AttachedRun::built(std::shared_ptr<driver::Built> made, There there) {
         m_mirror->programChanged(std::move(*made));
     }
     m_version = m_present = there.version;
-    m_reader = remote::ScanReader(m_session->program()->layout.dataEnd);
+    m_reader = remote::ScanReader(m_session->program());
     m_controller.ask({{"do", "follow"}});
     if (isFirst) emit sessionReady();
 }
@@ -196,8 +196,9 @@ void AttachedRun::takeBytes(const QByteArray& packed) {
         if (!remote::takeNumber(bytes, isHalted)) return;
         return m_mirror->stands(std::as_bytes(std::span(bytes)), isHalted != 0);
     }
-    const bool isGood = m_reader.read(
-        bytes, [this](const remote::StreamedScan& scan) { m_mirror->scanned(scan.image, scan.scan, scan.time); });
+    const bool isGood = m_reader.read(bytes, [this](const remote::StreamedScan& scan) {
+        m_mirror->scanned(scan.image, scan.scan, scan.time, scan.outside);
+    });
     if (isGood) return;
     m_controller.detach();
     emit failed(errors::ProgramDiffers());

@@ -127,7 +127,12 @@ void StEditor::findShownValues() {
             }
             std::vector<OnlineValue> values;
             if (!wanted.empty()) values = m_onlineValues(wanted);
+            auto result =
+                std::lower_bound(m_accumulators.begin(), m_accumulators.end(), begin,
+                                 [](const analysis::AccumulatorPlace& place, uint32_t at) { return place.at < at; });
+            const bool isInstruction = result != m_accumulators.end() && result->at <= end;
             for (OnlineValue& exact : exactValues(begin, end)) {
+                if (isInstruction && exact.name.contains(u' ')) continue; // "LD  Start": shown as the result
                 if (!exact.loop) {
                     const auto now =
                         m_onlineValues({{exact.name, QString::fromStdString(m_model->pouAt(*file, begin))}});
@@ -135,9 +140,6 @@ void StEditor::findShownValues() {
                 }
                 values.push_back(std::move(exact));
             }
-            auto result =
-                std::lower_bound(m_accumulators.begin(), m_accumulators.end(), begin,
-                                 [](const analysis::AccumulatorPlace& place, uint32_t at) { return place.at < at; });
             for (; result != m_accumulators.end() && result->at <= end; ++result) { // the last one of the line counts
                 if (!isRun(result->at)) continue;
                 auto shown = m_onlineValues({{QString::fromStdString(result->expression),

@@ -1,5 +1,5 @@
-// The variables of a compiled program as a tree, for pickers and completion; and the unit that a declaration's comment
-// names in brackets. The program is shared and immutable; GUI thread.
+// The tree of a program's variables as pickers and completion show it; and the unit that a declaration's comment names
+// in brackets. The program is shared and immutable; GUI thread.
 #pragma once
 
 #include "editor/kit/expression_edit.h"
@@ -21,9 +21,6 @@ public:
     [[nodiscard]] QString unitOf(const QString& path) const;
 
 private:
-    std::vector<kit::VariableNode> rootNodes() const;
-    std::vector<kit::VariableNode> memberNodes(const QString& path, const image::Place& place) const;
-
     std::shared_ptr<const image::CompiledProgram> m_program;
 };
 

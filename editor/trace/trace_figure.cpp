@@ -162,6 +162,9 @@ FigureAnswer responseAnswer(const FigureJob& job) {
     gain.yTitle = FigureText::tr("gain [dB]").toStdString();
     phase.yTitle = FigureText::tr("phase [°]").toStdString();
     coherence.yTitle = FigureText::tr("coherence").toStdString();
+    gain.leastSpan = 6;
+    phase.leastSpan = 20;
+    coherence.leastSpan = 1;
     for (Chart* chart : {&gain, &phase, &coherence}) {
         chart->xTitle = FigureText::tr("Frequency [Hz]").toStdString();
         chart->isLogarithmic = true;

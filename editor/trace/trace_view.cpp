@@ -5,6 +5,7 @@
 #include "editor/kit/long_task.h"
 #include "editor/kit/message_text.h"
 #include "editor/kit/own_keys.h"
+#include "editor/kit/paper.h"
 #include "editor/kit/theme.h"
 #include "editor/plot/plot_export.h"
 #include "editor/plot/plot_table.h"
@@ -52,12 +53,15 @@ TraceView::TraceView(QWidget* parent)
     makeActions(bar);
 
     auto* right = new QSplitter(Qt::Vertical, this);
-    right->addWidget(m_plot);
-    right->addWidget(m_figure);
+    m_charts = new QSplitter(Qt::Vertical, right);
+    m_charts->addWidget(m_plot);
+    m_charts->addWidget(m_figure);
+    m_charts->setStretchFactor(0, 1);
+    m_charts->setStretchFactor(1, 1);
+    right->addWidget(m_charts);
     right->addWidget(m_table);
-    right->setStretchFactor(0, 4);
-    right->setStretchFactor(1, 4);
-    right->setStretchFactor(2, 1);
+    right->setStretchFactor(0, 8);
+    right->setStretchFactor(1, 1);
     auto* splitter = new QSplitter(Qt::Horizontal, this);
     splitter->addWidget(m_channels);
     splitter->addWidget(right);
@@ -261,13 +265,13 @@ void TraceView::makeActions(QToolBar* bar) {
                                : tr("Save as %1…").arg(QString(QLatin1String(suffix)).toUpper()),
                            this, [this, suffix] { exportTo(QLatin1String(suffix)); });
     exports->addAction(kit::icon(kit::Icon::Print), tr("Print…"), this, [this] {
-        QPrinter printer(QPrinter::HighResolution);
+        QPrinter printer;
+        printer.setResolution(96); // fonts are in points: at a finer one they would grow twice
         printer.setPageOrientation(QPageLayout::Landscape);
         QPrintDialog dialog(&printer, this);
         if (dialog.exec() != QDialog::Accepted) return;
+        const kit::PaperColors paper;
         QPainter painter(&printer);
-        const double scale = printer.resolution() / 96.0; // laid out in screen units, printed finer
-        painter.scale(scale, scale);
         plot::printPlot(m_plot->model(), painter, QRectF(QPointF(), printer.pageLayout().paintRectPixels(96).size()));
     });
     addAction(kit::makeUndoAction(m_undo, this));
@@ -314,8 +318,13 @@ void TraceView::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     const QList<int> sizes = m_sides->sizes();
     constexpr int LeastPlot = 360, LeastChannels = 120;
-    if (sizes.value(0) > 0 && sizes.value(1) < LeastPlot && sizes.value(0) > sizes.value(1) / 2)
-        m_sides->setSizes({std::max(LeastChannels, width() - LeastPlot), LeastPlot});
+    if (sizes.value(0) > 0 && sizes.value(1) < LeastPlot && sizes.value(0) > sizes.value(1) / 2) {
+        const int channels = std::min(sizes.value(0), std::max(LeastChannels, width() - LeastPlot));
+        m_sides->setSizes({channels, std::max(width() - channels, 1)});
+    }
+    // one above the other needs height, which a dock below the editor does not have
+    constexpr int LeastHeight = 480;
+    m_charts->setOrientation(height() < LeastHeight && width() > LeastHeight * 3 / 2 ? Qt::Horizontal : Qt::Vertical);
 }
 
 void TraceView::setFolder(const QString& folder) {

@@ -159,7 +159,8 @@ private:
     ProgramVariables m_variables;
     TraceSetup m_setup;
     QString m_path, m_folder;
-    QSplitter* m_sides = nullptr; // channels, plot
+    QSplitter* m_sides = nullptr;  // channels, plot
+    QSplitter* m_charts = nullptr; // plot, figure
     std::function<std::shared_ptr<void>()> m_hold;
     QUndoStack m_undo;
     TriggerMachine m_trigger;

@@ -14,6 +14,7 @@
 #include <QPushButton>
 #include <QSlider>
 #include <QSplitter>
+#include <QTabWidget>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
@@ -38,19 +39,6 @@ QTreeWidget* makeTree(const QStringList& headers, const QString& name) {
     return tree;
 }
 
-QString seconds(double value) {
-    return value > 0 ? QString("%1 s").arg(plot::valueText(value, 4)) : QStringLiteral("–");
-}
-
-waveform::Curve curveOf(const tuning::Trajectory& trajectory, const QString& name, int colour) {
-    waveform::Curve out{name.toStdString(), {}, trajectory.output, colour, waveform::CurveStyle::Line};
-    for (size_t i = 0; i < out.y.size(); ++i) out.x.push_back(static_cast<double>(i) * trajectory.cycle);
-    return out;
-}
-
-/// A trial looks at no more of the recording than this.
-constexpr uint64_t kMostTried = 20'000;
-
 } // namespace
 
 TuningView::TuningView(RunControl& control, QWidget* parent) : QWidget(parent), m_control(control) {
@@ -70,10 +58,15 @@ TuningView::TuningView(RunControl& control, QWidget* parent) : QWidget(parent), 
     connect(&control, &RunControl::sessionChanged, this, &TuningView::listLoops);
     connect(&control, &RunControl::sessionAboutToEnd, this, [this] {
         m_before.clear();
+        m_edited.reset();
         m_trialTimer.stop();
         refreshButtons();
     });
     connect(&control, &RunControl::statusChanged, this, &TuningView::refreshButtons);
+    connect(&control, &RunControl::viewedChanged, this, [this] {
+        const session::Run* run = m_control.run(); // a recording was opened or closed
+        if (m_listed != (run ? run->program() : nullptr)) listLoops();
+    });
     listLoops();
 }
 
@@ -147,6 +140,10 @@ QWidget* TuningView::makeSettings() {
     m_words = new QLabel;
     m_words->setObjectName("tuningWords");
     m_words->setWordWrap(true);
+    m_constants = new QLabel;
+    m_constants->setObjectName("tuningConstants");
+    m_constants->setWordWrap(true);
+    m_constants->hide();
     const auto ends = [](const QString& left, QSlider* middle, const QString& right) {
         auto* row = new QHBoxLayout;
         row->addWidget(new QLabel(left));
@@ -166,9 +163,13 @@ QWidget* TuningView::makeSettings() {
     grid->addLayout(ends(tr("Disturbance"), m_tracking, tr("Set point")), 5, 0, 1, 4);
     grid->addWidget(m_figures, 6, 0, 1, 4);
     grid->addWidget(m_words, 7, 0, 1, 4);
+    grid->addWidget(m_constants, 8, 0, 1, 4);
     grid->setRowStretch(0, 2);
     grid->setRowStretch(6, 3);
     connect(m_steps, &QTreeWidget::itemChanged, this, &TuningView::fitChosenSteps);
+    connect(m_steps, &QTreeWidget::currentItemChanged, this, [this] {
+        if (!m_isFilling && m_finding) m_trialTimer.start();
+    });
     for (QComboBox* box : {m_model, m_rule, m_kind})
         connect(box, &QComboBox::currentIndexChanged, this, &TuningView::propose);
     for (QSlider* each : {m_brisk, m_tracking}) connect(each, &QSlider::valueChanged, this, &TuningView::propose);
@@ -178,7 +179,7 @@ QWidget* TuningView::makeSettings() {
 QWidget* TuningView::makeCharts() {
     auto* page = new QWidget;
     auto* grid = new QGridLayout(page);
-    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setContentsMargins(0, 4, 0, 0);
     const auto figure = [](const QString& what) {
         auto* made = new plot::FigureView;
         made->setAccessibleName(what);
@@ -187,6 +188,8 @@ QWidget* TuningView::makeCharts() {
     m_data = figure(tr("Recording and model"));
     m_setPoint = figure(tr("Response to the set point"));
     m_load = figure(tr("Response to a disturbance"));
+    m_bode = figure(tr("Bode plot"));
+    m_bode->setObjectName("tuningBode");
     m_trial = figure(tr("Trial with the block itself"));
     m_data->setObjectName("tuningData");
     m_trial->setObjectName("tuningTrial");
@@ -196,7 +199,12 @@ QWidget* TuningView::makeCharts() {
     grid->addWidget(m_trial, 0, 1);
     grid->addWidget(m_setPoint, 1, 0);
     grid->addWidget(m_load, 1, 1);
-    return page;
+    auto* tabs = new QTabWidget;
+    tabs->setObjectName("tuningCharts");
+    tabs->setDocumentMode(true);
+    tabs->addTab(page, tr("Responses"));
+    tabs->addTab(m_bode, tr("Bode Plot"));
+    return tabs;
 }
 
 // ------------------------------------------------------------------ loops and steps
@@ -204,20 +212,22 @@ QWidget* TuningView::makeCharts() {
 void TuningView::listLoops() {
     const QString before = m_loop->currentText();
     m_loop->clear();
-    if (const session::Session* session = m_control.session(); session && session->program())
-        for (const loops::Loop& loop : loops::loopsOf(*session->program())) m_loop->addItem(text(loop.name));
+    const session::Run* run = m_control.run();
+    m_listed = run ? run->program() : nullptr;
+    if (m_listed)
+        for (const loops::Loop& loop : loops::loopsOf(*m_listed)) m_loop->addItem(text(loop.name));
     if (const int index = m_loop->findText(before); index >= 0) m_loop->setCurrentIndex(index);
     if (!m_isSearching)
-        m_state->setText(!m_control.session()   ? tr("Start the controller; its recording is what is looked at.")
+        m_state->setText(!run ? tr("Start the controller or open a recording; it is looked at for steps.")
                          : m_loop->count() == 0 ? tr("The program has no controller block.")
                                                 : QString());
     refreshButtons();
 }
 
 std::optional<loops::Loop> TuningView::chosenLoop() const {
-    const session::Session* session = m_control.session();
-    if (!session || !session->program() || m_loop->currentText().isEmpty()) return std::nullopt;
-    const auto found = loops::findLoop(*session->program(), m_loop->currentText().toStdString());
+    const session::Run* run = m_control.run();
+    if (!run || !run->program() || m_loop->currentText().isEmpty()) return std::nullopt;
+    const auto found = loops::findLoop(*run->program(), m_loop->currentText().toStdString());
     return found ? std::optional(*found) : std::nullopt;
 }
 
@@ -226,30 +236,35 @@ void TuningView::runAside(std::function<Result<std::shared_ptr<Finding>>()> work
     m_isSearching = true;
     m_state->setText(tr("Searching…"));
     refreshButtons();
-    m_worker = std::thread([this, work = std::move(work), hold = m_control.hold()]() mutable {
-        auto found = work();
-        hold.reset();
-        kit::post(this, [this, found = std::move(found)]() mutable {
-            m_isSearching = false;
-            if (found)
-                show(std::move(*found));
-            else
-                m_state->setText(kit::messageText(found.error()));
-            refreshButtons();
+    m_worker =
+        std::thread([this, work = std::move(work), hold = m_control.hold(), recorded = m_control.recorded()]() mutable {
+            auto found = work();
+            hold.reset();
+            recorded.reset();
+            kit::post(this, [this, found = std::move(found)]() mutable {
+                m_isSearching = false;
+                if (found)
+                    show(std::move(*found));
+                else
+                    m_state->setText(kit::messageText(found.error()));
+                refreshButtons();
+            });
         });
-    });
 }
 
 void TuningView::findSteps() {
     const auto loop = chosenLoop();
-    const session::Session* session = m_control.session();
+    const session::Run* run = m_control.run();
     if (!loop || m_isSearching) return;
-    const history::History& history = session->history();
-    runAside([loop = *loop, program = session->program(), image = session->snapshot(),
+    const history::History& history = run->history();
+    const bool isLive = m_control.session() && run == m_control.session();
+    runAside([loop = *loop, program = run->program(), image = run->snapshot(),
+              input = isLive ? m_control.session()->built().input : nullptr,
               &history]() -> Result<std::shared_ptr<Finding>> {
         auto finding = std::make_shared<Finding>();
         finding->loop = loop;
         finding->program = program;
+        finding->input = input;
         auto series = loops::seriesOf(history, loops::signalsOf(loop));
         if (!series) return series.error();
         finding->series = std::move(*series);
@@ -258,11 +273,8 @@ void TuningView::findSteps() {
         finding->study = std::move(*study);
         finding->settings = loops::settingsOf(loop, *program, image);
         const history::Statistics all = history.statistics();
-        const size_t last = finding->study.used.back();
-        const tuning::FoundStep& step = finding->study.steps[last];
-        finding->to = std::min<history::Position>(all.end, all.end - finding->series.size() + step.end);
-        const history::Position begin = all.end - finding->series.size() + step.begin;
-        finding->from = std::max({begin, finding->to > kMostTried ? finding->to - kMostTried : 0, all.first});
+        finding->first = all.first;
+        finding->end = all.end;
         return finding;
     });
 }
@@ -296,13 +308,16 @@ void TuningView::showSteps() {
         const bool isUsed = std::find(study.used.begin(), study.used.end(), i) != study.used.end();
         auto* item = new QTreeWidgetItem(m_steps);
         item->setText(1, plot::momentText(std::llround(m_finding->series.time[step.step] * 1e9)));
-        item->setText(2, step.moved == tuning::Moved::SetPoint ? tr("set point") : tr("output"));
+        item->setText(2, step.moved == tuning::Moved::SetPoint ? tr("set point")
+                         : step.moved == tuning::Moved::Input  ? tr("output")
+                                                               : tr("disturbance"));
         item->setText(3, plot::valueText(step.from, 5));
         item->setText(4, plot::valueText(step.to, 5));
         item->setText(5, kit::messageText(step.reason));
         item->setToolTip(5, item->text(5));
-        item->setCheckState(0, isUsed ? Qt::Checked : Qt::Unchecked);
+        if (step.canModel()) item->setCheckState(0, isUsed ? Qt::Checked : Qt::Unchecked);
     }
+    if (!study.used.empty()) m_steps->setCurrentItem(m_steps->topLevelItem(static_cast<int>(study.used.back())));
     for (int column = 0; column < 5; ++column) m_steps->resizeColumnToContents(column);
 }
 
@@ -319,187 +334,6 @@ void TuningView::fitChosenSteps() {
         changed->study = std::move(*study);
         return changed;
     });
-}
-
-// ------------------------------------------------------------------ settings
-
-tuning::Wish TuningView::wish() const {
-    return {static_cast<tuning::ControllerKind>(m_kind->currentData().toInt()), m_brisk->value() / 100.0,
-            m_tracking->value() / 100.0, tuning::samplingDelay(m_finding->settings.cycle)};
-}
-
-tuning::ProcessModel TuningView::model() const {
-    const auto& models = m_finding->study.models;
-    return models[std::min(static_cast<size_t>(std::max(m_model->currentIndex(), 0)), models.size() - 1)].model;
-}
-
-void TuningView::propose() {
-    if (m_isFilling || !m_finding || m_kind->count() == 0) return;
-    const tuning::ProcessModel process = model();
-    tuning::LoopConditions conditions{m_finding->settings.cycle, tuning::noiseOf(m_finding->series.output), 0};
-    const auto rule = static_cast<tuning::Rule>(m_rule->currentData().toInt());
-    const auto gains = tuning::tune(process, rule, wish());
-    conditions.duration = tuning::trialDuration(process, gains.value_or(m_finding->settings.gains));
-    m_now = tuning::assess(process, m_finding->settings.gains, conditions);
-    m_proposal.reset();
-    m_parameters.clear();
-    if (gains) {
-        m_parameters = tuning::parametersOf(*m_finding->loop.form, *gains, m_finding->settings.cycle);
-        m_proposal = tuning::assess(process, *gains, conditions);
-    }
-    m_formula->setText(text(formula(process)));
-    QStringList words;
-    if (!m_proposal) words << tr("The rule has no answer for this process.");
-    if (m_proposal)
-        words << kit::messageText(robustnessWords(*m_proposal)) << kit::messageText(overshootWords(*m_proposal));
-    if (const Message caution = cautionOf(rule); !caution.isEmpty()) words << kit::messageText(caution);
-    m_words->setText(words.join(' '));
-    showTable();
-    showCharts();
-    m_trialTimer.start();
-    refreshButtons();
-}
-
-void TuningView::showTable() {
-    m_figures->clear();
-    const auto row = [&](const QString& what, const auto& value) {
-        new QTreeWidgetItem(m_figures,
-                            {what, m_now ? value(*m_now) : QString(), m_proposal ? value(*m_proposal) : QString()});
-    };
-    using tuning::Assessment;
-    const auto number = [](double value) { return std::isfinite(value) ? plot::valueText(value, 4) : tr("any"); };
-    row(tr("Gain"), [&](const Assessment& a) { return number(a.gains.gain); });
-    row(tr("Integral time"), [&](const Assessment& a) { return seconds(a.gains.integralTime); });
-    row(tr("Derivative time"), [&](const Assessment& a) { return seconds(a.gains.derivativeTime); });
-    row(tr("Sensitivity Ms"),
-        [&](const Assessment& a) { return a.figures.isStable ? number(a.figures.sensitivity) : tr("unstable"); });
-    row(tr("Gain margin"), [&](const Assessment& a) { return number(a.figures.gainMargin); });
-    row(tr("Phase margin"),
-        [&](const Assessment& a) { return tr("%1°").arg(number(std::round(a.figures.phaseMargin))); });
-    row(tr("Overshoot"), [&](const Assessment& a) {
-        return a.figures.isStable ? tr("%1 %").arg(number(std::round(a.setPoint.overshoot))) : QStringLiteral("–");
-    });
-    row(tr("Settling time"), [&](const Assessment& a) {
-        return a.figures.isStable ? seconds(a.setPoint.settlingTime) : QStringLiteral("–");
-    });
-    row(tr("Error after a load step"),
-        [&](const Assessment& a) { return a.figures.isStable ? number(a.load.integratedError) : QStringLiteral("–"); });
-    row(tr("Control effort"),
-        [&](const Assessment& a) { return a.figures.isStable ? number(a.setPoint.effort) : QStringLiteral("–"); });
-    row(tr("Noise in the output"), [&](const Assessment& a) { return number(a.noise); });
-    for (size_t i = 0; i < m_parameters.size(); ++i) {
-        const QString before =
-            i < m_finding->settings.values.size() ? plot::valueText(m_finding->settings.values[i], 6) : QString();
-        new QTreeWidgetItem(m_figures, {text(m_parameters[i].member), before, text(m_parameters[i].text)});
-    }
-    m_figures->resizeColumnToContents(0);
-}
-
-void TuningView::showCharts() {
-    const tuning::Study& study = m_finding->study;
-    const auto index = std::min(static_cast<size_t>(std::max(m_model->currentIndex(), 0)), study.models.size() - 1);
-    waveform::Chart data{tr("Recorded and modelled").toStdString(), tr("time [s]").toStdString(), {}, {}, false};
-    waveform::Chart residual{tr("What the model leaves").toStdString(), tr("time [s]").toStdString(), {}, {}, false};
-    for (size_t i = 0; i < study.used.size(); ++i) {
-        const auto times = timesOf(m_finding->series, study.steps[study.used[i]], study.excerpts[i]);
-        const auto name = [&](const QString& what) { return i == 0 ? what.toStdString() : std::string(); };
-        data.curves.push_back({name(tr("recorded")), times, study.excerpts[i].output, 2, waveform::CurveStyle::Dots});
-        data.curves.push_back(
-            {name(tr("model")), times, study.models[index].simulated[i], 0, waveform::CurveStyle::Line});
-        waveform::Curve left{name(tr("recorded less model")), times, {}, 1, waveform::CurveStyle::Line};
-        for (size_t s = 0; s < std::min(study.excerpts[i].output.size(), study.models[index].simulated[i].size()); ++s)
-            left.y.push_back(study.excerpts[i].output[s] - study.models[index].simulated[i][s]);
-        residual.curves.push_back(std::move(left));
-    }
-    m_data->setFigure({{std::move(data), std::move(residual)}, {}});
-    const auto response = [&](const QString& title, tuning::Trajectory tuning::Assessment::*which) {
-        waveform::Chart chart{title.toStdString(), tr("time [s]").toStdString(), {}, {}, false};
-        if (m_now && m_now->figures.isStable) chart.curves.push_back(curveOf((*m_now).*which, tr("now"), 3));
-        if (m_proposal && m_proposal->figures.isStable)
-            chart.curves.push_back(curveOf((*m_proposal).*which, tr("proposed"), 0));
-        return chart;
-    };
-    m_setPoint->setChart(response(tr("Step of the set point"), &tuning::Assessment::setPointTrajectory));
-    m_load->setChart(response(tr("Step of the load"), &tuning::Assessment::loadTrajectory));
-}
-
-std::vector<loops::ParameterWrite> TuningView::writes() const {
-    return m_finding ? loops::writesOf(m_finding->loop, m_finding->program, m_parameters)
-                     : std::vector<loops::ParameterWrite>();
-}
-
-/// The block itself, over the last step that was used.
-void TuningView::tryOut() {
-    if (!m_finding) return;
-    waveform::Chart chart{
-        tr("The last step with these settings").toStdString(), tr("time [s]").toStdString(), {}, {}, false};
-    const session::Session* session = m_control.session();
-    if (session && session->program() == m_finding->program && m_proposal) {
-        auto plan = loops::planFor(m_finding->loop, session->history(), m_finding->from, m_finding->to);
-        if (plan) plan->writes = writes();
-        const auto run =
-            plan ? loops::tryOut(session->history(), *plan, model()) : Result<loops::TrialRun>(plan.error());
-        if (run) {
-            chart.curves.push_back(
-                {tr("recorded").toStdString(), run->before.time, run->before.output, 2, waveform::CurveStyle::Line});
-            chart.curves.push_back(
-                {tr("proposed").toStdString(), run->series.time, run->series.output, 0, waveform::CurveStyle::Line});
-        } else {
-            chart.title = kit::messageText(run.error()).toStdString();
-        }
-    }
-    m_trial->setChart(std::move(chart));
-}
-
-// ------------------------------------------------------------------ writing
-
-void TuningView::refreshButtons() {
-    const bool isOnline = m_control.session() && !m_control.showsRecorded();
-    m_find->setEnabled(!m_isSearching && isOnline && m_loop->count() > 0);
-    m_write->setEnabled(!m_isSearching && isOnline && m_proposal && !writes().empty());
-    m_back->setEnabled(isOnline && !m_before.empty());
-}
-
-namespace {
-/// As ST writes it, for the log.
-QString described(const std::vector<loops::ParameterWrite>& writes) {
-    QStringList out;
-    for (const loops::ParameterWrite& write : writes)
-        out << QString("%1 := %2").arg(text(write.path), plot::valueText(write.value, 6));
-    return out.join(QStringLiteral(", "));
-}
-} // namespace
-
-void TuningView::writeParameters() {
-    session::Session* session = m_control.session();
-    if (!session || !m_proposal) return;
-    const std::vector<loops::ParameterWrite> wanted = writes();
-    std::vector<session::Assignment> values;
-    std::vector<loops::ParameterWrite> before;
-    const auto image = session->snapshot();
-    for (const loops::ParameterWrite& write : wanted) {
-        const auto value = loops::valueFor(*session->program(), write.path, write.value);
-        if (!value) return emit message(kit::messageText(value.error()), true);
-        values.push_back({write.path, *value});
-        before.push_back({write.path, loops::numberAt(*session->program(), image, write.path).value_or(0)});
-    }
-    session->writeTogether(std::move(values), tr("Tuning").toStdString());
-    m_before = std::move(before);
-    emit message(tr("Written: %1").arg(described(wanted)), false);
-    refreshButtons();
-}
-
-void TuningView::takeBack() {
-    session::Session* session = m_control.session();
-    if (!session || m_before.empty()) return;
-    std::vector<session::Assignment> values;
-    for (const loops::ParameterWrite& write : m_before)
-        if (const auto value = loops::valueFor(*session->program(), write.path, write.value))
-            values.push_back({write.path, *value});
-    session->writeTogether(std::move(values), tr("Tuning").toStdString());
-    emit message(tr("Taken back: %1").arg(described(m_before)), false);
-    m_before.clear();
-    refreshButtons();
 }
 
 } // namespace plc::editor

@@ -3,6 +3,7 @@
 // them back. Owned by its dock; GUI thread; the search runs on a thread of its own and holds the session meanwhile.
 #pragma once
 #include "editor/debug/run_control.h"
+#include "projects/loops/call_constants.h"
 #include "projects/loops/trial.h"
 #include "projects/tuning/find.h"
 #include "projects/tuning/proposal.h"
@@ -10,6 +11,7 @@
 #include <QTimer>
 #include <QWidget>
 
+#include <map>
 #include <thread>
 
 class QComboBox;
@@ -36,15 +38,18 @@ public:
 
 signals:
     void message(const QString& text, bool isError);
+    /// Constants of a call, to be changed in the editors; one undo takes them back.
+    void textEdits(const std::map<QString, std::vector<diagnostics::TextEdit>>& edits);
 
 private:
     struct Finding { // of the search; immutable once shown
         loops::Loop loop;
         loops::ProgramPointer program;
+        std::shared_ptr<const driver::BuildInput> input; // null: a recording from a file
         tuning::LoopSeries series;
         tuning::Study study;
         loops::Settings settings;
-        history::Position from = 0, to = 0;
+        history::Position first = 0, end = 0; // of the recording when it was searched
     };
     QWidget* makeHead();
     QWidget* makeSettings();
@@ -56,26 +61,38 @@ private:
     void fitChosenSteps();
     void propose();
     void showCharts();
+    void showBode();
     void showTable();
     void tryOut();
+    [[nodiscard]] size_t triedStep() const;
+    [[nodiscard]] Result<loops::TrialRun> trialOf(const tuning::FoundStep& step, const session::Run& run);
+    void showConstants();
+    bool put(const std::vector<loops::ParameterWrite>& wanted, const std::vector<loops::ConstantEdit>& edits);
     void refreshButtons();
     [[nodiscard]] std::optional<loops::Loop> chosenLoop() const;
     [[nodiscard]] tuning::Wish wish() const;
     [[nodiscard]] tuning::ProcessModel model() const;
     [[nodiscard]] std::vector<loops::ParameterWrite> writes() const;
+    [[nodiscard]] std::vector<loops::ConstantEdit> constantEdits() const;
 
     RunControl& m_control;
     QComboBox *m_loop, *m_model, *m_rule, *m_kind;
     QPushButton *m_find, *m_write, *m_back;
     QSlider *m_brisk, *m_tracking;
     QTreeWidget *m_steps, *m_figures;
-    QLabel *m_state, *m_formula, *m_words;
-    plot::FigureView *m_data, *m_setPoint, *m_load, *m_trial;
+    QLabel *m_state, *m_formula, *m_words, *m_constants;
+    plot::FigureView *m_data, *m_setPoint, *m_load, *m_trial, *m_bode;
     std::shared_ptr<Finding> m_finding;
     std::optional<tuning::Assessment> m_now, m_proposal;
     std::vector<tuning::ParameterValue> m_parameters;
     std::vector<loops::ParameterWrite> m_before; // what the last write replaced
-    QTimer m_trialTimer;                         // a trial follows when the slider rests
+    struct Edited {                              // constants of a call as they were written before
+        loops::Loop loop;
+        std::vector<tuning::ParameterValue> before;
+    };
+    std::optional<Edited> m_edited;
+    loops::ProgramPointer m_listed; // whose loops can be chosen
+    QTimer m_trialTimer;            // a trial follows when the slider rests
     std::thread m_worker;
     bool m_isSearching = false;
     bool m_isFilling = false; // the view changes its own controls

@@ -4,6 +4,7 @@
 #include "editor/kit/icons.h"
 #include "hmi/designer/edit_bar.h"
 #include "hmi/designer/records_dialog.h"
+#include "hmi/model/property_literals.h"
 #include "hmi/view/panel_theme.h"
 
 #include <QAction>
@@ -109,15 +110,15 @@ void AlarmEditor::rebuild() {
     for (int i = 0; i < static_cast<int>(file.rows().size()); ++i) {
         const Properties& row = file.rows()[static_cast<size_t>(i)];
         add(alarms,
-            {row.text("id"), QString::number(row.integer("priority")), row.text("condition"),
-             m_context.shownText(row.text("text"))},
-            {false, i}, theme.priority(row.integer("priority")));
+            {row.text("id"_text), QString::number(row.integer("priority"_number)), row.text("condition"_text),
+             m_context.shownText(row.text("text"_text))},
+            {false, i}, theme.priority(row.integer("priority"_number)));
     }
     for (int i = 0; i < static_cast<int>(file.classRows().size()); ++i) {
         const Properties& row = file.classRows()[static_cast<size_t>(i)];
-        const QColor color = theme.color(row.text("color"));
-        add(classes, {row.text("name"), QString(), QString(), m_context.shownText(row.text("title"))}, {true, i},
-            color.isValid() ? color : theme.color("off"));
+        const QColor color = theme.color(row.text("color"_text));
+        add(classes, {row.text("name"_text), QString(), QString(), m_context.shownText(row.text("title"_text))},
+            {true, i}, color.isValid() ? color : theme.color("off"));
     }
     m_list->expandAll();
     m_list->resizeColumnToContents(0);
@@ -157,7 +158,7 @@ void AlarmEditor::showRow() {
     for (const PropertyDescriptor& property : now->descriptor().properties)
         for (const kit::PropertyDescriptor& one : rowsOf(property))
             m_grid->setValue(one.id, property.key == "id"
-                                         ? QVariant(now->text("id"))
+                                         ? QVariant(now->text("id"_text))
                                          : gridValue(property, now->at(property.key), one.id, m_context));
 }
 
@@ -174,7 +175,7 @@ void AlarmEditor::commit(const QString& gridId, const QVariant& value) {
     if (property->key == "id") { // an id is never empty and never there twice
         bool isTaken = value.toString().trimmed().isEmpty();
         for (const Properties& other : m_context.project().alarms.rows())
-            isTaken |= other.text("id") == value.toString() && &other != now;
+            isTaken |= other.text("id"_text) == value.toString() && &other != now;
         if (isTaken) return rebuild();
     }
     if (property->type == PropertyType::Text)
@@ -192,7 +193,7 @@ void AlarmEditor::commit(const QString& gridId, const QVariant& value) {
 void AlarmEditor::addAlarm() {
     const Properties row = m_context.project().alarms.newRow();
     edit(tr("Add alarm"), [&](AlarmFile& file) { file.rows().push_back(row); });
-    select(row.text("id"));
+    select(row.text("id"_text));
 }
 
 void AlarmEditor::addClass() {

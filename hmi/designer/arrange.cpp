@@ -1,6 +1,7 @@
 #include "hmi/designer/arrange.h"
 
 #include "hmi/model/cells.h"
+#include "hmi/model/property_literals.h"
 #include "hmi/model/walk.h"
 
 #include <QHash>
@@ -38,7 +39,7 @@ ElementIds outermost(const Panel& panel, const ElementIds& ids) {
     return out;
 }
 
-bool isFixed(const Panel& panel, const ElementId& id) { return panel.find(id)->isSet("locked"); }
+bool isFixed(const Panel& panel, const ElementId& id) { return panel.find(id)->isSet("locked"_flag); }
 
 } // namespace
 
@@ -158,12 +159,12 @@ Edit makeGroup(const Panel& panel, const ElementIds& selection, ElementId* group
     if (group) *group = id;
     Element frame = Element::make(ElementKind::Group, id, boundsOf(panel, ids));
     const Element* first = panel.find(ids.front());
-    if (!first->parent().isEmpty()) frame.set("parent", toUtf8(first->parent()));
-    if (first->has("page")) frame.set("page", first->at("page"));
+    if (!first->parent().isEmpty()) frame.set("parent"_field, toUtf8(first->parent()));
+    if (first->has("page"_field)) frame.set("page"_field, first->at("page"_field));
     int lowest = static_cast<int>(panel.elements().size());
     for (const ElementId& one : ids) lowest = std::min(lowest, panel.indexOf(one));
     list.edits.push_back({InsertElement{lowest, frame.fields()}});
-    for (const ElementId& one : ids) list.edits.push_back(setProperty(panel, one, "parent", toUtf8(id)));
+    for (const ElementId& one : ids) list.edits.push_back(setProperty(panel, one, "parent"_field, toUtf8(id)));
     return {list};
 }
 
@@ -202,18 +203,18 @@ Edit layOut(const Panel& panel, const ElementIds& selection, const char* layout,
     if (group) *group = id;
     const ElementIds contents = asSeen(scratch, scratch.childrenOf(id));
     // The frame keeps its contents' size and has room for its margin.
-    const double margin = isGroup ? 0 : Element::make(ElementKind::Group, id, {}).number("padding");
+    const double margin = isGroup ? 0 : Element::make(ElementKind::Group, id, {}).number("padding"_number);
     const QRectF rect = scratch.find(id) ? scratch.find(id)->rect() : QRectF();
-    perform(setProperty(scratch, id, "rect", rectToJson(rect.adjusted(-margin, -margin, margin, margin))));
+    perform(setProperty(scratch, id, "rect"_field, rectToJson(rect.adjusted(-margin, -margin, margin, margin))));
     perform(putIntoCells(scratch, contents, id, 0));
-    perform(setProperty(scratch, id, "layout", layout));
+    perform(setProperty(scratch, id, "layout"_field, layout));
     if (std::string_view(layout) == "grid" && !contents.empty()) {
         int columns = 1;
         const double first = scratch.find(contents.front())->rect().center().y();
         while (static_cast<size_t>(columns) < contents.size() &&
                scratch.find(contents[static_cast<size_t>(columns)])->rect().top() <= first)
             ++columns;
-        perform(setProperty(scratch, id, "columns", columns));
+        perform(setProperty(scratch, id, "columns"_field, columns));
     }
     return {list};
 }
@@ -224,7 +225,7 @@ Edit dissolveGroups(const Panel& panel, const ElementIds& ids) {
         const Element* group = panel.find(id);
         if (!group || group->kind() != ElementKind::Group) continue;
         for (const ElementId& child : panel.childrenOf(id))
-            list.edits.push_back(setProperty(panel, child, "parent", toUtf8(group->parent())));
+            list.edits.push_back(setProperty(panel, child, "parent"_field, toUtf8(group->parent())));
         list.edits.push_back({RemoveElement{id}});
     }
     return {list};
@@ -232,7 +233,7 @@ Edit dissolveGroups(const Panel& panel, const ElementIds& ids) {
 
 Edit setLocked(const Panel& panel, const ElementIds& ids, bool locked) {
     EditList list;
-    for (const ElementId& id : ids) list.edits.push_back(setProperty(panel, id, "locked", locked));
+    for (const ElementId& id : ids) list.edits.push_back(setProperty(panel, id, "locked"_field, locked));
     return {list};
 }
 
@@ -261,7 +262,7 @@ void insertCopies(Panel& scratch, const Json& elements, QPointF offset, EditList
             element.descriptor().key.empty() ? std::string_view("element") : element.descriptor().key;
         element.setField("id", toUtf8(scratch.freeId(stem)), 0);
         renamed.insert(old, element.id());
-        element.set("rect", rectToJson(element.rect().translated(offset)));
+        element.set("rect"_field, rectToJson(element.rect().translated(offset)));
         if (change) change(element);
         scratch.elements().push_back(element);
         copies.push_back(std::move(element));
@@ -269,7 +270,7 @@ void insertCopies(Panel& scratch, const Json& elements, QPointF offset, EditList
     for (Element& element : copies) {
         const ElementId parent = element.parent();
         if (renamed.contains(parent))
-            element.set("parent", toUtf8(renamed.value(parent)));
+            element.set("parent"_field, toUtf8(renamed.value(parent)));
         else if (!parent.isEmpty() && !scratch.find(parent))
             element.setField("parent", std::nullopt, 0);
         if (added && !renamed.contains(parent)) added->push_back(element.id());
@@ -346,8 +347,8 @@ Edit duplicatedAsArray(const Panel& panel, const ElementIds& ids, const ArrayLay
             });
             applyTo(single, change);
             element = single.elements().front();
-            if (const QString name = element.text("name"); !name.isEmpty())
-                element.set("name", toUtf8(withShiftedNumber(name, shift)));
+            if (const QString name = element.text("name"_text); !name.isEmpty())
+                element.set("name"_field, toUtf8(withShiftedNumber(name, shift)));
         });
     }
     return {list};
@@ -370,9 +371,9 @@ Edit arrangedOverArray(const Panel& panel, const ElementId& faceplate, const Arr
     EditList list;
     const Element* original = panel.find(faceplate);
     if (!original || original->kind() != ElementKind::Faceplate) return {list};
-    const Json arguments = original->at("arguments");
+    const Json arguments = original->at("arguments"_field);
     list.edits.push_back(
-        setProperty(panel, faceplate, "arguments", argumentsAt(arguments, arrangement, arrangement.first)));
+        setProperty(panel, faceplate, "arguments"_field, argumentsAt(arguments, arrangement, arrangement.first)));
     const QSizeF size = original->rect().size();
     const Json single = copied(panel, {faceplate});
     Panel scratch = panel;
@@ -381,9 +382,9 @@ Edit arrangedOverArray(const Panel& panel, const ElementId& faceplate, const Arr
         const QPointF offset((copy % columns) * (size.width() + arrangement.gap.x()),
                              (copy / columns) * (size.height() + arrangement.gap.y()));
         insertCopies(scratch, single, offset, list, added, [&](Element& element) {
-            element.set("arguments", argumentsAt(arguments, arrangement, index));
-            if (const QString name = element.text("name"); !name.isEmpty())
-                element.set("name", toUtf8(withShiftedNumber(name, copy)));
+            element.set("arguments"_field, argumentsAt(arguments, arrangement, index));
+            if (const QString name = element.text("name"_text); !name.isEmpty())
+                element.set("name"_field, toUtf8(withShiftedNumber(name, copy)));
         });
     }
     return {list};

@@ -1,5 +1,7 @@
 #include "hmi/designer/array_arrangement_dialog.h"
 
+#include "hmi/model/property_literals.h"
+
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
@@ -41,7 +43,7 @@ ArrayArrangementDialog::ArrayArrangementDialog(const Panel& panel, const Element
     : QDialog(parent), m_context(context), m_parameter(new QComboBox), m_array(new QComboBox), m_first(indexBox()),
       m_last(indexBox()), m_columns(new QSpinBox), m_gapX(gapBox()), m_gapY(gapBox()), m_complaint(new QLabel) {
     setWindowTitle(tr("Arrange over array"));
-    if (const Panel* placed = context.project().panelLookup()(element.text("panel")))
+    if (const Panel* placed = context.project().panelLookup()(element.text("panel"_text)))
         for (Parameter& one : parametersOf(*placed))
             if (!one.isText()) m_parameters.push_back(std::move(one));
     for (const Parameter& one : m_parameters)

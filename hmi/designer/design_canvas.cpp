@@ -2,6 +2,7 @@
 
 #include "editor/kit/message_text.h"
 #include "editor/kit/theme.h"
+#include "hmi/model/property_literals.h"
 #include "hmi/view/containers.h"
 
 #include <QMouseEvent>
@@ -53,6 +54,11 @@ DesignCanvas::DesignCanvas(PanelDocument& document, Selection& selection, Design
     connect(&m_context, &DesignContext::panelEdited, this, [this](const QString& name) {
         if (name == m_panelName || !placesPanel(m_document.panel(), name, m_context.project().panelLookup())) return;
         m_scene.setPanel(m_document.panel());
+        m_scene.refresh(0);
+        viewport()->update();
+    });
+    connect(&m_context, &DesignContext::themesTaken, this, [this] {
+        m_scene.setThemes(m_context.project().themes);
         m_scene.refresh(0);
         viewport()->update();
     });
@@ -152,8 +158,10 @@ ElementId DesignCanvas::elementAt(QPointF at, bool inside) const {
     for (size_t i = views.size(); i-- > 0;) {
         const ElementView& view = *views[i];
         if (m_scene.isInner(view)) continue; // the faceplate is one element here
-        if (!m_scene.isShown(view) || !m_scene.shownRect(view).contains(at) || view.element().isSet("locked")) continue;
-        if (!QRectF(view.rect()).adjusted(-3, -3, 3, 3).contains(at) && view.element().number("angle") == 0) continue;
+        if (!m_scene.isShown(view) || !m_scene.shownRect(view).contains(at) || view.element().isSet("locked"_flag))
+            continue;
+        if (!QRectF(view.rect()).adjusted(-3, -3, 3, 3).contains(at) && view.element().number("angle"_number) == 0)
+            continue;
         const hmi::Panel& panel = m_document.panel();
         // A frame or group is taken by its contents or its edge, not by the empty middle.
         if (view.element().kind() == ElementKind::Group && !panel.childrenOf(view.element().id()).empty() &&
@@ -165,7 +173,7 @@ ElementId DesignCanvas::elementAt(QPointF at, bool inside) const {
         for (ElementId outer = view.element().parent(); !outer.isEmpty() && outer != m_entered;) {
             const Element* group = panel.find(outer);
             if (!group || group->kind() != ElementKind::Group) break;
-            if (group->isSet("locked")) return {};
+            if (group->isSet("locked"_flag)) return {};
             id = outer;
             outer = group->parent();
         }
@@ -177,7 +185,7 @@ ElementId DesignCanvas::elementAt(QPointF at, bool inside) const {
 ElementIds DesignCanvas::movable() const {
     ElementIds out;
     for (const ElementId& id : m_selection.ids())
-        if (const Element* element = m_document.panel().find(id); element && !element->isSet("locked"))
+        if (const Element* element = m_document.panel().find(id); element && !element->isSet("locked"_flag))
             out.push_back(id);
     return out;
 }
@@ -191,7 +199,7 @@ SnapField DesignCanvas::snapField(const ElementIds& without) const {
         if (!moving.contains(view->element().id()) && !m_scene.isInner(*view) && m_scene.isShown(*view))
             field.others.push_back(view->rect());
     field.panel = QRectF(QPointF(), m_scene.size());
-    field.grid = std::max(1.0, m_document.panel().number("grid"));
+    field.grid = std::max(1.0, m_document.panel().number("grid"_number));
     field.reach = 6 / m_zoom;
     return field;
 }
@@ -213,20 +221,20 @@ int DesignCanvas::handleAt(QPoint at) const {
 bool DesignCanvas::hasPoints() const {
     if (m_selection.ids().size() != 1) return false;
     const Element* element = m_document.panel().find(m_selection.ids().front());
-    return element && element->descriptor().property("points") && !element->isSet("locked") &&
-           element->number("angle") == 0;
+    return element && element->descriptor().property("points"_field) && !element->isSet("locked"_flag) &&
+           element->number("angle"_number) == 0;
 }
 
 QPointF DesignCanvas::pointPlace(int index) const {
     const Element* element = m_document.panel().find(m_selection.ids().front());
-    const QPointF point = element->points("points").value(index);
+    const QPointF point = element->points("points"_field).value(index);
     return toViewport(element->rect().topLeft() +
                       QPointF(point.x() * element->rect().width(), point.y() * element->rect().height()));
 }
 
 int DesignCanvas::pointAt(QPoint at) const {
     if (!hasPoints()) return -1;
-    const auto count = m_document.panel().find(m_selection.ids().front())->points("points").size();
+    const auto count = m_document.panel().find(m_selection.ids().front())->points("points"_field).size();
     for (int i = 0; i < count; ++i)
         if ((pointPlace(i) - at).manhattanLength() < 9) return i;
     return -1;
@@ -291,9 +299,10 @@ void DesignCanvas::mousePressEvent(QMouseEvent* event) {
     // The head of a tab that is selected turns its page.
     if (auto* tab = dynamic_cast<TabView*>(m_scene.view(id));
         tab && m_selection.contains(id) && tab->touchArea().contains(panel - tab->rect().topLeft())) {
-        const int pages = static_cast<int>(tab->element().at("pages").size());
+        const int pages = static_cast<int>(tab->element().at("pages"_field).size());
         for (int page = 0; page < pages; ++page) {
-            const double w = std::min(tab->element().number("fontSize") * 11, tab->rect().width() / std::max(1, pages));
+            const double w =
+                std::min(tab->element().number("fontSize"_number) * 11, tab->rect().width() / std::max(1, pages));
             if (panel.x() - tab->rect().left() >= page * w && panel.x() - tab->rect().left() < (page + 1) * w)
                 tab->showPage(page);
         }
@@ -384,7 +393,7 @@ void DesignCanvas::movePoint(QPointF at, bool freely) {
     if (m_snaps && !freely) at += snapMove(QRectF(at, QSizeF(0.001, 0.001)), snapField({element->id()})).offset;
     // The rectangle follows the points: it always is their bounds.
     QList<QPointF> points;
-    for (const QPointF& point : element->points("points"))
+    for (const QPointF& point : element->points("points"_field))
         points += element->rect().topLeft() +
                   QPointF(point.x() * element->rect().width(), point.y() * element->rect().height());
     if (m_drag.handle >= points.size()) return;
@@ -405,7 +414,7 @@ void DesignCanvas::bandTo(QPointF at) {
     m_band = QRectF(m_drag.from, at).normalized();
     ElementIds ids = m_drag.before;
     for (const auto& view : m_scene.views()) {
-        if (m_scene.isInner(*view) || !m_scene.isShown(*view) || view->element().isSet("locked") ||
+        if (m_scene.isInner(*view) || !m_scene.isShown(*view) || view->element().isSet("locked"_flag) ||
             !m_band.contains(view->rect()))
             continue;
         const Element* outer = m_document.panel().find(view->element().parent());
@@ -473,7 +482,7 @@ void DesignCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
     const QPointF at = toPanel(event->position());
     if (hasPoints()) {
         const Element* element = m_document.panel().find(m_selection.ids().front());
-        QList<QPointF> points = element->points("points");
+        QList<QPointF> points = element->points("points"_field);
         const int hit = pointAt(event->position().toPoint());
         if (hit >= 0 && points.size() > 2) {
             points.removeAt(hit);
@@ -528,7 +537,8 @@ void DesignCanvas::deleteSelection() {
 }
 
 void DesignCanvas::keyPressEvent(QKeyEvent* event) {
-    const double step = event->modifiers() & Qt::ShiftModifier ? std::max(1.0, m_document.panel().number("grid")) : 1;
+    const double step =
+        event->modifiers() & Qt::ShiftModifier ? std::max(1.0, m_document.panel().number("grid"_number)) : 1;
     switch (event->key()) {
     case Qt::Key_Left:
         return nudge({-step, 0});

@@ -3,6 +3,7 @@
 
 #include "hmi/designer/arrange.h"
 #include "hmi/model/cells.h"
+#include "hmi/model/property_literals.h"
 
 namespace plc::hmi {
 
@@ -25,8 +26,8 @@ Edit DesignCanvas::cellEdit(const ElementIds& ids, QPointF at) const {
     for (const ElementId& id : ids) {
         const Element* outer = panel.find(panel.find(id)->parent());
         if (!outer || !hasCells(*outer)) continue;
-        list.edits.push_back(hmi::setProperty(panel, id, "parent", toUtf8(outer->parent())));
-        list.edits.push_back(hmi::setProperty(panel, id, "page", outer->integer("page")));
+        list.edits.push_back(hmi::setProperty(panel, id, "parent"_field, toUtf8(outer->parent())));
+        list.edits.push_back(hmi::setProperty(panel, id, "page"_field, outer->integer("page"_number)));
     }
     list.edits.push_back(moveBy(panel, ids, at - m_drag.from));
     return {list};

@@ -7,6 +7,7 @@
 #include "hmi/designer/arrange.h"
 #include "hmi/designer/palette.h"
 #include "hmi/model/errors.h"
+#include "hmi/model/property_literals.h"
 #include "hmi/view/property_check.h"
 #include "runtime/base/read_json.h"
 
@@ -60,7 +61,7 @@ void DesignCanvas::dragMoveEvent(QDragMoveEvent* event) {
 std::pair<ElementId, std::string> DesignCanvas::bindingUnder(QPointF at, const QStringList& variables) const {
     const ElementId id = variables.size() == 1 ? elementAt(at, true) : ElementId();
     const Element* element = m_document.panel().find(id);
-    if (!element || element->isSet("locked")) return {};
+    if (!element || element->isSet("locked"_flag)) return {};
     for (const PropertyDescriptor* property : mainBindings(*element)) {
         Found place;
         place.property = property->key;
@@ -104,7 +105,7 @@ void DesignCanvas::insertElements(const Json& elements, QPointF at) {
     const PanelLookup panels = m_context.project().panelLookup();
     for (const Json& fields : elements) {
         if (!fields.is_object() || Element(fields).kind() != ElementKind::Faceplate) continue;
-        const QString placed = Element(fields).text("panel");
+        const QString placed = Element(fields).text("panel"_text);
         const hmi::Panel* panel = panels(placed);
         if (panel && (placed == m_panelName || placesPanel(*panel, m_panelName, panels))) {
             emit refused(kit::messageText(errors::FaceplateContainsItself(toUtf8(placed))));
@@ -121,8 +122,8 @@ void DesignCanvas::insertElements(const Json& elements, QPointF at) {
     for (Json& fields : placed) {
         if (!fields.is_object() || tab.isEmpty() || fields.contains("parent")) continue;
         Element element{fields};
-        element.set("parent", toUtf8(tab));
-        if (page) element.set("page", page);
+        element.set("parent"_field, toUtf8(tab));
+        if (page) element.set("page"_field, page);
         fields = element.fields();
     }
     ElementIds added;
@@ -138,7 +139,7 @@ void DesignCanvas::insertVariables(const QStringList& paths, QPointF at, bool op
     for (const QString& path : paths)
         for (Element& element : elementsForVariable(path, m_context, operates)) {
             element.setField("id", "new" + std::to_string(++number), 0);
-            element.set("rect", rectToJson(element.rect().translated(0, y)));
+            element.set("rect"_field, rectToJson(element.rect().translated(0, y)));
             y += element.rect().height() + 12;
             list.push_back(element.fields());
         }

@@ -1,6 +1,8 @@
 // What the canvas of the panel designer draws: the panel, grid, selection, guides, findings, the drop, rulers.
 #include "hmi/designer/design_canvas.h"
 
+#include "hmi/model/property_literals.h"
+
 #include "editor/kit/theme.h"
 
 #include <cmath>
@@ -38,7 +40,7 @@ void DesignCanvas::paintEvent(QPaintEvent*) {
 }
 
 void DesignCanvas::drawGrid(QPainter& painter) {
-    const double step = std::max(1.0, m_document.panel().number("grid")) * m_zoom;
+    const double step = std::max(1.0, m_document.panel().number("grid"_number)) * m_zoom;
     if (!m_gridShown || step < 5) return;
     QColor dot = PanelTheme::inkOn(m_scene.theme().color("background"));
     dot.setAlphaF(0.16f);
@@ -58,7 +60,7 @@ void DesignCanvas::drawSelection(QPainter& painter) {
     for (const ElementId& id : m_selection.ids()) {
         const Element* element = m_document.panel().find(id);
         if (!element) continue;
-        painter.setPen(QPen(colors.accent, 1, element->isSet("locked") ? Qt::DotLine : Qt::SolidLine));
+        painter.setPen(QPen(colors.accent, 1, element->isSet("locked"_flag) ? Qt::DotLine : Qt::SolidLine));
         painter.drawRect(toViewport(element->rect()).adjusted(-1, -1, 0, 0));
     }
     if (!m_entered.isEmpty())
@@ -76,7 +78,7 @@ void DesignCanvas::drawSelection(QPainter& painter) {
     }
     if (hasPoints()) {
         painter.setBrush(colors.accent);
-        for (int i = 0; i < m_document.panel().find(m_selection.ids().front())->points("points").size(); ++i)
+        for (int i = 0; i < m_document.panel().find(m_selection.ids().front())->points("points"_field).size(); ++i)
             painter.drawEllipse(pointPlace(i), kHandle, kHandle);
     }
     painter.setRenderHint(QPainter::Antialiasing, false);

@@ -3,6 +3,7 @@
 #include "editor/kit/edit_history.h"
 #include "editor/kit/message_text.h"
 #include "hmi/designer/arrange.h"
+#include "hmi/model/property_literals.h"
 #include "hmi/model/walk.h"
 #include "hmi/player/plc_convert.h"
 
@@ -228,11 +229,11 @@ bool DesignContext::renameVariable(const QString& from, const QString& to) {
     for (Properties& row : alarms.rows()) {
         for (const char* key : {"condition", "inhibit"})
             if (row.has(key)) row.set(key, toUtf8(withRenamedPath(row.text(key), from, to)));
-        if (!row.has("values") || !row.at("values").is_object()) continue;
-        Json values = row.at("values");
+        if (!row.has("values"_field) || !row.at("values"_field).is_object()) continue;
+        Json values = row.at("values"_field);
         for (Json& expression : values)
             if (expression.is_string()) expression = toUtf8(withRenamedPath(toQString(expression), from, to));
-        row.set("values", values);
+        row.set("values"_field, values);
     }
     if (alarms.write() != before) {
         setAlarms(std::move(alarms));
@@ -260,7 +261,7 @@ std::vector<DesignContext::VariableUse> DesignContext::usesOfVariable(const QStr
     for (const Properties& row : m_project.alarms.rows())
         for (const char* key : {"condition", "inhibit"})
             if (names(row.text(key)))
-                out.push_back({m_project.placeOf(m_project.alarmsPath()), row.text("id"), QString::fromLatin1(key),
+                out.push_back({m_project.placeOf(m_project.alarmsPath()), row.text("id"_text), QString::fromLatin1(key),
                                row.text(key), false});
     return out;
 }
@@ -321,8 +322,8 @@ QStringList DesignContext::usersOf(const QString& key) const {
         look(panel.name, panel.panel, {});
         for (const Element& element : panel.panel.elements()) look(panel.name, element, element.id());
     }
-    for (const Properties& alarm : m_project.alarms.rows()) look(tr("Alarms"), alarm, alarm.text("id"));
-    for (const Properties& one : m_project.alarms.classRows()) look(tr("Alarms"), one, one.text("name"));
+    for (const Properties& alarm : m_project.alarms.rows()) look(tr("Alarms"), alarm, alarm.text("id"_text));
+    for (const Properties& one : m_project.alarms.classRows()) look(tr("Alarms"), one, one.text("name"_text));
     return out;
 }
 
@@ -348,7 +349,7 @@ Element tableFor(const QString& path, const expression::Expression& compiled, co
         if (types.family(field.type) == types::Family::Real) column["format"] = "%.2f";
         columns.push_back(std::move(column));
     }
-    table.set("columns", columns);
+    table.set("columns"_field, columns);
     return table;
 }
 
@@ -360,8 +361,8 @@ std::optional<Element> arrayElementFor(const QString& path, const DesignContext&
     const auto [first, last] = facts.arrayBounds.front();
     if (types.kind(array.element) == types::TypeKind::Struct || types.kind(array.element) == types::TypeKind::Block) {
         Element table = tableFor(path, *compiled, array);
-        table.set("first", first);
-        table.set("count", last - first + 1);
+        table.set("first"_field, first);
+        table.set("count"_field, last - first + 1);
         return table;
     }
     if (types.family(array.element) == types::Family::Bool || facts.arrayBounds.size() > 1) {
@@ -370,13 +371,13 @@ std::optional<Element> arrayElementFor(const QString& path, const DesignContext&
         const bool isTable = facts.arrayBounds.size() > 1;
         const int columns = isTable ? facts.arrayBounds[1].second - facts.arrayBounds[1].first + 1
                                     : std::min(count, count <= 10 ? count : 10);
-        grid.set("columns", columns);
-        grid.set("rows", isTable ? count : (count + columns - 1) / columns);
-        grid.set("first", first);
+        grid.set("columns"_field, columns);
+        grid.set("rows"_field, isTable ? count : (count + columns - 1) / columns);
+        grid.set("first"_field, first);
         return grid;
     }
     Element chart = madeFor(ElementKind::BarChart, "value", path);
-    chart.set("first", first);
+    chart.set("first"_field, first);
     return chart;
 }
 
@@ -399,21 +400,21 @@ std::vector<Element> elementsForVariable(const QString& path, const DesignContex
             break;
         }
         element = operates ? madeFor(ElementKind::NumericEntry, "target", path) : element;
-        element.set("format", "%d");
+        element.set("format"_field, "%d");
         break;
     case ValueKind::Real:
         element = operates ? madeFor(ElementKind::NumericEntry, "target", path) : element;
         break;
     case ValueKind::Text:
         element = operates ? madeFor(ElementKind::TextEntry, "target", path) : element;
-        if (!operates) element.set("rect", rectToJson(QRectF(0, 0, 200, 40)));
+        if (!operates) element.set("rect"_field, rectToJson(QRectF(0, 0, 200, 40)));
         break;
     case ValueKind::Time:
         if (operates) {
             element = madeFor(ElementKind::NumericEntry, "target", path);
-            element.set("unit", "s");
+            element.set("unit"_field, "s");
         } else {
-            element.set("format", "");
+            element.set("format"_field, "");
         }
         break;
     case ValueKind::Date:
@@ -427,7 +428,7 @@ std::vector<Element> elementsForVariable(const QString& path, const DesignContex
     case ValueKind::None:
         break;
     }
-    element.set("name", toUtf8(name));
+    element.set("name"_field, toUtf8(name));
     return {element};
 }
 

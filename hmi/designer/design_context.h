@@ -102,6 +102,7 @@ signals:
     void peopleTaken();  // from disk
     void textsTaken();   // from disk
     void alarmsTaken();  // from disk
+    void themesTaken();  // from disk
     void saved();
     void languageChanged();
     void programChanged();

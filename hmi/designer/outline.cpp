@@ -2,6 +2,7 @@
 
 #include "editor/kit/icons.h"
 #include "hmi/designer/palette.h"
+#include "hmi/model/property_literals.h"
 
 #include <QCoreApplication>
 #include <QDropEvent>
@@ -14,7 +15,7 @@ constexpr int kIdRole = Qt::UserRole;
 
 /// The name given by the engineer, else what it is and what it says or shows.
 QString titleOf(const Element& element, const DesignContext& context) {
-    if (const QString name = element.text("name"); !name.isEmpty()) return name;
+    if (const QString name = element.text("name"_text); !name.isEmpty()) return name;
     const QString kind = QCoreApplication::translate("Hmi", element.descriptor().title);
     for (const char* const words : {"text", "title", "label", "onText"})
         if (const QString text = context.shownText(element.text(words)).simplified(); !text.isEmpty())
@@ -43,7 +44,7 @@ Outline::Outline(PanelDocument& document, Selection& selection, DesignContext& c
             const QTreeWidgetItem* item = itemOf(id);
             const Element* element = m_document.panel().find(id);
             return !item || !element || item->text(0) != titleOf(*element, m_context) ||
-                   item->icon(1).isNull() == element->isSet("locked");
+                   item->icon(1).isNull() == element->isSet("locked"_flag);
         });
         if (touched.structure || names) rebuild();
     });
@@ -58,7 +59,7 @@ Outline::Outline(PanelDocument& document, Selection& selection, DesignContext& c
         if (column != 1) return;
         const ElementId id = item->data(0, kIdRole).toString();
         m_document.perform(tr("Lock"),
-                           setLocked(m_document.panel(), {id}, !m_document.panel().find(id)->isSet("locked")));
+                           setLocked(m_document.panel(), {id}, !m_document.panel().find(id)->isSet("locked"_flag)));
     });
     rebuild();
 }
@@ -79,7 +80,7 @@ void Outline::rebuild() {
         item->setData(0, kIdRole, element.id());
         item->setToolTip(0, QStringLiteral("%1  %2").arg(QCoreApplication::translate("Hmi", element.descriptor().title),
                                                          element.id()));
-        if (element.isSet("locked")) item->setIcon(1, kit::icon(kit::Icon::Lock));
+        if (element.isSet("locked"_flag)) item->setIcon(1, kit::icon(kit::Icon::Lock));
         if (!element.isContainer()) item->setFlags(item->flags() & ~Qt::ItemIsDropEnabled);
         items.insert(element.id(), item);
     }
@@ -122,7 +123,7 @@ void Outline::dropEvent(QDropEvent* event) {
     for (const ElementId& one : moved) {
         const std::vector<ElementId> inside = panel.withDescendants(one);
         if (std::find(inside.begin(), inside.end(), parent) != inside.end()) return; // not into itself
-        list.edits.push_back(hmi::setProperty(panel, one, "parent", toUtf8(parent)));
+        list.edits.push_back(hmi::setProperty(panel, one, "parent"_field, toUtf8(parent)));
         // The tree shows the topmost first: above an item is behind it in the panel's order.
         int index = at ? panel.indexOf(id) : 0;
         if (where == AboveItem || where == OnItem) ++index;

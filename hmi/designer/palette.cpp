@@ -3,6 +3,7 @@
 #include "editor/kit/fuzzy.h"
 #include "editor/kit/theme.h"
 #include "hmi/designer/choice_titles.h"
+#include "hmi/model/property_literals.h"
 #include "hmi/view/panel_scene.h"
 #include "hmi/view/symbol_art.h"
 
@@ -44,20 +45,20 @@ protected:
 
 Json newElementFields(ElementKind kind, const QString& symbol) {
     Element element = Element::make(kind, QStringLiteral("new"), QRectF(QPointF(), descriptorOf(kind).size));
-    if (!symbol.isEmpty()) element.set("symbol", toUtf8(symbol));
+    if (!symbol.isEmpty()) element.set("symbol"_field, toUtf8(symbol));
     return element.fields();
 }
 
 Json newFaceplateFields(const NamedPanel& panel) {
     Element element =
         Element::make(ElementKind::Faceplate, QStringLiteral("new"), QRectF(QPointF(), QSizeF(panel.panel.size())));
-    element.set("panel", toUtf8(panel.name));
+    element.set("panel"_field, toUtf8(panel.name));
     return element.fields();
 }
 
 QIcon faceplateIcon(const NamedPanel& panel, const std::vector<NamedPanel>& panels, int side) {
     Panel shown = panel.panel;
-    shown.set("theme", themeOfStudio());
+    shown.set("theme"_field, themeOfStudio());
     PanelScene scene;
     scene.setDesigning(true);
     scene.setFaceplates(lookupIn(panels));
@@ -78,10 +79,10 @@ QIcon elementIcon(const Json& fields, int side) {
     Panel panel;
     Element element{fields};
     const QSizeF size = element.rect().size();
-    panel.set("size", Json::array({static_cast<int>(size.width()) + 8, static_cast<int>(size.height()) + 8}));
-    panel.set("theme", themeOfStudio());
-    panel.set("background", "none");
-    element.set("rect", rectToJson(QRectF(QPointF(4, 4), size)));
+    panel.set("size"_field, Json::array({static_cast<int>(size.width()) + 8, static_cast<int>(size.height()) + 8}));
+    panel.set("theme"_field, themeOfStudio());
+    panel.set("background"_field, "none");
+    element.set("rect"_field, rectToJson(QRectF(QPointF(4, 4), size)));
     panel.elements().push_back(element);
     PanelScene scene;
     scene.setDesigning(true);

@@ -9,6 +9,7 @@
 #include "hmi/designer/array_dialog.h"
 #include "hmi/designer/outline.h"
 #include "hmi/designer/palette.h"
+#include "hmi/model/property_literals.h"
 #include "hmi/model/walk.h"
 #include "hmi/player/panel_player.h"
 #include "hmi/view/faceplate_check.h"
@@ -93,8 +94,9 @@ PanelDesigner::PanelDesigner(DesignContext& context, const QString& panelName, Q
     connect(m_canvas, &DesignCanvas::editRequested, this, [this](const ElementId& id) {
         // A double click edits what the element is about: its text, else its binding.
         const Element* element = m_document.panel().find(id);
-        if (element && element->kind() == ElementKind::Faceplate && m_context.project().find(element->text("panel")))
-            emit panelRequested(element->text("panel"));
+        if (element && element->kind() == ElementKind::Faceplate &&
+            m_context.project().find(element->text("panel"_text)))
+            emit panelRequested(element->text("panel"_text));
         for (const char* key : {"text", "target", "value", "title", "state"})
             if (element && element->descriptor().property(key))
                 return m_sheet->grid().editProperty(QString::fromLatin1(key));
@@ -262,7 +264,7 @@ void PanelDesigner::makeActions() {
     add(QStringLiteral("lay-grid"), tr("Lay out in a grid"), Icon::Grid, {}, [this] { layOut("grid"); });
     addEdit(QStringLiteral("lock"), tr("Lock"), Icon::Lock, QKeySequence(Qt::CTRL | Qt::Key_L), [=] {
         bool all = true;
-        for (const ElementId& id : ids()) all &= panel().find(id)->isSet("locked");
+        for (const ElementId& id : ids()) all &= panel().find(id)->isSet("locked"_flag);
         return setLocked(panel(), ids(), !all);
     });
     QAction* grid =
@@ -315,14 +317,19 @@ QToolBar* PanelDesigner::makeToolBar() {
     auto* themes = new QComboBox;
     themes->setToolTip(tr("Theme of the panel"));
     themes->setAccessibleName(themes->toolTip());
-    for (const auto& [name, title] :
-         {std::pair{"light", tr("Light")}, std::pair{"dark", tr("Dark")}, std::pair{"contrast", tr("High contrast")}})
-        themes->addItem(title, QString::fromLatin1(name));
-    for (const auto& [name, theme] : m_context.project().themes.own()) themes->addItem(name, name);
     const auto showTheme = [this, themes] {
-        themes->setCurrentIndex(themes->findData(m_document.panel().text("theme")));
+        themes->setCurrentIndex(themes->findData(m_document.panel().text("theme"_text)));
     };
-    showTheme();
+    const auto listThemes = [this, themes, showTheme] {
+        themes->clear();
+        for (const auto& [name, title] : {std::pair{"light", tr("Light")}, std::pair{"dark", tr("Dark")},
+                                          std::pair{"contrast", tr("High contrast")}})
+            themes->addItem(title, QString::fromLatin1(name));
+        for (const auto& [name, theme] : m_context.project().themes.own()) themes->addItem(name, name);
+        showTheme();
+    };
+    listThemes();
+    connect(&m_context, &DesignContext::themesTaken, themes, listThemes);
     connect(themes, &QComboBox::activated, this, [this, themes] {
         m_document.perform(tr("Theme"),
                            hmi::setProperty(m_document.panel(), {}, "theme", toUtf8(themes->currentData().toString())));
@@ -494,7 +501,7 @@ void PanelDesigner::ungroup() {
 void PanelDesigner::selectAll() {
     ElementIds ids;
     for (const Element& element : m_document.panel().elements())
-        if (element.parent().isEmpty() && !element.isSet("locked")) ids.push_back(element.id());
+        if (element.parent().isEmpty() && !element.isSet("locked"_flag)) ids.push_back(element.id());
     m_selection.set(ids);
 }
 

@@ -2,6 +2,7 @@
 
 #include "editor/kit/texts.h"
 #include "hmi/designer/choice_titles.h"
+#include "hmi/model/property_literals.h"
 #include "hmi/view/panel_theme.h"
 
 #include <QCoreApplication>
@@ -72,7 +73,7 @@ QString summaryOf(const PropertyDescriptor& property, const Json& value) {
 namespace {
 
 const Panel* placedBy(const Element& element, const DesignContext& context) {
-    return context.project().panelLookup()(element.text("panel"));
+    return context.project().panelLookup()(element.text("panel"_text));
 }
 
 } // namespace

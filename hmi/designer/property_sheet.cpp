@@ -4,6 +4,7 @@
 #include "editor/kit/texts.h"
 #include "hmi/designer/applicable.h"
 #include "hmi/designer/records_dialog.h"
+#include "hmi/model/property_literals.h"
 
 #include <QColorDialog>
 #include <QCoreApplication>
@@ -100,8 +101,8 @@ QString PropertySheet::shapeNow() const {
     for (const ElementId& id : targets()) {
         if (id.isEmpty()) return shape + QStringLiteral("panel");
         const Element& element = *m_document.panel().find(id);
-        shape += element.text("kind") + u' ';
-        if (const PropertyDescriptor* property = element.descriptor().property("arguments"))
+        shape += element.text("kind"_text) + u' ';
+        if (const PropertyDescriptor* property = element.descriptor().property("arguments"_field))
             for (const kit::PropertyDescriptor& row : argumentRows(*property, element, m_context))
                 shape += row.id + u':' + row.toolTip + u' ';
     }

@@ -38,8 +38,6 @@ QString shownLimit(const std::optional<double>& limit) {
     return limit ? QString::number(*limit, 'g', QLocale::FloatingPointShortest) : QString();
 }
 
-bool isNameTaken(const RecipeFile& file, const QString& name) { return name.isEmpty() || file.find(name) != nullptr; }
-
 } // namespace
 
 RecipeEditor::RecipeEditor(DesignContext& context, QWidget* parent)
@@ -113,7 +111,18 @@ void RecipeEditor::edit(const QString& title, const std::function<void(Recipe&)>
     perform(title, std::move(after));
 }
 
-void RecipeEditor::tell(const Message& problem) { m_problems->setText(kit::messageText(problem)); }
+/// With its place where it has one: "dough.csv:3: …".
+void RecipeEditor::tell(const Error& problem) {
+    const QString text = kit::messageText(problem.message);
+    m_problems->setText(problem.place.empty() ? text
+                                              : QString::fromStdString(problem.place) + QStringLiteral(": ") + text);
+}
+
+/// What was typed is not taken: the cell has its old text again, and the reason is said.
+void RecipeEditor::refuse(const QString& why) {
+    rebuild();
+    m_problems->setText(why);
+}
 
 QString RecipeEditor::problems() const { return m_problems->text(); }
 
@@ -145,7 +154,9 @@ void RecipeEditor::renameRecipe(int row, const QString& name) {
     if (row < 0 || row >= static_cast<int>(after.recipes().size())) return;
     Recipe& recipe = after.recipes()[static_cast<size_t>(row)];
     const QString wanted = name.trimmed();
-    if (wanted == recipe.name || isNameTaken(after, wanted)) return rebuild();
+    if (wanted == recipe.name) return rebuild();
+    if (wanted.isEmpty()) return refuse(tr("A recipe needs a name."));
+    if (after.find(wanted)) return refuse(tr("There is a recipe \"%1\" already.").arg(wanted));
     recipe.name = m_current = wanted;
     perform(tr("Rename Recipe"), std::move(after));
 }
@@ -176,12 +187,13 @@ void RecipeEditor::askForSetName(int column) {
 }
 
 void RecipeEditor::renameSet(int column, const QString& name) {
-    edit(tr("Rename Set"), [&](Recipe& recipe) {
-        const auto index = static_cast<size_t>(column - FirstSet);
-        if (column < FirstSet || index >= recipe.sets.size() || name.trimmed().isEmpty() || recipe.find(name.trimmed()))
-            return;
-        recipe.sets[index].name = name.trimmed();
-    });
+    const Recipe* recipe = current();
+    const auto index = static_cast<size_t>(column - FirstSet);
+    const QString wanted = name.trimmed();
+    if (!recipe || column < FirstSet || index >= recipe->sets.size() || recipe->sets[index].name == wanted) return;
+    if (wanted.isEmpty()) return refuse(tr("A set needs a name."));
+    if (recipe->find(wanted)) return refuse(tr("There is a set \"%1\" already.").arg(wanted));
+    edit(tr("Rename Set"), [&](Recipe& changed) { changed.sets[index].name = wanted; });
 }
 
 void RecipeEditor::removeSelected() {
@@ -202,7 +214,13 @@ void RecipeEditor::commit(int row, int column, const QString& typed) {
     if (!recipe || row < 0 || row >= static_cast<int>(recipe->variables.size())) return;
     const QString title = m_table->horizontalHeaderItem(column)->text();
     const auto limit = limitOf(text);
-    if ((column == Minimum || column == Maximum) && !limit) return rebuild(); // what is no number is not taken
+    if ((column == Minimum || column == Maximum) && !limit)
+        return refuse(tr("\"%1\" is not a number; a limit is written like 12.5.").arg(text));
+    const QString& before = recipe->variables[static_cast<size_t>(row)].variable;
+    if (column == Variable && text.isEmpty())
+        return refuse(tr("A row needs a variable; Remove Row or Set takes the row away."));
+    if (column == Variable && text != before && recipe->variable(text))
+        return refuse(tr("%1 is in the recipe already.").arg(text));
     std::optional<kit::MacroScope> macro;
     QString stored = text;
     if (column == Title) { // the text goes into the table of texts: one step with its key
@@ -214,7 +232,7 @@ void RecipeEditor::commit(int row, int column, const QString& typed) {
         RecipeVariable& variable = changed.variables[static_cast<size_t>(row)];
         switch (column) {
         case Variable:
-            if (text.isEmpty() || changed.variable(text)) return;
+            if (text == variable.variable) return;
             for (RecipeSet& set : changed.sets)
                 if (const auto value = set.values.find(variable.variable); value != set.values.end())
                     set.values.insert(text, set.values.take(variable.variable));
@@ -315,7 +333,7 @@ void RecipeEditor::showProblems(const Recipe& recipe) {
 
 void RecipeEditor::importCsv(const QString& path) {
     const auto bytes = projects::readFile(path.toStdString());
-    if (!bytes) return tell(bytes.error().message);
+    if (!bytes) return tell(bytes.error());
     std::optional<Error> problem;
     edit(tr("Import CSV"), [&](Recipe& recipe) {
         Recipe taken = recipe;
@@ -324,13 +342,13 @@ void RecipeEditor::importCsv(const QString& path) {
         else
             problem = good.error();
     });
-    if (problem) tell(problem->message);
+    if (problem) tell(*problem);
 }
 
 void RecipeEditor::exportCsv(const QString& path) {
     if (!current()) return;
     if (auto written = projects::writeFileAtomically(path.toStdString(), recipeToCsv(*current())); !written)
-        tell(written.error().message);
+        tell(written.error());
 }
 
 } // namespace plc::hmi

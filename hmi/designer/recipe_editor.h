@@ -42,7 +42,8 @@ private:
     void rebuild();
     void fillTable(const Recipe& recipe);
     void showProblems(const Recipe& recipe);
-    void tell(const Message& problem);
+    void tell(const Error& problem);
+    void refuse(const QString& why);
     void askForSetName(int column);
 
     DesignContext& m_context;

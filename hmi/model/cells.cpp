@@ -1,6 +1,7 @@
 #include "hmi/model/cells.h"
 
 #include "hmi/model/layout.h"
+#include "hmi/model/property_literals.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,7 @@ namespace {
 enum class Flow { Row, Column, Grid };
 
 Flow flowOf(const Element& group, const QRectF& rect) {
-    const QString layout = group.text("layout");
+    const QString layout = group.text("layout"_text);
     if (layout == QStringLiteral("grid")) return Flow::Grid;
     if (layout == QStringLiteral("either")) return rect.width() >= rect.height() ? Flow::Row : Flow::Column;
     return layout == QStringLiteral("column") ? Flow::Column : Flow::Row;
@@ -20,8 +21,8 @@ Flow flowOf(const Element& group, const QRectF& rect) {
 
 /// What the frame and the title leave.
 QRectF inner(const Element& group, const QRectF& rect) {
-    const double padding = group.number("padding");
-    const double title = group.text("title").isEmpty() ? 0 : group.number("fontSize") * 1.9;
+    const double padding = group.number("padding"_number);
+    const double title = group.text("title"_text).isEmpty() ? 0 : group.number("fontSize"_number) * 1.9;
     const QRectF left = rect.adjusted(padding, padding + title, -padding, -padding);
     return {left.topLeft(), QSizeF(std::max(1.0, left.width()), std::max(1.0, left.height()))};
 }
@@ -66,11 +67,11 @@ std::vector<QRectF> inLine(const Element& group, const QRectF& room, const std::
     std::vector<double> lengths, shares;
     for (const Element* one : contents) {
         lengths.push_back(isRow ? one->rect().width() : one->rect().height());
-        shares.push_back(one->number("stretch"));
+        shares.push_back(one->number("stretch"_number));
     }
     const std::vector<Stretch> along = alongLine(lengths, shares, isRow ? room.left() : room.top(),
-                                                 isRow ? room.width() : room.height(), group.number("gap"));
-    const QString how = group.text("across");
+                                                 isRow ? room.width() : room.height(), group.number("gap"_number));
+    const QString how = group.text("across"_text);
     std::vector<QRectF> out;
     for (size_t i = 0; i < contents.size(); ++i) {
         const QRectF own = contents[i]->rect();
@@ -83,9 +84,9 @@ std::vector<QRectF> inLine(const Element& group, const QRectF& room, const std::
 }
 
 int columnsOf(const Element& group, const QRectF& room) {
-    if (const int fixed = group.integer("columns"); fixed > 0) return fixed;
-    const double gap = group.number("gap");
-    return std::clamp(static_cast<int>((room.width() + gap) / (group.number("cellWidth") + gap)), 1, 64);
+    if (const int fixed = group.integer("columns"_number); fixed > 0) return fixed;
+    const double gap = group.number("gap"_number);
+    return std::clamp(static_cast<int>((room.width() + gap) / (group.number("cellWidth"_number) + gap)), 1, 64);
 }
 
 std::vector<QRectF> inGrid(const Element& group, const QRectF& room, const std::vector<const Element*>& contents) {
@@ -93,11 +94,11 @@ std::vector<QRectF> inGrid(const Element& group, const QRectF& room, const std::
         int row, column, span;
     };
     const int columns = columnsOf(group, room);
-    const double gap = group.number("gap");
+    const double gap = group.number("gap"_number);
     std::vector<Cell> cells;
     int row = 0, column = 0;
     for (const Element* one : contents) {
-        const int span = std::clamp(one->integer("columnSpan"), 1, columns);
+        const int span = std::clamp(one->integer("columnSpan"_number), 1, columns);
         if (column + span > columns) {
             ++row;
             column = 0;
@@ -130,7 +131,7 @@ std::vector<const Element*> contentsOfCells(const Panel& panel, const ElementId&
 } // namespace
 
 bool hasCells(const Element& element) {
-    return element.kind() == ElementKind::Group && element.text("layout") != QStringLiteral("free");
+    return element.kind() == ElementKind::Group && element.text("layout"_text) != QStringLiteral("free");
 }
 
 std::vector<QRectF> cellsOf(const Element& group, const QRectF& rect, const std::vector<const Element*>& contents) {
@@ -196,8 +197,8 @@ Edit putIntoCells(const Panel& panel, const std::vector<ElementId>& elements, co
     const ElementId before =
         cell >= 0 && static_cast<size_t>(cell) < others.size() ? others[static_cast<size_t>(cell)]->id() : ElementId();
     for (const ElementId& id : elements) {
-        perform(setProperty(scratch, id, "parent", toUtf8(group)));
-        perform(setProperty(scratch, id, "page", 0));
+        perform(setProperty(scratch, id, "parent"_field, toUtf8(group)));
+        perform(setProperty(scratch, id, "page"_field, 0));
         const int from = scratch.indexOf(id), last = static_cast<int>(scratch.elements().size()) - 1;
         int to = before.isEmpty() ? last : scratch.indexOf(before);
         if (from < to && !before.isEmpty()) --to; // it is taken out first

@@ -1,5 +1,7 @@
 #include "hmi/model/edit.h"
 
+#include "hmi/model/property_literals.h"
+
 #include <QSet>
 
 namespace plc::hmi {
@@ -129,7 +131,8 @@ Edit moveBy(const Panel& panel, const std::vector<ElementId>& elements, QPointF 
     EditList list;
     if (offset.isNull()) return {list};
     for (const ElementId& id : closure(panel, elements))
-        list.edits.push_back(setProperty(panel, id, "rect", rectToJson(panel.find(id)->rect().translated(offset))));
+        list.edits.push_back(
+            setProperty(panel, id, "rect"_field, rectToJson(panel.find(id)->rect().translated(offset))));
     return {list};
 }
 
@@ -146,7 +149,7 @@ Edit resizeTo(const Panel& panel, const ElementId& element, const QRectF& rect) 
                             old.width() * sx, old.height() * sy);
         const bool keeps = outer->kind() == ElementKind::Tab && id != element; // a tab's pages keep their size
         const QRectF moved = keeps ? old.translated(rect.topLeft() - from.topLeft()) : scaled;
-        list.edits.push_back(setProperty(panel, id, "rect", rectToJson(id == element ? rect : moved)));
+        list.edits.push_back(setProperty(panel, id, "rect"_field, rectToJson(id == element ? rect : moved)));
     }
     return {list};
 }

@@ -1,6 +1,7 @@
 #include "hmi/model/faceplate.h"
 
 #include "hmi/model/layout.h"
+#include "hmi/model/property_literals.h"
 
 #include <QRegularExpression>
 #include <QSet>
@@ -71,7 +72,7 @@ std::string_view Parameter::wanted() const {
 
 std::vector<Parameter> parametersOf(const Panel& panel) {
     std::vector<Parameter> out;
-    const Json& rows = panel.at("parameters");
+    const Json& rows = panel.at("parameters"_field);
     if (!rows.is_array()) return out;
     const auto field = [](const Json& row, const char* key) {
         const auto found = row.find(key);
@@ -247,12 +248,13 @@ void appendContents(const Element& faceplate, const QString& name, const Argumen
     for (const Element& inner : shown.elements()) {
         Element placed(substituted(inner.descriptor(), inner.fields(), arguments));
         const ElementId parent = inner.parent();
-        placed.set("id", toUtf8(prefix + inner.id()));
-        placed.set("parent", toUtf8(parent.isEmpty() ? faceplate.id() : prefix + parent));
+        placed.set("id"_field, toUtf8(prefix + inner.id()));
+        placed.set("parent"_field, toUtf8(parent.isEmpty() ? faceplate.id() : prefix + parent));
         out.push_back(std::move(placed));
         if (inner.kind() == ElementKind::Faceplate) {
             const Element nested = out.back();
-            appendContents(nested, nested.text("panel"), argumentsOf(nested.at("arguments")), panels, open, out);
+            appendContents(nested, nested.text("panel"_text), argumentsOf(nested.at("arguments"_field)), panels, open,
+                           out);
         }
     }
     open.removeLast();
@@ -261,7 +263,7 @@ void appendContents(const Element& faceplate, const QString& name, const Argumen
 bool reaches(const Panel& panel, const QString& name, const PanelLookup& panels, QSet<QString>& seen) {
     for (const Element& element : panel.elements()) {
         if (element.kind() != ElementKind::Faceplate) continue;
-        const QString placed = element.text("panel");
+        const QString placed = element.text("panel"_text);
         if (placed == name) return true;
         if (placed.isEmpty() || seen.contains(placed)) continue;
         seen += placed;
@@ -274,7 +276,7 @@ bool reaches(const Panel& panel, const QString& name, const PanelLookup& panels,
 } // namespace
 
 std::vector<Element> contentsOf(const Element& faceplate, const PanelLookup& panels) {
-    return contentsOf(faceplate, faceplate.text("panel"), argumentsOf(faceplate.at("arguments")), panels);
+    return contentsOf(faceplate, faceplate.text("panel"_text), argumentsOf(faceplate.at("arguments"_field)), panels);
 }
 
 std::vector<Element> contentsOf(const Element& area, const QString& panel, const Arguments& arguments,

@@ -1,6 +1,7 @@
 #include "hmi/model/layout.h"
 
 #include "hmi/model/cells.h"
+#include "hmi/model/property_literals.h"
 
 #include <QHash>
 
@@ -27,16 +28,16 @@ Span placed(Span own, const QString& anchor, Span was, Span now) {
 
 QRectF placed(const Element& element, const QRectF& was, const QRectF& now) {
     const QRectF rect = element.rect();
-    const Span x = placed({rect.x(), rect.width()}, element.text("anchorX"), {was.x(), was.width()},
+    const Span x = placed({rect.x(), rect.width()}, element.text("anchorX"_text), {was.x(), was.width()},
                           {now.x(), now.width()}),
-               y = placed({rect.y(), rect.height()}, element.text("anchorY"), {was.y(), was.height()},
+               y = placed({rect.y(), rect.height()}, element.text("anchorY"_text), {was.y(), was.height()},
                           {now.y(), now.height()});
     return {x.begin, y.begin, x.length, y.length};
 }
 
 } // namespace
 
-bool isAdapting(const Panel& panel) { return panel.text("adapts") == QStringLiteral("anchors"); }
+bool isAdapting(const Panel& panel) { return panel.text("adapts"_text) == QStringLiteral("anchors"); }
 
 QSizeF sizeFor(const Panel& panel, QSizeF screen) {
     const QSizeF own = panel.size();
@@ -88,11 +89,11 @@ Panel laidOut(const Panel& panel, QSizeF size) {
     const bool isOther = QSizeF(panel.size()) != size;
     if (!isOther && std::none_of(panel.elements().begin(), panel.elements().end(), hasCells)) return panel;
     Panel out = panel;
-    if (isOther) out.set("size", Json::array({static_cast<int>(size.width()), static_cast<int>(size.height())}));
+    if (isOther) out.set("size"_field, Json::array({static_cast<int>(size.width()), static_cast<int>(size.height())}));
     Placing placing(panel, size);
     for (size_t i = 0; i < panel.elements().size(); ++i) {
         const QRectF rect = placing.of(panel.elements()[i]);
-        if (rect != panel.elements()[i].rect()) out.elements()[i].set("rect", rectToJson(rect));
+        if (rect != panel.elements()[i].rect()) out.elements()[i].set("rect"_field, rectToJson(rect));
     }
     return out;
 }

@@ -1,6 +1,7 @@
 #include "hmi/model/panel.h"
 
 #include "hmi/model/errors.h"
+#include "hmi/model/property_literals.h"
 #include "runtime/base/read_json.h"
 
 #include <QSet>
@@ -107,7 +108,7 @@ void Properties::setField(std::string_view key, const std::optional<Json>& value
 }
 
 Element::Element(Json fields) : Properties(descriptorOf(ElementKind::Unknown), std::move(fields)) {
-    m_descriptor = &descriptorOf(kindOf(toUtf8(text("kind"))));
+    m_descriptor = &descriptorOf(kindOf(toUtf8(text("kind"_text))));
 }
 
 Element Element::make(ElementKind kind, const ElementId& id, const QRectF& rect) {
@@ -119,7 +120,7 @@ Element Element::make(ElementKind kind, const ElementId& id, const QRectF& rect)
 }
 
 QString Element::caption() const {
-    const QString name = text("name");
+    const QString name = text("name"_text);
     return name.isEmpty() ? id() : name;
 }
 
@@ -231,7 +232,7 @@ Element* Panel::find(const ElementId& id) {
 int Panel::indexOf(const ElementId& id) const {
     const std::string key = toUtf8(id);
     for (size_t i = 0; i < m_elements.size(); ++i) {
-        const Json& other = m_elements[i].at("id");
+        const Json& other = m_elements[i].at("id"_field);
         if (other.is_string() && other.get_ref<const std::string&>() == key) return static_cast<int>(i);
     }
     return -1;

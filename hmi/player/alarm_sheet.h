@@ -1,12 +1,10 @@
 // What can be done with one alarm: its help, the panel that shows its place, acknowledging, shelving, taking out of
 // service, putting back. Over the player, which owns it; main thread.
 #pragma once
-#include "hmi/alarms/alarm_book.h"
 #include "hmi/player/keypad.h"
+#include "hmi/player/operator_station.h"
 
 namespace plc::hmi {
-
-enum class AlarmAction { Acknowledge, Show, ShelveShort, ShelveLong, OutOfService, PutBack };
 
 class AlarmSheet final : public Overlay {
     Q_OBJECT

@@ -1,5 +1,6 @@
 #include "hmi/player/operator_names.h"
 
+#include "hmi/model/property_literals.h"
 #include "hmi/model/walk.h"
 #include "runtime/inside/slice.h"
 
@@ -9,7 +10,7 @@ namespace {
 
 /// What stands on the element or beside it; empty: nothing that names it.
 QString nameOf(const Element& element, const TextCatalog& texts, const QString& language) {
-    for (const char* key : {"text", "label", "title"})
+    for (const std::string_view key : {"text"_text, "label"_text, "title"_text})
         if (element.has(key))
             if (const QString text = texts.text(element.text(key), language).simplified(); !text.isEmpty()) return text;
     return {};

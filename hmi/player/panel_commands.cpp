@@ -2,6 +2,7 @@
 #include "editor/kit/message_text.h"
 
 #include "hmi/model/errors.h"
+#include "hmi/model/property_literals.h"
 #include "hmi/player/panel_player.h"
 #include "hmi/player/recipe_transfer.h"
 
@@ -17,7 +18,7 @@ QImage renderPanel(const PanelProject& project, session::Session* session, const
     const NamedPanel* named = project.find(name);
     if (!named) return {};
     Panel panel = withArguments(named->panel, completed(parametersOf(named->panel), {}));
-    if (!theme.isEmpty()) panel.set("theme", toUtf8(theme));
+    if (!theme.isEmpty()) panel.set("theme"_field, toUtf8(theme));
     std::unique_ptr<PlcValues> values;
     AlarmBook alarms;
     alarms.setFile(project.alarms);
@@ -125,7 +126,7 @@ int playPanels(const PanelProject& project, session::Session& session, const QSt
             QCryptographicHash::hash(project.folder.toUtf8(), QCryptographicHash::Sha1).toHex().left(16);
         (void)player.keepAlarmsIn(folder + u'/' + QString::fromLatin1(name) + QStringLiteral(".sqlite"));
     }
-    player.setWindowTitle(project.texts.text(player.scene().panel().text("title"), player.language()));
+    player.setWindowTitle(project.texts.text(player.scene().panel().text("title"_text), player.language()));
     session.startThread(session::RunMode{session::Pace::Real, 1.0});
     player.keepLanguageInProject();
     if (fullScreen)

@@ -132,13 +132,18 @@ bool PanelProject::readRecipes() {
 }
 
 void PanelProject::readThemes() {
-    themes.clear();
+    const PanelThemes before = std::exchange(themes, {});
+    std::erase_if(problems, [](const Error& each) { return each.place.starts_with("hmi/themes/"); });
     const QDir at(folder + QStringLiteral("/hmi/themes"));
     for (const QString& file : at.entryList({QStringLiteral("*.json")}, QDir::Files, QDir::Name))
         readInto(*this, at.filePath(file), [&](const std::string& bytes, const QString& place) -> Result<void> {
+            const QString name = file.chopped(5);
             auto theme = PanelTheme::parse(bytes, place);
+            // While somebody writes it, panels keep the look that they had.
+            if (const auto had = before.own().find(name); !theme && had != before.own().end())
+                themes.set(name, *had->second);
             if (!theme) return theme.error();
-            themes.set(file.chopped(5), std::move(*theme));
+            themes.set(name, std::move(*theme));
             return {};
         });
 }

@@ -53,7 +53,7 @@ struct PanelProject {
     /// What could not be understood gives nobody a right.
     bool readPeople();
     bool readRecipes();
-    /// All of hmi/themes; one that cannot be understood is left out.
+    /// All of hmi/themes; one that cannot be understood is a problem, and stays as it was read before.
     void readThemes();
     QString themePath(const QString& name) const;
 };

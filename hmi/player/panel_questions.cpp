@@ -44,12 +44,12 @@ void PanelPlayer::askWhy(kit::AskWhy question, const QString& expression) {
     if (isSignalConnected(QMetaMethod::fromSignal(&PanelPlayer::whyRequested)))
         return emit whyRequested(question, expression); // the studio answers in its own view
     closeAnswer();
-    const session::Run* run = m_recording ? m_recording.get() : m_run;
+    const session::Run* run = m_station.shownRun();
     if (!run || run->history().statistics().scans == 0)
-        return refuse(systemText(m_project.texts, SystemText::NoController, language()));
+        return m_station.refuse(m_station.say(SystemText::NoController));
     const auto program = run->program();
     OperatorNames names = program ? operatorNames(m_project, *program, language()) : OperatorNames();
-    m_why = new PanelWhy(run->history(), question, expression, m_values ? m_values->position() : std::nullopt,
+    m_why = new PanelWhy(run->history(), question, expression, values() ? values()->position() : std::nullopt,
                          language(), std::move(names), this);
     m_why->setGeometry(rect().adjusted(width() / 12, height() / 12, -width() / 12, -height() / 12));
     static_cast<QWidget*>(m_why.data())->show();

@@ -10,7 +10,7 @@ PlayerStatus::PlayerStatus(QWidget* parent) : QWidget(parent) {
     hide();
 }
 
-void PlayerStatus::setState(const OverlayLook& look, const QString& text, Weight weight) {
+void PlayerStatus::setState(const OverlayLook& look, const QString& text, StateWeight weight) {
     if (text == m_state && weight == m_weight && look.tag == m_look.tag && look.theme == m_look.theme) return;
     m_look = look;
     m_state = text;
@@ -55,12 +55,12 @@ void PlayerStatus::paintEvent(QPaintEvent*) {
     if (!m_state.isEmpty()) {
         // Values of a controller that does not run lie under a veil: they are not fresh.
         QColor veil = m_look.theme->color("background");
-        veil.setAlphaF(m_weight == Weight::Notice ? 0.0f : 0.45f);
+        veil.setAlphaF(m_weight == StateWeight::Notice ? 0.0f : 0.45f);
         painter.fillRect(rect().adjusted(0, stateRect().height(), 0, 0), veil);
         strip(stateRect(),
-              m_look.theme->color(m_weight == Weight::Bad      ? "alarm"
-                                  : m_weight == Weight::Notice ? "warning"
-                                                               : "faint"),
+              m_look.theme->color(m_weight == StateWeight::Bad      ? "alarm"
+                                  : m_weight == StateWeight::Notice ? "warning"
+                                                                    : "faint"),
               m_state, 0);
     }
     if (!m_refusal.isEmpty()) strip(refusalRect(), m_look.theme->color("warning"), m_refusal, 8);

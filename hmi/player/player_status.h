@@ -1,6 +1,7 @@
 // The strips over a playing panel: what state the controller is in, and why a write was refused. Owned by the player.
 #pragma once
 #include "hmi/player/keypad.h"
+#include "hmi/player/operator_station.h"
 
 #include <QWidget>
 
@@ -10,11 +11,8 @@ class PlayerStatus final : public QWidget {
     Q_OBJECT
 public:
     explicit PlayerStatus(QWidget* parent);
-    /// Quiet: nothing is wrong, nothing runs yet. Notice: values are real, not of now. Bad: those of a controller that
-    /// does not run.
-    enum class Weight { Quiet, Notice, Bad };
     /// An empty text hides the strip.
-    void setState(const OverlayLook& look, const QString& text, Weight weight);
+    void setState(const OverlayLook& look, const QString& text, StateWeight weight);
     void setRefusal(const OverlayLook& look, const QString& text);
     QString stateText() const { return m_state; }
     /// Pixels that the strip takes from the panel's top; 0 when there is none.
@@ -28,7 +26,7 @@ private:
     QRect refusalRect() const;
     OverlayLook m_look;
     QString m_state, m_refusal;
-    Weight m_weight = Weight::Quiet;
+    StateWeight m_weight = StateWeight::Quiet;
 };
 
 } // namespace plc::hmi

@@ -1,5 +1,7 @@
 #include "hmi/player/pop_up.h"
 
+#include "hmi/model/property_literals.h"
+
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -34,7 +36,7 @@ void PopUp::end() {
 
 void PopUp::showPanel(const Panel& panel) {
     m_view->scene().setPanel(panel);
-    m_title->setText(m_look.texts->text(panel.text("title"), m_look.tag));
+    m_title->setText(m_look.texts->text(panel.text("title"_text), m_look.tag));
     const QSizeF room = QSizeF(size()) - QSizeF(40, 100), own = panel.size();
     const double scale = std::min({1.0, room.width() / own.width(), room.height() / own.height()});
     m_view->setFixedSize((own * std::max(0.1, scale)).toSize());

@@ -1,6 +1,7 @@
 #include "hmi/player/range_check.h"
 
 #include "hmi/model/errors.h"
+#include "hmi/model/property_literals.h"
 #include "hmi/player/plc_values.h"
 
 #include <cmath>
@@ -18,18 +19,18 @@ public:
     RangeChecker(session::Session& session, const QString& file) : m_values(session), m_file(file) {}
 
     void check(const Element& element) {
-        const auto has = [&](const char* key) { return element.descriptor().property(key) != nullptr; };
-        if (has("value") && has("min") && has("max") && element.kind() != ElementKind::BarChart)
-            hold(element, element.text("value"), "min", "max", QStringLiteral("value"));
-        if (has("pointX")) {
-            hold(element, element.text("pointX"), "minX", "maxX", QStringLiteral("pointX"));
-            hold(element, element.text("pointY"), "minY", "maxY", QStringLiteral("pointY"));
+        const auto has = [&](std::string_view key) { return element.descriptor().property(key) != nullptr; };
+        if (has("value"_field) && has("min"_number) && has("max"_number) && element.kind() != ElementKind::BarChart)
+            hold(element, element.text("value"_text), "min"_number, "max"_number, QStringLiteral("value"));
+        if (has("pointX"_field)) {
+            hold(element, element.text("pointX"_text), "minX"_number, "maxX"_number, QStringLiteral("pointX"));
+            hold(element, element.text("pointY"_text), "minY"_number, "maxY"_number, QStringLiteral("pointY"));
         }
-        const Json& series = element.at("series");
+        const Json& series = element.at("series"_field);
         for (size_t row = 0; series.is_array() && row < series.size(); ++row)
             if (series[row].is_object())
-                hold(element, Properties(descriptorOf(ElementKind::Unknown), series[row]).text("value"), "min", "max",
-                     QStringLiteral("series[%1].value").arg(row));
+                hold(element, Properties(descriptorOf(ElementKind::Unknown), series[row]).text("value"_text),
+                     "min"_number, "max"_number, QStringLiteral("series[%1].value").arg(row));
     }
 
     std::vector<Finding> take() { return std::move(m_found); }

@@ -1,5 +1,6 @@
 #include "hmi/player/text_exchange.h"
 
+#include "hmi/model/property_literals.h"
 #include "hmi/model/walk.h"
 
 namespace plc::hmi {
@@ -22,8 +23,8 @@ QMap<QString, QStringList> placesOfTexts(const PanelProject& project) {
         look(panel.name, panel.panel, {});
         for (const Element& element : panel.panel.elements()) look(panel.name, element, element.id());
     }
-    for (const Properties& alarm : project.alarms.rows()) look(QStringLiteral("alarms"), alarm, alarm.text("id"));
-    for (const Properties& one : project.alarms.classRows()) look(QStringLiteral("alarms"), one, one.text("name"));
+    for (const Properties& alarm : project.alarms.rows()) look(QStringLiteral("alarms"), alarm, alarm.text("id"_text));
+    for (const Properties& one : project.alarms.classRows()) look(QStringLiteral("alarms"), one, one.text("name"_text));
     return out;
 }
 

@@ -1,6 +1,7 @@
 #include "hmi/player/text_pictures.h"
 
 #include "hmi/model/errors.h"
+#include "hmi/model/property_literals.h"
 #include "hmi/model/walk.h"
 #include "hmi/view/containers.h"
 #include "projects/storage/project_file.h"
@@ -30,7 +31,7 @@ void turnPages(const PanelScene& scene, const Element& element) {
     for (int guard = 0; guard < 32; ++guard) {
         ElementView* outer = scene.view(one->parent());
         if (!outer) return;
-        if (auto* tab = dynamic_cast<TabView*>(outer)) tab->showPage(one->integer("page"));
+        if (auto* tab = dynamic_cast<TabView*>(outer)) tab->showPage(one->integer("page"_number));
         one = &outer->element();
     }
 }

@@ -1,5 +1,6 @@
 #include "hmi/view/basics.h"
 
+#include "hmi/view/colour_sight.h"
 #include "hmi/view/panel_scene.h"
 #include "hmi/view/picture_file.h"
 #include "hmi/view/symbol_art.h"
@@ -186,12 +187,33 @@ void SymbolView::drawStateMarks(QPainter& painter, const QRectF& art) const {
     line(mark, {{0.18, 0.55}, {0.34, 0.8}, {0.66, 0.8}, {0.72, 0.6}});
 }
 
+namespace {
+/// Lines on a body that is as light as they are would not be seen: then a tone between it and the ground is taken.
+QColor lineFor(const QColor& usual, const QColor& body, const QColor& ground) {
+    constexpr double kSeen = 2;
+    if (contrast(usual, body) >= kSeen) return usual;
+    QColor best = usual;
+    double bestLeast = 0;
+    for (int part = 1; part < 10; ++part) {
+        const auto mixed = [&](int a, int b) { return (a * (10 - part) + b * part) / 10; };
+        const QColor tone(mixed(usual.red(), ground.red()), mixed(usual.green(), ground.green()),
+                          mixed(usual.blue(), ground.blue()));
+        const double least = std::min(contrast(tone, body), contrast(tone, ground));
+        if (least <= bestLeast) continue;
+        bestLeast = least;
+        best = tone;
+    }
+    return best;
+}
+} // namespace
+
 void SymbolView::draw(QPainter& painter) {
     SymbolLook look;
     look.symbol = text("symbol");
     look.body = bodyColor();
     look.line = theme().isDark() ? theme().color("text").darker(115) : QColor(0x33, 0x3A, 0x41);
     if (theme().kind() == PanelThemeKind::Contrast) look.line = theme().color("line");
+    look.line = lineFor(look.line, look.body, theme().color("background"));
     look.accent = theme().color("liquid");
     look.ground = theme().color("surface");
     look.level = hasLevel(look.symbol) ? m_shownLevel : 0;

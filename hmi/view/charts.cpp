@@ -2,36 +2,42 @@
 
 #include "editor/kit/curve_words.h"
 #include "editor/kit/pen_order.h"
+#include "editor/plot/plot_line.h"
+#include "editor/plot/plot_scale.h"
 #include "hmi/view/panel_scene.h"
 
 #include <cmath>
+#include <limits>
 
 namespace plc::hmi {
-
-std::vector<double> roundSteps(double from, double to, int count) {
-    std::vector<double> out;
-    const double span = to - from;
-    if (!(span > 0) || !std::isfinite(span) || count < 1) return out;
-    const double rough = span / count, size = std::pow(10, std::floor(std::log10(rough)));
-    double step = size * 10;
-    for (const double factor : {1.0, 2.0, 5.0})
-        if (size * factor >= rough * 0.99) {
-            step = size * factor;
-            break;
-        }
-    for (double at = std::ceil(from / step - 1e-9) * step; at <= to + span * 1e-9 && out.size() < 100; at += step)
-        out.push_back(std::abs(at) < step * 1e-9 ? 0 : at);
-    return out;
-}
 
 namespace {
 
 /// As many digits as the steps need.
-QString stepFormat(const std::vector<double>& steps) {
+QString stepFormat(const std::vector<plot::PlotTick>& steps) {
     if (steps.size() < 2) return QStringLiteral("%.1f");
-    const double step = steps[1] - steps[0];
+    const double step = steps[1].value - steps[0].value;
     const int digits = std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 6);
     return QStringLiteral("%.%1f").arg(digits);
+}
+
+/// The pieces in the order in which a pen passes their values; one without a value ends the line.
+plot::CurveShape shapeOf(const std::vector<CurvePiece>& pieces, double seconds, bool holds) {
+    const auto time = [](double second) { return static_cast<int64_t>(std::llround(second * 1e9)); };
+    plot::CurveShape shape;
+    shape.from = time(-seconds);
+    shape.to = 0;
+    for (const CurvePiece& piece : pieces) {
+        if (!piece.hasValue) {
+            shape.samples.push_back({time(piece.from), std::numeric_limits<double>::quiet_NaN()});
+            continue;
+        }
+        for (const double value : kit::PenOrder(piece.first, piece.minimum, piece.maximum, piece.last))
+            shape.samples.push_back({time(piece.from), value});
+    }
+    if (holds && !pieces.empty() && pieces.back().hasValue)
+        shape.samples.push_back({time(pieces.back().to), pieces.back().last});
+    return shape;
 }
 
 } // namespace
@@ -45,10 +51,10 @@ void ChartView::drawGround(QPainter& painter, const QRectF& plot) const {
 
 void ChartView::drawVerticalAxis(QPainter& painter, const QRectF& plot, const Axis& axis, const QString& format) const {
     const double size = fontSize();
-    const std::vector<double> steps =
-        roundSteps(axis.from, axis.to, std::max(1, static_cast<int>(plot.height() / (size * 2.8))));
+    const std::vector<plot::PlotTick> steps =
+        plot::numberTicks(axis.from, axis.to, std::max(1, static_cast<int>(plot.height() / (size * 2.8))));
     const QString pattern = format.isEmpty() ? stepFormat(steps) : format;
-    for (const double step : steps) {
+    for (const auto& [step, inStudio] : steps) {
         const double y = plot.bottom() - axis.share(step) * plot.height();
         painter.setPen(QPen(theme().color("faint"), 1, Qt::SolidLine));
         painter.drawLine(QPointF(plot.left(), y), QPointF(plot.right(), y));
@@ -63,16 +69,17 @@ void ChartView::drawVerticalAxis(QPainter& painter, const QRectF& plot, const Ax
 void ChartView::drawHorizontalAxis(QPainter& painter, const QRectF& plot, const Axis& axis, const QString& format,
                                    const QString& unitOfLast) const {
     const double size = fontSize();
-    const std::vector<double> steps =
-        roundSteps(axis.from, axis.to, std::max(1, static_cast<int>(plot.width() / (size * 5))));
+    const std::vector<plot::PlotTick> steps =
+        plot::numberTicks(axis.from, axis.to, std::max(1, static_cast<int>(plot.width() / (size * 5))));
     const QString pattern = format.isEmpty() ? stepFormat(steps) : format;
-    for (const double step : steps) {
+    for (const auto& [step, inStudio] : steps) {
         const double x = plot.left() + axis.share(step) * plot.width();
         painter.setPen(QPen(theme().color("faint"), 1));
         painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
         painter.setPen(theme().color("muted"));
         QString words = formatValue(Value::ofReal(step), pattern, locale());
-        if (step == steps.back() && !unitOfLast.isEmpty()) words = leftToRight(words + QChar(0x00A0) + unitOfLast);
+        if (step == steps.back().value && !unitOfLast.isEmpty())
+            words = leftToRight(words + QChar(0x00A0) + unitOfLast);
         drawText(painter,
                  textBox(words, QRectF(x - 50, plot.bottom() + 2, 100, size * 1.5), size, TextAlign::Center, ""));
     }
@@ -370,9 +377,10 @@ void TrendChartView::draw(QPainter& painter) {
         if (!element().optionalNumber("min")) y.from = low - margin;
         if (!element().optionalNumber("max")) y.to = high + margin;
     }
+    if (y.to == y.from) y.to = y.from + 1;
     const double seconds = std::max(0.001, num("seconds"));
     const double factor = seconds > 7200 ? 1 / 3600.0 : seconds > 180 ? 1 / 60.0 : 1;
-    const Axis x{-seconds, 0}, shownX{-seconds * factor, 0};
+    const Axis shownX{-seconds * factor, 0};
     drawGround(painter, area);
     drawVerticalAxis(painter, area, y, {});
     drawHorizontalAxis(painter, area, shownX, {},
@@ -386,34 +394,13 @@ void TrendChartView::draw(QPainter& painter) {
     if (!unitText.isEmpty())
         drawText(painter, textBox(leftToRight(unitText), QRectF(8, 2, width() - 16, fontSize() * 1.7), fontSize(),
                                   text("title").isEmpty() ? TextAlign::Start : TextAlign::End, ""));
-    painter.save();
-    painter.setClipRect(area, Qt::IntersectClip);
-    painter.setBrush(Qt::NoBrush);
-    const auto px = [&](double at) { return area.left() + x.share(at) * area.width(); };
-    const auto py = [&](double value) { return area.bottom() - y.share(value) * area.height(); };
+    plot::PlotCurve look;
+    look.width = 1.8;
     for (const Series& series : m_series) {
-        painter.setPen(QPen(series.color, 1.8, Qt::SolidLine, Qt::FlatCap,
-                            Qt::BevelJoin)); // a mitre would add spikes where the curve turns
-        QPolygonF line;
-        const auto flush = [&] {
-            if (line.size() > 1) painter.drawPolyline(line);
-            line.clear();
-        };
-        for (const CurvePiece& piece : series.pieces) {
-            if (!piece.hasValue) {
-                flush();
-                continue;
-            }
-            const double from = px(piece.from), to = px(piece.to);
-            // A piece of several samples is a vertical stroke from least to greatest, so no peak is lost.
-            if (series.holds && !line.isEmpty()) line << QPointF(from, line.back().y());
-            for (const double value : kit::PenOrder(piece.first, piece.minimum, piece.maximum, piece.last))
-                line << QPointF(from, py(value));
-            if (series.holds) line << QPointF(to, py(piece.last));
-        }
-        flush();
+        const plot::CurveShape shape = shapeOf(series.pieces, seconds, series.holds);
+        look.style = series.holds ? plot::CurveStyle::Hold : plot::CurveStyle::Line;
+        plot::drawLine(painter, shape, look, {area, shape.from, shape.to, {y.from, y.to}}, series.color);
     }
-    painter.restore();
     painter.setPen(QPen(theme().color("line"), 1));
     painter.drawLine(area.topLeft(), area.bottomLeft());
     painter.drawLine(area.bottomLeft(), area.bottomRight());

@@ -4,9 +4,6 @@
 
 namespace plc::hmi {
 
-/// Round steps between two numbers, about `count` of them.
-std::vector<double> roundSteps(double from, double to, int count);
-
 class ChartView : public ElementView {
 public:
     using ElementView::ElementView;

@@ -94,6 +94,14 @@ Message unknownRole(const std::string& name) {
     return errors::ThemeRoleUnknown(name);
 }
 
+/// "hmi/themes/night.json:7": where the file names the key.
+std::string placeOf(const std::string& key, const std::string& utf8, const std::string& file) {
+    const size_t at = utf8.find('"' + key + '"');
+    if (at == std::string::npos) return file; // written with escapes
+    const auto end = utf8.begin() + static_cast<std::ptrdiff_t>(at);
+    return file + ':' + std::to_string(1 + std::count(utf8.begin(), end, '\n'));
+}
+
 } // namespace
 
 Result<PanelTheme> PanelTheme::parse(const std::string& utf8, const QString& place) {
@@ -104,15 +112,16 @@ Result<PanelTheme> PanelTheme::parse(const std::string& utf8, const QString& pla
     const Json base = json.value.value("base", Json("light"));
     const QString name = base.is_string() ? toQString(base) : QString();
     if (name != QStringLiteral("light") && name != QStringLiteral("dark") && name != QStringLiteral("contrast"))
-        return Error{errors::ThemeBaseUnknown(toUtf8(name)), where};
+        return Error{errors::ThemeBaseUnknown(toUtf8(name)), placeOf("base", utf8, where)};
     PanelTheme out = named(name);
     const Json colors = json.value.value("colors", Json::object());
-    if (!colors.is_object()) return Error{errors::ThemeNotJson(), where};
+    if (!colors.is_object()) return Error{errors::ThemeNotJson(), placeOf("colors", utf8, where)};
     for (const auto& [role, value] : colors.items()) {
-        if (!out.m_colors.contains(QString::fromStdString(role))) return Error{unknownRole(role), where};
+        if (!out.m_colors.contains(QString::fromStdString(role)))
+            return Error{unknownRole(role), placeOf(role, utf8, where)};
         const QColor color = value.is_string() ? QColor(toQString(value)) : QColor();
         if (!color.isValid() || !toQString(value).startsWith(u'#'))
-            return Error{errors::ThemeColorWrong(role, Verbatim("#2A6CA6")), where};
+            return Error{errors::ThemeColorWrong(role, Verbatim("#2A6CA6")), placeOf(role, utf8, where)};
         out.m_colors[QString::fromStdString(role)] = color;
     }
     return out;

@@ -1,5 +1,7 @@
 #include "hmi/web/web_panel.h"
 
+#include "hmi/model/property_literals.h"
+
 #include <QApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -34,27 +36,27 @@ void sendMouse(QWidget& to, QEvent::Type type, QPointF atOverlay, const QWidget&
 
 } // namespace
 
-WebPanel::WebPanel(const PanelProject& project, session::Run& run, PaintStore& store, PanelPlayer& station)
-    : m_project(project), m_player(project, &run), m_stream(store, m_player) {
+WebPanel::WebPanel(const PanelProject& project, session::Run& run, PaintStore& store, OperatorStation& keeper)
+    : m_project(project), m_player(project, &run), m_station(m_player.station()), m_stream(store, m_player) {
     m_player.setStepped();
-    m_player.shareAlarms(station);
-    m_player.setLocked(true);
-    m_player.setOwnLanguage(true);
-    connect(&m_player, &PanelPlayer::writeRefused, this, [this](const QString& reason) { m_refusal = reason; });
+    m_station.shareAlarms(keeper);
+    m_station.setLocked(true);
+    m_station.setOwnLanguage(true);
+    connect(&m_station, &OperatorStation::writeRefused, this, [this](const QString& reason) { m_refusal = reason; });
     connect(&m_player, &PanelPlayer::panelChanged, this, [this] {
         m_player.resize(m_player.scene().size());
         m_stream.restart();
         m_isNew = true;
         m_isTouched = false;
     });
-    if (hasPeople()) connect(&m_player, &PanelPlayer::userChanged, this, &WebPanel::setOperator);
+    if (hasPeople()) connect(&m_station, &OperatorStation::userChanged, this, &WebPanel::setOperator);
     // Other views with other colours.
     connect(&m_player, &PanelPlayer::themeChanged, this, [this] {
         m_stream.restart();
         m_isNew = true;
     });
     connect(&m_player, &PanelPlayer::languageChanged, this, [this] { m_isNew = true; });
-    if (m_player.panelName().isEmpty() && !project.panels.empty()) m_player.showPanel(project.panels.front().name);
+    if (m_station.panelName().isEmpty() && !project.panels.empty()) m_player.showPanel(project.panels.front().name);
 }
 
 WebPanel::~WebPanel() { letGo(); }
@@ -62,13 +64,13 @@ WebPanel::~WebPanel() { letGo(); }
 void WebPanel::setOperator(const QString& name) {
     letGo();
     m_operator = name;
-    m_player.setLocked(name.isEmpty());
+    m_station.setLocked(name.isEmpty());
     m_isNew = true;
 }
 
 void WebPanel::logOut() {
     if (hasPeople())
-        m_player.logOut();
+        m_station.logOut();
     else
         setOperator({});
 }
@@ -89,13 +91,14 @@ bool WebPanel::isInside(QPointF at) const {
 
 bool WebPanel::take(const ClientMessage& message) {
     if (!m_isStarted && message.word != ClientWord::Hello) return false;
-    if (message.word != ClientWord::Drawn) m_player.touch(); // pictures come and are drawn without anybody there
+    if (message.word != ClientWord::Drawn)
+        m_station.touch(std::chrono::steady_clock::now()); // pictures come and are drawn without anybody there
     switch (message.word) {
     case ClientWord::Hello:
         if (m_isStarted) return false;
         m_isStarted = true;
         if (!message.text.isEmpty()) (void)m_player.showPanel(message.text);
-        if (m_project.texts.settings().languages.contains(message.more)) m_player.setLanguage(message.more);
+        if (m_project.texts.settings().languages.contains(message.more)) m_station.setLanguage(message.more);
         [[fallthrough]];
     case ClientWord::Scale:
         m_sharpness = std::clamp(static_cast<int>(std::ceil(std::clamp(message.number, 0.1, 4.0) - 0.01)), 1, 4);
@@ -121,7 +124,7 @@ bool WebPanel::take(const ClientMessage& message) {
         (void)m_player.showPanel(message.text);
         return true;
     case ClientWord::Language:
-        if (m_project.texts.settings().languages.contains(message.text)) m_player.setLanguage(message.text);
+        if (m_project.texts.settings().languages.contains(message.text)) m_station.setLanguage(message.text);
         return true;
     case ClientWord::Motion:
         m_player.setReducedMotion(message.number == 0);
@@ -195,10 +198,11 @@ QString WebPanel::viewName() const {
     const bool hasOverlay = m_player.overlay() && !m_player.overlay()->isHidden();
     if (m_isTouched || isOperator() || hasOverlay) return {};
     const PanelScene& scene = m_player.scene();
-    QStringList place{m_player.place().panel};
-    for (auto one = m_player.place().arguments.cbegin(); one != m_player.place().arguments.cend(); ++one)
+    QStringList place{m_station.navigation().current().panel};
+    for (auto one = m_station.navigation().current().arguments.cbegin();
+         one != m_station.navigation().current().arguments.cend(); ++one)
         place += one.key() + u'=' + one.value();
-    return QStringList{place.join(u'\t'), m_player.language(), scene.themeName(), QString::number(m_sharpness),
+    return QStringList{place.join(u'\t'), m_station.language(), scene.themeName(), QString::number(m_sharpness),
                        QString::number(scene.isMotionReduced())}
         .join(u'\n');
 }
@@ -232,7 +236,7 @@ void WebPanel::activate(size_t index) {
 
 QByteArray WebPanel::describe() {
     const PanelScene& scene = m_player.scene();
-    const QColor ground = scene.theme().color(scene.panel().text("background"));
+    const QColor ground = scene.theme().color(scene.panel().text("background"_text));
     Json panels = Json::array(), languages = Json::array();
     for (const NamedPanel& panel : m_project.panels) panels.push_back(panel.name.toStdString());
     for (const QString& tag : m_project.texts.settings().languages) {
@@ -244,13 +248,13 @@ QByteArray WebPanel::describe() {
     const auto say = [&](SystemText text) { return words(text).toStdString(); };
     const auto hex = [](const QColor& color) { return color.name().toStdString(); };
     return packed({{"t", "panel"},
-                   {"name", m_player.panelName().toStdString()},
+                   {"name", m_station.panelName().toStdString()},
                    {"width", scene.size().width()},
                    {"height", scene.size().height()},
                    {"ground", hex(ground.isValid() ? ground : scene.theme().color("background"))},
                    {"dark", scene.theme().isDark()},
-                   {"language", m_player.language().toStdString()},
-                   {"rtl", isRightToLeft(m_player.language())},
+                   {"language", m_station.language().toStdString()},
+                   {"rtl", isRightToLeft(m_station.language())},
                    {"panels", panels},
                    {"languages", languages},
                    {"operator", m_operator.toStdString()},
@@ -287,7 +291,7 @@ WebPanel::Output WebPanel::next(qint64 milliseconds) {
         m_state = QChar(0);
     }
     if (!isRecorded) {
-        const Freshness freshness = m_player.values() ? m_player.values()->freshness() : Freshness::Disconnected;
+        const Freshness freshness = m_station.values() ? m_station.values()->freshness() : Freshness::Disconnected;
         tellState(m_player.stateText(), freshness == Freshness::Stopped || freshness == Freshness::Fault, out);
     } else {
         tellState(m_stream.shared(view).state, m_stream.shared(view).isBad, out);

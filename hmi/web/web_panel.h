@@ -14,8 +14,8 @@ namespace plc::hmi::web {
 class WebPanel final : public QObject {
     Q_OBJECT
 public:
-    /// `station` keeps the alarms of all browsers.
-    WebPanel(const PanelProject& project, session::Run& run, PaintStore& store, PanelPlayer& station);
+    /// `keeper` keeps the alarms of all browsers.
+    WebPanel(const PanelProject& project, session::Run& run, PaintStore& store, OperatorStation& keeper);
     ~WebPanel() override;
 
     /// False: the message makes no sense here, and who sends it is not a browser of ours.
@@ -24,14 +24,14 @@ public:
     void setOperator(const QString& name);
     /// A note for whoever operates here: the controller refused a write.
     void tell(const QString& reason);
-    bool isOperator() const { return !m_player.isLocked(); }
+    bool isOperator() const { return !m_station.isLocked(); }
     /// The project has users: they log in by name and password, on the page or on the panel, and have their rights.
     bool hasPeople() const { return !m_project.people.isEmpty(); }
     /// Who checks their passwords.
-    void setDoor(PanelPlayer::Door door) { m_player.setDoor(std::move(door)); }
+    void setDoor(OperatorStation::Door door) { m_station.setDoor(std::move(door)); }
     LogIn::Answer logIn(const QString& user, const QString& password) { return m_player.logIn(user, password); }
     void logOut();
-    QString words(SystemText text) const { return systemText(m_project.texts, text, m_player.language()); }
+    QString words(SystemText text) const { return m_station.say(text); }
 
     struct Output {
         QList<QByteArray> texts; // JSON
@@ -57,7 +57,8 @@ private:
     /// What is touched must be what the values are now.
     void catchUp();
     const PanelProject& m_project;
-    PanelPlayer m_player;
+    PanelPlayer m_player;       // draws
+    OperatorStation& m_station; // what is done on it
     PanelStream m_stream;
     QString m_operator, m_refusal, m_state;
     QPointer<QWidget> m_held; // of an overlay

@@ -2,6 +2,7 @@
 
 #include "runtime/base/text.h"
 #include "runtime/diagnostics/examples.h"
+#include "runtime/diagnostics/severity_name.h"
 
 #include <algorithm>
 
@@ -11,7 +12,6 @@ namespace {
 
 using diagnostics::Diagnostic;
 using diagnostics::Kind;
-using diagnostics::Severity;
 
 constexpr Kind kKinds[] = {
 #define PLC_DIAGNOSTIC(Name, SeverityName, Code, Text, ...) Kind::Name,
@@ -43,18 +43,6 @@ std::vector<Diagnostic> findingsOf(const driver::Checked& checked, Kind kind, st
     return out;
 }
 
-std::string_view severityWord(Kind kind) {
-    switch (diagnostics::severityOf(kind)) {
-    case Severity::Error:
-        return "error";
-    case Severity::Warning:
-        return "warning";
-    case Severity::Info:
-        return "info";
-    }
-    return {};
-}
-
 /// As UTF-8, whatever it is: one example is not.
 std::string readable(std::string_view program) {
     std::string out;
@@ -67,7 +55,7 @@ std::string fenced(std::string_view program) { return "```iecst\n" + readable(pr
 std::string pageOf(const Explanation& shown) {
     std::string out = "## " + std::string(diagnostics::codeOf(shown.kind)) + "\n\n";
     for (const Diagnostic& finding : shown.findings) {
-        out += "- " + std::string(severityWord(shown.kind));
+        out += "- " + std::string(diagnostics::severityName(diagnostics::severityOf(shown.kind)));
         if (finding.range.file.isValid())
             out +=
                 ", line " +

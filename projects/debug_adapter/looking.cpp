@@ -3,6 +3,7 @@
 
 #include "projects/protocol/errors.h"
 #include "runtime/base/text.h"
+#include "runtime/image/variable_tree.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -102,12 +103,10 @@ std::vector<Variables::Line> Adapter::linesOf(const Frame& frame, bool areLocals
 
 std::vector<Variables::Line> Adapter::globals() {
     std::vector<Variables::Line> out;
-    for (const image::Root& root : m_debuggee->program().layout.roots) {
-        if (root.isHidden || root.area == image::Area::Program || root.area == image::Area::Frame || root.name.empty())
-            continue;
-        const std::string path = image::Layout::pathOf(root);
-        const auto value = m_debuggee->evaluate(path, std::nullopt);
-        out.push_back({path, value ? *value : types::Value(), root.constant ? "" : path, false});
+    for (const image::VariableNode& node : image::VariableTree(m_debuggee->program().layout).declared()) {
+        if (node.kind == image::VariableKind::Program || node.root->name.empty()) continue;
+        const auto value = m_debuggee->evaluate(node.path, std::nullopt);
+        out.push_back({node.path, value ? *value : types::Value(), node.isConstant ? "" : node.path, false});
     }
     return out;
 }

@@ -71,6 +71,7 @@ struct Diagram::State : DiagramGraph {
     const DiagramTypes types;
     std::map<std::string, Known> known;
     std::set<std::string> emitted, inProgress;
+    int order = 0; // of the element that is written
     std::vector<Statement> statements;
     std::vector<std::pair<std::string, std::string>> variables;
 
@@ -276,8 +277,22 @@ struct Diagram::State : DiagramGraph {
         write(guardedStatement(condition, name + "(" + arguments + ");"), std::move(writes));
     }
 
+    /// Where the order is written down, a box that comes later is read as it is: the value of the last call.
+    static int orderOf(pugi::xml_node node) { return std::atoi(attribute(node, "executionOrderId").c_str()); }
+    bool isLater(pugi::xml_node block) const { return order > 0 && orderOf(block) > order; }
+    /// Its result must be computed in its turn: later it would be another one.
+    bool readsLater(pugi::xml_node block) const {
+        for (const char* list : {"inputVariables", "inOutVariables"})
+            for (const pugi::xml_node variable : childOf(block, list).children()) {
+                const pugi::xml_node from =
+                    find(attribute(childOf(childOf(variable, "connectionPointIn"), "connection"), "refLocalId"));
+                if (is(from, "block") && orderOf(block) > 0 && orderOf(from) > orderOf(block)) return true;
+            }
+        return false;
+    }
+
     Flow instanceOutput(pugi::xml_node block, std::string pinName) {
-        callInstance(block);
+        if (!isLater(block)) callInstance(block);
         if (equalsIgnoringCase(pinName, "ENO")) return enable(block);
         if (pinName.empty())
             for (const pugi::xml_node variable : childOf(block, "outputVariables").children())
@@ -335,7 +350,7 @@ struct Diagram::State : DiagramGraph {
         }
         const Flow condition = enable(block);
         Flow value;
-        if (const bool isStored = !condition.isTrue() || isUsedTwice(block, pinName); isStored) {
+        if (const bool isStored = !condition.isTrue() || isUsedTwice(block, pinName) || readsLater(block); isStored) {
             const std::string type = types.of(block, pinName);
             if (!type.empty()) {
                 const std::string name = declare("result", idOf(block), type);
@@ -344,7 +359,8 @@ struct Diagram::State : DiagramGraph {
                           {foldCase(name)});
                 value = Flow(name, Flow::kPrimary);
             } else {
-                report.add(place(block), condition.isTrue()
+                report.add(place(block), readsLater(block) ? remarks::DiagramLoop(attribute(block, "typeName"))
+                                         : condition.isTrue()
                                              ? remarks::DiagramResultRepeated(attribute(block, "typeName"))
                                              : remarks::DiagramEnableDropped(attribute(block, "typeName")));
             }
@@ -374,6 +390,11 @@ struct Diagram::State : DiagramGraph {
 
     /// A function box of its own: nothing reads its result.
     void runFunction(pugi::xml_node block) {
+        if (readsLater(block))
+            for (const pugi::xml_node variable : childOf(block, "outputVariables").children())
+                if (const std::string name = attribute(variable, "formalParameter");
+                    is(variable, "variable") && !equalsIgnoringCase(name, "ENO"))
+                    (void)functionOutput(block, name);
         if (hasUsedOutput(block) || !emitted.insert(idOf(block)).second) return;
         const Flow value = functionValue(block);
         if (value.level() == Flow::kPrimary && value.text().ends_with(")"))
@@ -383,6 +404,7 @@ struct Diagram::State : DiagramGraph {
     // ------------------------------------------------------------ statements
 
     void emitSink(pugi::xml_node node) {
+        order = orderOf(node);
         const std::string_view kind = localName(node);
         if (kind == "block") return emitBlock(node);
         if (kind == "outVariable" || kind == "inOutVariable") return emitVariable(node);

@@ -46,7 +46,7 @@ std::string DiagramTypes::atPoint(pugi::xml_node point, int depth) const {
 }
 
 std::string DiagramTypes::of(pugi::xml_node node, const std::string& pinName, int depth) const {
-    if (!node || depth > 50) return {};
+    if (!node || depth > 400) return {};
     const std::string_view kind = localName(node);
     if (kind == "contact" || kind == "leftPowerRail" || kind == "coil") return "BOOL";
     if (equalsIgnoringCase(pinName, "ENO")) return "BOOL";
@@ -54,10 +54,18 @@ std::string DiagramTypes::of(pugi::xml_node node, const std::string& pinName, in
     if (kind == "continuation")
         return atPoint(childOf(m_graph.connectorNamed(attribute(node, "name")), "connectionPointIn"), depth);
     if (kind != "block") return {};
+    const std::string key = DiagramGraph::idOf(node) + ":" + pinName; // boxes may share what is before them
+    if (const auto known = m_known.find(key); known != m_known.end()) return known->second;
+    m_known.emplace(key, std::string()); // a loop has no type of its own
+    return m_known[key] = ofBlock(node, pinName, depth);
+}
+
+std::string DiagramTypes::ofBlock(pugi::xml_node node, const std::string& pinName, int depth) const {
     if (DiagramGraph::isBlockInstance(node)) {
         if (isOneOf(pinName, {"Q", "Q1", "QU", "QD"})) return "BOOL";
         if (isOneOf(pinName, {"ET"})) return "TIME";
         if (isOneOf(pinName, {"CDT"})) return "DT";
+        if (isOneOf(pinName, {"CV"}) && isOneOf(attribute(node, "typeName"), {"CTU", "CTD", "CTUD"})) return "INT";
         return {};
     }
     return ofFunction(node, depth);

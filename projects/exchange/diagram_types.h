@@ -28,11 +28,13 @@ public:
 
 private:
     [[nodiscard]] std::string atPoint(pugi::xml_node point, int depth) const;
+    [[nodiscard]] std::string ofBlock(pugi::xml_node node, const std::string& pinName, int depth) const;
     [[nodiscard]] std::string ofFunction(pugi::xml_node block, int depth) const;
     [[nodiscard]] std::string ofText(const std::string& text) const;
 
     const DiagramGraph& m_graph;
     const Names &m_variables, &m_results;
+    mutable std::map<std::string, std::string> m_known; // of blocks, by id and pin
 };
 
 } // namespace plc::exchange

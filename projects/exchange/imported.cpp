@@ -1,6 +1,7 @@
 #include "projects/exchange/imported.h"
 
 #include "projects/exchange/addresses.h"
+#include "projects/exchange/own_namespaces.h"
 #include "projects/exchange/plcopen_import.h"
 #include "projects/exchange/text_import.h"
 #include "projects/exchange/tool_types.h"
@@ -103,19 +104,24 @@ private:
         if (!isTwinCatProject(*file)) return;
         std::set<std::string> included;
         readTwinCatProject(*file, out, included);
-        m_projects.push_back({path.parent_path(), std::move(included)});
+        m_projects.push_back({path.parent_path(), path.stem().string(), std::move(included)});
         ++out.report.filesRead;
     }
 
-    /// Below the project it belongs to, else below the folder that was named.
+    /// Below the project it belongs to, by the project's name when there are several; else below the folder that was
+    /// named.
     std::string folderOf(const fs::path& file, const fs::path& root) const {
-        fs::path base = root;
-        for (const TwinCatFolder& each : m_projects)
-            if (const std::string text = each.folder.string(); file.string().starts_with(text + "/"))
-                base = each.folder;
+        const TwinCatFolder* owner = nullptr;
+        for (const TwinCatFolder& each : m_projects) {
+            const std::string text = each.folder.string();
+            const bool isNearer = !owner || owner->folder.string().size() < text.size();
+            if (isNearer && file.string().starts_with(text + "/")) owner = &each;
+        }
         std::error_code problem;
-        std::string folder = fs::relative(file.parent_path(), base, problem).generic_string();
-        return folder == "." ? "" : folder;
+        std::string folder = fs::relative(file.parent_path(), owner ? owner->folder : root, problem).generic_string();
+        if (folder == ".") folder.clear();
+        if (!owner || m_projects.size() < 2) return folder;
+        return owner->name + (folder.empty() ? "" : "/" + folder);
     }
 
     Result<void> readXml(const std::string& bytes, const std::string& place, const std::string& folder) {
@@ -140,6 +146,7 @@ private:
 
     struct TwinCatFolder {
         fs::path folder;
+        std::string name;
         std::set<std::string> included;
     };
     std::vector<TwinCatFolder> m_projects;
@@ -156,6 +163,16 @@ void noteAddressing(Imported& out) {
     if (!isInWords || file == out.files.end()) return;
     out.addressing = image::Addressing::Words;
     out.report.add(file->path, remarks::WordAddresses(toolOf(out)));
+}
+
+/// A project says how much memory __NEW has; without a number there is none.
+void setMemoryAside(Imported& out) {
+    constexpr uint32_t kMemory = 65536;
+    for (const ImportedFile& file : out.files)
+        if (foldCase(file.text).find("__new") != std::string::npos) {
+            out.memoryForNew = kMemory;
+            return out.report.add(file.path, remarks::MemoryForNew());
+        }
 }
 
 } // namespace
@@ -203,8 +220,10 @@ Result<Imported> finished(Reader& reader, const std::string& path) {
         if (named.filename().empty()) named = named.parent_path();
         reader.out.name = named.stem().string();
     }
+    dropOwnNamespaces(reader.out);
     addToolTypes(reader.out);
     noteAddressing(reader.out);
+    setMemoryAside(reader.out);
     return std::move(reader.out);
 }
 
@@ -242,6 +261,7 @@ projects::Project toProject(const Imported& imported) {
     project.languages = {"en"};
     project.json = Json::object();
     project.addressing = imported.addressing;
+    project.memoryForNew = imported.memoryForNew;
     project.libraries.assign(imported.libraries.begin(), imported.libraries.end());
     for (const ImportedFile& file : imported.files) project.sources.push_back({file.path, file.text});
     return project;
@@ -265,6 +285,7 @@ Result<void> writeImported(const Imported& imported, const std::string& folder) 
     project["libraries"] = Json::array();
     for (const std::string& library : imported.libraries) project["libraries"].push_back(library);
     if (imported.addressing == image::Addressing::Words) project["addressing"] = "word";
+    if (imported.memoryForNew > 0) project["memoryForNew"] = imported.memoryForNew;
     if (auto done = write("exchange.json", imported.side.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
         !done)
         return done;

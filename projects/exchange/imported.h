@@ -22,6 +22,9 @@ struct Imported {
     std::string name;
     std::vector<ImportedFile> files;
     std::set<std::string> libraries;                                // of ours
+    std::set<std::string> namespaces;                               // of the imported projects themselves
+    std::set<std::string> coveredNamespaces = {"Tc2_System"};       // of foreign libraries whose names are here, too
+    uint32_t memoryForNew = 0;                                      // bytes, for programs that use __NEW
     image::Addressing addressing = image::Addressing::Bytes;        // what %MW1 counts in the tool it comes from
     nlohmann::ordered_json side = nlohmann::ordered_json::object(); // exchange.json, by unit and id
     Report report;

@@ -1,5 +1,6 @@
 #include "projects/exchange/libraries.h"
 
+#include "projects/exchange/xml.h"
 #include "runtime/base/text.h"
 
 #include <algorithm>
@@ -23,6 +24,7 @@ void useLibrary(Imported& imported, const std::string& name, bool isSystem, cons
     for (const Row& row : kRows) {
         if (row.theirs != folded) continue;
         if (!row.ours.empty()) imported.libraries.insert(std::string(row.ours));
+        imported.coveredNamespaces.insert(trimmed(name.substr(0, name.find(','))));
         return;
     }
     const std::vector<std::string> ours = driver::libraryNames();

@@ -9,39 +9,7 @@
 namespace plc::exchange {
 namespace {
 
-/// The archive writes objects as <o t="Type">, their members by n="…": <v> values (texts in quotation marks), <l2>
-/// lists whose cet is the type of elements that say none, <n/> nothing.
-pugi::xml_node memberOf(pugi::xml_node object, std::string_view name) {
-    for (const pugi::xml_node child : object.children())
-        if (name == child.attribute("n").value() && localName(child) != "n") return child;
-    return {};
-}
-
-std::string valueOf(pugi::xml_node object, std::string_view name) {
-    std::string text = trimmed(exchange::textOf(memberOf(object, name)));
-    if (text.size() >= 2 && text.front() == '"' && text.back() == '"') text = text.substr(1, text.size() - 2);
-    return text;
-}
-
-bool isTrueIn(pugi::xml_node object, std::string_view name) {
-    return equalsIgnoringCase(valueOf(object, name), "true");
-}
-
-struct Element {
-    pugi::xml_node node; // none: <n/>
-    std::string type;
-};
-
-std::vector<Element> elementsOf(pugi::xml_node list) {
-    std::vector<Element> out;
-    const std::string common = attribute(list, "cet");
-    for (const pugi::xml_node child : list.children()) {
-        if (child.type() != pugi::node_element) continue;
-        const std::string own = attribute(child, "t");
-        out.push_back({localName(child) == "n" ? pugi::xml_node() : child, own.empty() ? common : own});
-    }
-    return out;
-}
+using namespace archive;
 
 std::vector<std::string> namesOf(pugi::xml_node box, std::string_view parameters) {
     std::vector<std::string> out;
@@ -69,7 +37,7 @@ Marks marksOf(pugi::xml_node holder) {
 
 class Converter {
 public:
-    explicit Converter(NetworkList& out) : m_out(out) {}
+    explicit Converter(ArchiveBody& out) : m_out(out) {}
 
     void read(pugi::xml_node list) {
         m_isLadder = equalsIgnoringCase(valueOf(list, "DefaultViewMode"), "Ld");
@@ -210,25 +178,17 @@ private:
         if (!before.isConnected()) return all;
         return all.isConnected() ? m_builder->joined("AND", {before, all}) : before;
     }
-    NetworkList& m_out;
+    ArchiveBody& m_out;
     std::optional<DiagramBuilder> m_builder;
     std::map<std::string, Wire> m_wires; // of the network, by number
     bool m_isLadder = false;
 };
 
-pugi::xml_node listIn(pugi::xml_node node, int depth) {
-    if (std::string_view(node.attribute("t").value()) == "NWLImplementationObject") return node;
-    if (depth > 10) return {};
-    for (const pugi::xml_node child : node.children())
-        if (const pugi::xml_node found = listIn(child, depth + 1)) return found;
-    return {};
-}
-
 } // namespace
 
-NetworkList readNetworkList(pugi::xml_node archive) {
-    NetworkList out;
-    if (const pugi::xml_node list = listIn(archive, 0)) Converter(out).read(list);
+ArchiveBody readNetworkList(pugi::xml_node stored) {
+    ArchiveBody out;
+    if (const pugi::xml_node list = objectOf(stored, "NWLImplementationObject")) Converter(out).read(list);
     return out;
 }
 

@@ -45,14 +45,18 @@ void declare(Piece& owner, const std::vector<std::pair<std::string, std::string>
     owner.declaration += "END_VAR\n";
 }
 
+DiagramNames namesOf(const Piece& owner) {
+    DiagramNames names;
+    names.variableTypes = variableTypesIn(owner.declaration);
+    names.isFunction = owner.kind == PieceKind::Function || owner.kind == PieceKind::Method;
+    return names;
+}
+
 } // namespace
 
 std::string diagramText(pugi::xml_node diagram, const XmlFile& file, const std::string& unit, Piece& owner,
                         Imported& out) {
-    DiagramNames names;
-    names.variableTypes = variableTypesIn(owner.declaration);
-    names.isFunction = owner.kind == PieceKind::Function || owner.kind == PieceKind::Method;
-    const DiagramText text = Diagram(diagram, file, unit, names, out.report).statements();
+    const DiagramText text = Diagram(diagram, file, unit, namesOf(owner), out.report).statements();
     declare(owner, text.variables);
     const bool isOwnBody = unit.find('.') == std::string::npos || owner.kind == PieceKind::Method;
     if (isOwnBody && owner.declaration.find("{attribute 'view'") == std::string::npos)
@@ -64,6 +68,20 @@ std::string diagramText(pugi::xml_node diagram, const XmlFile& file, const std::
     kept["text"] = hashOf(body);
     kept["xml"] = toXml(diagram);
     return body;
+}
+
+std::string chartBody(pugi::xml_node chart, const XmlFile& file, const std::string& unit,
+                      const std::map<std::string, std::string>& transitions, Piece& owner, Imported& out) {
+    const ChartText text = chartText(chart, file, unit, transitions, namesOf(owner), out.report);
+    declare(owner, text.variables);
+    for (const auto& [name, body] : text.actions) {
+        Piece action;
+        action.kind = PieceKind::Action;
+        action.name = name;
+        action.body = body;
+        owner.members.push_back(std::move(action));
+    }
+    return text.text;
 }
 
 } // namespace plc::exchange

@@ -2,6 +2,7 @@
 // declaration, and the diagram itself for the way back. Functions, any thread.
 #pragma once
 #include "projects/exchange/assemble.h"
+#include "projects/exchange/chart_import.h"
 #include "projects/exchange/diagram.h"
 #include "projects/exchange/imported.h"
 
@@ -9,8 +10,12 @@ namespace plc::exchange {
 
 /// The variables of a declaration and their types, as written.
 [[nodiscard]] std::map<std::string, std::string> variableTypesIn(std::string_view declaration);
-/// `diagram` is an <LD> or <FBD> of PLCopen; `unit` is its path in exchange.json, `owner` takes the declarations.
+/// `diagram` is an <LD>, <FBD> or <CFC> of PLCopen; `unit` is its path in exchange.json, `owner` takes the
+/// declarations.
 [[nodiscard]] std::string diagramText(pugi::xml_node diagram, const XmlFile& file, const std::string& unit,
                                       Piece& owner, Imported& out);
+/// `chart` is an <SFC> of PLCopen; the actions that are written inside it become members of `owner`.
+[[nodiscard]] std::string chartBody(pugi::xml_node chart, const XmlFile& file, const std::string& unit,
+                                    const std::map<std::string, std::string>& transitions, Piece& owner, Imported& out);
 
 } // namespace plc::exchange

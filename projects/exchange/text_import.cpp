@@ -64,6 +64,7 @@ public:
         : m_text(text), m_place(std::move(place)), m_out(out) {}
 
     void read() {
+        if (m_text.find("_FUNCTIONBLOCK") != std::string::npos) gatherBlockPins(m_text, m_pins);
         for (size_t at = 0; at < m_text.size();) {
             const size_t end = std::min(m_text.find('\n', at), m_text.size());
             readLine(std::string_view(m_text).substr(at, end - at));
@@ -100,7 +101,8 @@ private:
                 "FUNCTION_BLOCK" + std::string(line.substr(line.find_first_not_of(" \t") + word.size())) + "\n";
         else
             m_current += std::string(line) + "\n";
-        if (endsUnit(word)) finish();
+        const bool isInside = word == "END_ACTION" && kindOfDeclaration(m_current) != PieceKind::Action;
+        if (endsUnit(word) && !isInside) finish(); // an action of a chart stands before the end of its unit
     }
 
     void readMark(const std::string& key, const std::string& value) {
@@ -146,7 +148,9 @@ private:
     bool readDrawn(PieceKind kind, const std::string& name, std::string& text) {
         if (kind != PieceKind::Program && kind != PieceKind::Function && kind != PieceKind::FunctionBlock) return false;
         pugi::xml_document diagram;
-        if (!readCodesys2Diagram(m_drawn, diagram)) return false;
+        if (!readCodesys2Diagram(
+                m_drawn, [this](const std::string& type) { return pinsOf(type); }, diagram))
+            return false;
         const auto lines = XmlFile::parse("<export/>", m_place); // only the place of remarks
         if (!lines) return false;
         Piece piece;
@@ -160,9 +164,21 @@ private:
         return true;
     }
 
+    /// Of the standard, of this file, or of the files before it.
+    std::optional<BlockPins> pinsOf(const std::string& type) const {
+        if (const auto own = m_pins.find(foldCase(type)); own != m_pins.end()) return own->second;
+        if (auto known = standardPins(type)) return known;
+        std::map<std::string, BlockPins> others;
+        for (const ImportedFile& file : m_out.files)
+            if (foldCase(file.text).find(foldCase(type)) != std::string::npos) gatherBlockPins(file.text, others);
+        const auto other = others.find(foldCase(type));
+        return other == others.end() ? std::nullopt : std::optional(other->second);
+    }
+
     const std::string& m_text;
     std::string m_place;
     Imported& m_out;
+    std::map<std::string, BlockPins> m_pins; // of the blocks of this file
     int m_line = 1;
     std::string m_current, m_path, m_list, m_skipUntil, m_drawn;
     bool m_isDrawn = false;

@@ -18,8 +18,19 @@ struct ToolType {
 
 /// Of TwinCAT's system library.
 constexpr ToolType kTwinCat[] = {
-    {"T_MaxString", "STRING(255)"}, {"PVOID", "POINTER TO BYTE"}, {"HRESULT", "DINT"},
-    {"T_AmsNetId", "STRING(23)"},   {"T_AmsPort", "UINT"},        {"T_IPv4Addr", "STRING(15)"}};
+    {"T_MaxString", "STRING(255)"},
+    {"PVOID", "POINTER TO BYTE"},
+    {"HRESULT", "DINT"},
+    {"T_AmsNetId", "STRING(23)"},
+    {"T_AmsPort", "UINT"},
+    {"T_IPv4Addr", "STRING(15)"},
+    {"T_AmsNetIdArr", "ARRAY[0..5] OF BYTE"},
+    {"ST_LibVersion",
+     "STRUCT iMajor, iMinor, iBuild, iRevision : UINT; nFlags : DWORD; sVersion : STRING(23); END_STRUCT"},
+    {"TIMESTRUCT", "STRUCT wYear, wMonth, wDayOfWeek, wDay, wHour, wMinute, wSecond, wMilliseconds : WORD; END_STRUCT"},
+    {"T_FILETIME", "STRUCT dwLowDateTime, dwHighDateTime : DWORD; END_STRUCT"},
+    {"T_FILETIME64", "ULINT"},
+    {"T_DCTIME64", "ULINT"}};
 
 /// Beremiz has a type HMI_INT beside INT, and so on, for variables that its panels see; HMI_NODE groups them.
 std::optional<std::string> panelType(std::string_view name) {
@@ -34,6 +45,39 @@ std::optional<std::string> panelType(std::string_view name) {
 struct ToolBlock {
     std::string_view name, needs, text;
 };
+
+/// Functions of TwinCAT and CODESYS that work on the bytes behind addresses.
+constexpr ToolBlock kMemoryFunctions[] = {
+    {"MEMCPY", "",
+     "FUNCTION MEMCPY : UDINT\nVAR_INPUT\n    destAddr : POINTER TO BYTE;\n    srcAddr : POINTER TO BYTE;\n"
+     "    n : UDINT;\nEND_VAR\nVAR\n    i : UDINT;\nEND_VAR\nFOR i := 1 TO n DO\n    destAddr^ := srcAddr^;\n"
+     "    destAddr := destAddr + 1;\n    srcAddr := srcAddr + 1;\nEND_FOR\nMEMCPY := n;\nEND_FUNCTION\n"},
+    {"MEMMOVE", "",
+     "FUNCTION MEMMOVE : UDINT\nVAR_INPUT\n    destAddr : POINTER TO BYTE;\n    srcAddr : POINTER TO BYTE;\n"
+     "    n : UDINT;\nEND_VAR\nVAR\n    i : UDINT;\nEND_VAR\nIF destAddr <= srcAddr THEN\n    FOR i := 1 TO n DO\n"
+     "        destAddr^ := srcAddr^;\n        destAddr := destAddr + 1;\n        srcAddr := srcAddr + 1;\n    END_FOR\n"
+     "ELSE // from the end: the parts overlap\n    destAddr := destAddr + n;\n    srcAddr := srcAddr + n;\n"
+     "    FOR i := 1 TO n DO\n        destAddr := destAddr - 1;\n        srcAddr := srcAddr - 1;\n"
+     "        destAddr^ := srcAddr^;\n    END_FOR\nEND_IF\nMEMMOVE := n;\nEND_FUNCTION\n"},
+    {"MEMSET", "",
+     "FUNCTION MEMSET : UDINT\nVAR_INPUT\n    destAddr : POINTER TO BYTE;\n    fillByte : USINT;\n    n : UDINT;\n"
+     "END_VAR\nVAR\n    i : UDINT;\nEND_VAR\nFOR i := 1 TO n DO\n    destAddr^ := TO_BYTE(fillByte);\n"
+     "    destAddr := destAddr + 1;\nEND_FOR\nMEMSET := n;\nEND_FUNCTION\n"},
+    {"MEMCMP", "",
+     "FUNCTION MEMCMP : DINT\nVAR_INPUT\n    pBuf1 : POINTER TO BYTE;\n    pBuf2 : POINTER TO BYTE;\n    n : UDINT;\n"
+     "END_VAR\nVAR\n    i : UDINT;\nEND_VAR\nMEMCMP := 0;\nFOR i := 1 TO n DO\n    IF pBuf1^ <> pBuf2^ THEN\n"
+     "        MEMCMP := SEL(pBuf1^ < pBuf2^, 1, -1);\n        RETURN;\n    END_IF\n    pBuf1 := pBuf1 + 1;\n"
+     "    pBuf2 := pBuf2 + 1;\nEND_FOR\nEND_FUNCTION\n"}};
+
+/// Writes each of them that is called and that nothing declares.
+void addMemoryFunctions(Imported& imported, const std::set<std::string>& called,
+                        const std::set<std::string>& declared) {
+    for (const ToolBlock& each : kMemoryFunctions) {
+        if (!called.count(foldCase(each.name)) || declared.count(foldCase(each.name))) continue;
+        addFile(imported, "", std::string(each.name), std::string(each.text));
+        imported.report.add(imported.files.back().path, remarks::ToolTypesAdded(toolOf(imported)));
+    }
+}
 
 /// Blocks of Beremiz that reach out of the controller: with their connections, so that programs which use them can be
 /// checked and run; they do nothing here.
@@ -72,7 +116,8 @@ std::optional<std::string> twinCatType(std::string_view name) {
 }
 
 /// Names that stand for a type, behind `:`, OF or TO, and names that are declared, before `:`.
-void gather(std::string_view text, std::map<std::string, std::string>& used, std::set<std::string>& declared) {
+void gather(std::string_view text, std::map<std::string, std::string>& used, std::set<std::string>& declared,
+            std::set<std::string>& called) {
     diagnostics::Sink sink;
     const lex::TokenList list = lex::tokenize(FileId(0), text, sink);
     for (size_t i = 1; i < list.tokens.size(); ++i) {
@@ -80,11 +125,13 @@ void gather(std::string_view text, std::map<std::string, std::string>& used, std
         if (token.kind != TokenKind::Identifier) continue;
         const std::string name(text.substr(token.begin, token.end - token.begin));
         const lex::Token& before = list.tokens[i - 1];
+        const bool isCalled = i + 1 < list.tokens.size() && list.tokens[i + 1].kind == TokenKind::LeftParen;
+        if (isCalled && before.kind != TokenKind::Dot) called.insert(foldCase(name));
         const bool isType = before.kind == TokenKind::Colon || before.kind == TokenKind::Of ||
                             equalsIgnoringCase(text.substr(before.begin, before.end - before.begin), "TO");
         if (isType)
             used.emplace(foldCase(name), name);
-        else if (before.kind == TokenKind::FunctionBlock ||
+        else if (before.kind == TokenKind::FunctionBlock || before.kind == TokenKind::Function ||
                  (i + 1 < list.tokens.size() && list.tokens[i + 1].kind == TokenKind::Colon))
             declared.insert(foldCase(name));
     }
@@ -101,10 +148,12 @@ std::string toolOf(const Imported& imported) {
 void addToolTypes(Imported& imported) {
     const std::string tool = foldCase(toolOf(imported));
     const bool isBeremiz = tool.find("beremiz") != std::string::npos, isTwinCat = tool.find("twincat") == 0;
-    if (!isBeremiz && !isTwinCat) return;
+    const bool isCodesys = tool.find("codesys") != std::string::npos;
+    if (!isBeremiz && !isTwinCat && !isCodesys) return;
     std::map<std::string, std::string> used;
-    std::set<std::string> declared;
-    for (const ImportedFile& file : imported.files) gather(file.text, used, declared);
+    std::set<std::string> declared, called;
+    for (const ImportedFile& file : imported.files) gather(file.text, used, declared, called);
+    if (!isBeremiz) addMemoryFunctions(imported, called, declared);
     if (isBeremiz) {
         std::set<std::string> names;
         for (const auto& [folded, name] : used) names.insert(folded);
@@ -112,7 +161,10 @@ void addToolTypes(Imported& imported) {
     }
     std::string text;
     for (const auto& [folded, name] : used)
-        if (const auto type = isBeremiz ? panelType(name) : twinCatType(name); type && !declared.count(folded))
+        if (const auto type = isBeremiz   ? panelType(name)
+                              : isTwinCat ? twinCatType(name)
+                                          : std::optional<std::string>();
+            type && !declared.count(folded))
             text += "    " + name + " : " + *type + ";\n";
     if (text.empty()) return;
     const std::string from = isBeremiz ? "the panels of Beremiz" : "the system library of TwinCAT";

@@ -4,6 +4,8 @@
 #include "projects/exchange/libraries.h"
 #include "projects/exchange/network_list.h"
 #include "projects/exchange/plcopen_configuration.h"
+#include "projects/exchange/stored_cfc.h"
+#include "projects/exchange/stored_chart.h"
 #include "projects/exchange/stored_diagram.h"
 #include "runtime/base/text.h"
 
@@ -56,7 +58,7 @@ private:
             if (name == "ST" || name == "IL") {
                 text = trimmedLines(exchange::textOf(language));
                 if (text.empty()) continue;
-            } else if (name == "NWL" && readDiagram(language, unit, owner, text)) {
+            } else if (readDrawn(language, unit, owner, text)) {
                 return text;
             } else {
                 m_out.report.add(place(language), remarks::ArchiveBody(unit));
@@ -68,17 +70,37 @@ private:
         return {};
     }
 
-    /// False: the archive holds no list of networks.
-    bool readDiagram(pugi::xml_node archive, const std::string& unit, Piece& owner, std::string& body) {
-        const NetworkList list = readNetworkList(archive);
-        if (!list.body()) return false;
-        for (const NetworkRemark& each : list.remarks)
+    static ArchiveBody readArchive(pugi::xml_node archive) {
+        if (is(archive, "NWL")) return readNetworkList(archive);
+        if (is(archive, "CFC")) return readStoredCfc(archive);
+        return is(archive, "SFC") ? readStoredChart(archive) : ArchiveBody();
+    }
+    /// False: the archive holds nothing that is known.
+    bool readDrawn(pugi::xml_node archive, const std::string& unit, Piece& owner, std::string& body) {
+        const ArchiveBody drawn = readArchive(archive);
+        if (!drawn.body()) return false;
+        for (const ArchiveRemark& each : drawn.remarks)
             m_out.report.add(place(each.node) + " (" + unit + ")", each.remark);
-        body = diagramText(list.body(), m_file, unit, owner, m_out);
+        body = is(archive, "SFC") ? chartBody(drawn.body(), m_file, unit, m_transitions, owner, m_out)
+                                  : diagramText(drawn.body(), m_file, unit, owner, m_out);
         m_out.side["units"][unit]["archive"] = toXml(archive);
         m_out.report.add(place(archive), remarks::BodyConverted(unit));
-        ++m_out.report.bodies[std::string(localName(list.body()))];
+        ++m_out.report.bodies[std::string(localName(drawn.body()))];
         return true;
+    }
+
+    /// The conditions that have a name: a chart writes them where it uses them.
+    void readTransitions(pugi::xml_node unit, const std::string& path) {
+        m_transitions.clear();
+        for (const pugi::xml_node each : unit.children()) {
+            if (!is(each, "Transition")) continue;
+            const std::string name = attribute(each, "Name");
+            const std::string text = conditionOf(exchange::textOf(childOf(childOf(each, "Implementation"), "ST")));
+            if (text.empty() || text.find(';') != std::string::npos)
+                m_out.report.add(place(each), remarks::TransitionNoExpression(path + "." + name));
+            else
+                m_transitions[foldCase(name)] = text;
+        }
     }
 
     void readUnit(pugi::xml_node node) {
@@ -86,6 +108,7 @@ private:
         piece.name = attribute(node, "Name");
         piece.declaration = declarationOf(node);
         piece.kind = kindOfDeclaration(piece.declaration);
+        readTransitions(node, piece.name);
         piece.body = bodyOf(node, piece.name, piece);
         ++m_out.report.units[std::string(keywordOf(piece.kind))];
         for (const pugi::xml_node member : node.children()) readMember(member, piece);
@@ -110,7 +133,6 @@ private:
             readAccessor(childOf(node, "Get"), PieceKind::PropertyGet, piece, path);
             readAccessor(childOf(node, "Set"), PieceKind::PropertySet, piece, path);
         } else {
-            if (kind == "Transition") m_out.report.add(place(node), remarks::ElementNotRead(path));
             return;
         }
         ++m_out.report.units[std::string(keywordOf(piece.kind))];
@@ -142,6 +164,7 @@ private:
     std::string m_folder;
     Imported& m_out;
     TwinCatProject& m_project;
+    std::map<std::string, std::string> m_transitions; // of the unit, folded name → condition
 };
 
 // ---------------------------------------------------------------- CODESYS V3 native
@@ -295,6 +318,9 @@ void readTwinCatProject(const XmlFile& file, Imported& imported, std::set<std::s
         if (const std::string name = trimmed(textOf(childOf(group, "Name")));
             is(group, "PropertyGroup") && !name.empty() && imported.name.empty())
             imported.name = name;
+        std::string space = trimmed(textOf(childOf(group, "DefaultNamespace")));
+        if (space.empty()) space = trimmed(textOf(childOf(group, "Name")));
+        if (is(group, "PropertyGroup") && !space.empty()) imported.namespaces.insert(space);
         for (const pugi::xml_node item : group.children())
             if (is(item, "PlaceholderReference") || is(item, "LibraryReference")) {
                 useLibrary(imported, attribute(item, "Include"), false,

@@ -31,6 +31,8 @@ public:
     /// Files and settings as they are on disk now, but those that the editor holds.
     Result<void> reread();
 
+    /// Another one after every change.
+    [[nodiscard]] uint64_t revision() const { return m_revision; }
     [[nodiscard]] bool isStale() const { return !m_model || m_model->revision() != m_revision; }
     /// Of the texts as they are now.
     [[nodiscard]] const analysis::CodeModel& model();

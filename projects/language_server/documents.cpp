@@ -154,15 +154,19 @@ void Server::didChangeWatchedFiles(const Json&) {
 
 // ---------------------------------------------------------------- diagnostics
 
+/// A question may have brought the analysis up to date already: what counts is what was sent.
+bool Server::isReported(const Desk& desk) const {
+    const auto it = m_reported.find(&desk);
+    return it != m_reported.end() && it->second.revision == desk.revision();
+}
+
 bool Server::hasWork() const {
-    return std::any_of(m_desks.begin(), m_desks.end(), [&](const auto& each) {
-        return each.second->isStale() || !m_reported.contains(each.second.get());
-    });
+    return std::any_of(m_desks.begin(), m_desks.end(), [&](const auto& each) { return !isReported(*each.second); });
 }
 
 void Server::work() {
     for (const auto& [name, desk] : m_desks) {
-        if (desk->isStale() || !m_reported.contains(desk.get())) publish(*desk);
+        if (!isReported(*desk)) publish(*desk);
         desk->forgetBefore();
     }
 }
@@ -181,7 +185,8 @@ void Server::publish(const std::string& path, Json diagnostics) {
 void Server::publish(Desk& desk) {
     std::map<std::string, Json> byPath;
     const std::vector<FileId> own = desk.ownFiles();
-    std::set<std::string>& reported = m_reported[&desk];
+    m_reported[&desk].revision = desk.revision();
+    std::set<std::string>& reported = m_reported[&desk].paths;
     if (own.empty()) return;
     for (const FileId file : own) byPath[desk.pathOf(file)] = Json::array();
     for (const Diagnostic& diagnostic : desk.model().diagnostics()) {
@@ -206,7 +211,7 @@ void Server::publish(Desk& desk) {
 }
 
 void Server::withdraw(Desk& desk) {
-    for (const std::string& path : m_reported[&desk]) {
+    for (const std::string& path : m_reported[&desk].paths) {
         publish(path, Json::array());
         m_published.erase(path);
     }

@@ -31,6 +31,7 @@ Server::Method Server::methodOf(std::string_view name) {
         {"textDocument/foldingRange", &Server::foldingRanges},
         {"textDocument/semanticTokens/full", &Server::semanticTokens},
         {"textDocument/inlineValue", &Server::inlineValues},
+        {"textDocument/inlayHint", &Server::inlayHints},
     };
     const auto it = methods.find(name);
     return it == methods.end() ? nullptr : it->second;
@@ -93,6 +94,7 @@ Answer Server::initialize(const Json& parameters) {
     m_takesSnippets =
         protocol::flagAt(parameters, "capabilities.textDocument.completion.completionItem.snippetSupport");
     m_watchesFiles = protocol::flagAt(parameters, "capabilities.workspace.didChangeWatchedFiles.dynamicRegistration");
+    m_refreshesHints = protocol::flagAt(parameters, "capabilities.workspace.inlayHint.refreshSupport");
     for (std::string& library : protocol::textsAt(parameters, "initializationOptions.libraries"))
         m_settings.libraries.push_back(std::move(library));
     Json sync{{"openClose", true}, {"change", 2}, {"save", Json::object()}};
@@ -104,6 +106,7 @@ Answer Server::initialize(const Json& parameters) {
                                  "documentFormattingProvider", "documentRangeFormattingProvider",
                                  "foldingRangeProvider", "inlineValueProvider"})
         can[provider] = true;
+    if (m_settings.values) can["inlayHintProvider"] = true;
     can["renameProvider"] = {{"prepareProvider", true}};
     can["codeActionProvider"] = {{"codeActionKinds", {"quickfix"}}};
     can["semanticTokensProvider"] = {{"legend", semanticLegend()}, {"full", true}};

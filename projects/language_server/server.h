@@ -3,6 +3,7 @@
 // thread.
 #pragma once
 #include "projects/language_server/desk.h"
+#include "projects/language_server/live_values.h"
 
 #include <functional>
 
@@ -13,6 +14,7 @@ using protocol::Failure;
 
 struct Settings {
     std::vector<std::string> libraries; // of files that belong to no project
+    std::shared_ptr<LiveValues> values; // of a controller that runs; none: no hints
 };
 
 class Server {
@@ -26,6 +28,8 @@ public:
     /// Texts changed since their diagnostics were sent.
     [[nodiscard]] bool hasWork() const;
     void work();
+    /// Asks the editor to show its hints again when values changed; now and then, by whoever waits for messages.
+    void refreshHints();
     [[nodiscard]] bool isOver() const { return m_isOver; }
     [[nodiscard]] int exitCode() const { return m_isShutDown ? 0 : 1; }
     /// Asked before a request is worked on.
@@ -99,17 +103,25 @@ private:
     Answer foldingRanges(const Json& parameters);
     Answer semanticTokens(const Json& parameters);
     Answer inlineValues(const Json& parameters);
+    Answer inlayHints(const Json& parameters);
+    struct LineValues;
+    [[nodiscard]] std::vector<LineValues> valuesIn(const Spot& spot, uint32_t from, uint32_t to) const;
 
     Send m_send;
     Settings m_settings;
     bool m_isInitialised = false, m_isShutDown = false, m_isOver = false;
-    bool m_takesSnippets = false, m_watchesFiles = false;
-    std::map<std::string, Document> m_documents;             // by URI
-    std::map<std::string, std::unique_ptr<Desk>> m_desks;    // by folder, or file
-    std::map<std::string, std::string> m_published;          // by path, as sent last
-    std::map<const Desk*, std::set<std::string>> m_reported; // paths with diagnostics
-    std::vector<analysis::CompletionItem> m_offered;         // the last list, for resolve
-    uint64_t m_offer = 0;
+    bool m_takesSnippets = false, m_watchesFiles = false, m_refreshesHints = false;
+    std::map<std::string, Document> m_documents;          // by URI
+    std::map<std::string, std::unique_ptr<Desk>> m_desks; // by folder, or file
+    std::map<std::string, std::string> m_published;       // by path, as sent last
+    struct Reported {
+        uint64_t revision = 0;       // of the desk; 0: nothing was reported
+        std::set<std::string> paths; // that have diagnostics
+    };
+    [[nodiscard]] bool isReported(const Desk& desk) const;
+    std::map<const Desk*, Reported> m_reported;
+    std::vector<analysis::CompletionItem> m_offered; // the last list, for resolve
+    uint64_t m_offer = 0, m_shownValues = 0, m_refreshes = 0;
 };
 
 /// Edits that make `after` of `before` when only blanks and the case of words differ; else one for all of it.

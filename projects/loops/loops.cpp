@@ -4,6 +4,7 @@
 #include "runtime/base/text.h"
 
 #include <algorithm>
+#include <future>
 #include <set>
 
 namespace plc::loops {
@@ -174,35 +175,72 @@ Signals signalsOf(const Loop& loop) {
     return {loop.pin(loop.form->input), loop.pin(loop.form->output), loop.pin(loop.form->setPoint)};
 }
 
-Result<tuning::LoopSeries> seriesOf(const history::History& history, const Signals& channels) {
-    const history::Statistics all = history.statistics();
-    tuning::LoopSeries out;
-    const auto ranges = history::chainTo(history.branches(), all.end);
-    for (const auto& [text, target] : {std::pair{channels.input, &tuning::LoopSeries::input},
-                                       std::pair{channels.output, &tuning::LoopSeries::output},
-                                       std::pair{channels.setPoint, &tuning::LoopSeries::setPoint}}) {
-        if (text.empty()) continue;
-        const Meaning meaning(history, text);
-        const auto expression = meaning.newest();
+namespace {
+
+/// A signal, ready to be read. The expression is compiled by who makes it; it is read on a thread of its own.
+class Channel {
+public:
+    static Result<std::unique_ptr<Channel>> of(const history::History& history, const std::string& text) {
+        auto out = std::unique_ptr<Channel>(new Channel(history, text));
+        const auto expression = out->m_meaning.newest();
         if (!expression) return expression.error();
         const types::Family family = expression->types().family(expression->type());
         if (family == types::Family::Other || family == types::Family::Character ||
             expression->types().isAggregate(expression->type()))
             return Error{errors::NotASignal(), text};
-        const bool wantsTime = out.time.empty();
-        std::vector<double>& values = out.*target;
-        for (const history::PositionRange& range : ranges)
-            forEachSample(history, *expression, meaning.recompile(), {std::max(range.begin, all.first), range.end},
-                          [&](const history::Sample& sample) {
-                              if (wantsTime) out.time.push_back(std::chrono::duration<double>(sample.at.time).count());
-                              values.push_back(sample.hasValue ? sample.value : values.empty() ? 0.0 : values.back());
-                          });
-        if (values.size() != out.time.size()) { // scans came while we were reading
-            const size_t count = std::min(values.size(), out.time.size());
-            for (std::vector<double>* column : {&out.time, &out.input, &out.output, &out.setPoint})
-                if (!column->empty()) column->resize(count);
-        }
+        out->m_expression = *expression;
+        return out;
     }
+    void read(const history::History& history, const std::vector<history::PositionRange>& ranges, bool wantsTime) {
+        for (const history::PositionRange& range : ranges)
+            forEachSample(history, m_expression, m_meaning.recompile(), range, [&](const history::Sample& sample) {
+                if (wantsTime) time.push_back(std::chrono::duration<double>(sample.at.time).count());
+                values.push_back(sample.hasValue ? sample.value : values.empty() ? 0.0 : values.back());
+            });
+    }
+    std::vector<double> time, values;
+
+private:
+    Channel(const history::History& history, const std::string& text) : m_meaning(history, text) {}
+    Meaning m_meaning;
+    expression::Expression m_expression;
+};
+
+} // namespace
+
+Result<tuning::LoopSeries> seriesOf(const history::History& history, const Signals& channels) {
+    const history::Statistics all = history.statistics();
+    auto ranges = history::chainTo(history.branches(), all.end);
+    for (history::PositionRange& range : ranges) range.begin = std::max(range.begin, all.first);
+    struct Reading {
+        std::unique_ptr<Channel> channel;
+        std::vector<double> tuning::LoopSeries::*target;
+        std::future<void> done;
+    };
+    std::vector<Reading> readings;
+    for (const auto& [text, target] : {std::pair{channels.input, &tuning::LoopSeries::input},
+                                       std::pair{channels.output, &tuning::LoopSeries::output},
+                                       std::pair{channels.setPoint, &tuning::LoopSeries::setPoint}}) {
+        if (text.empty()) continue;
+        auto channel = Channel::of(history, text);
+        if (!channel) return channel.error();
+        readings.push_back({std::move(*channel), target, {}});
+    }
+    // an hour of 1 ms scans takes a while: all of them at once
+    for (Reading& reading : readings)
+        reading.done = std::async(std::launch::async, [&, wantsTime = &reading == readings.data()] {
+            reading.channel->read(history, ranges, wantsTime);
+        });
+    for (Reading& reading : readings) reading.done.get();
+    tuning::LoopSeries out;
+    if (!readings.empty()) out.time = std::move(readings.front().channel->time);
+    size_t count = out.time.size(); // scans came while they were read
+    for (Reading& reading : readings) {
+        count = std::min(count, reading.channel->values.size());
+        out.*reading.target = std::move(reading.channel->values);
+    }
+    for (std::vector<double>* column : {&out.time, &out.input, &out.output, &out.setPoint})
+        if (!column->empty()) column->resize(count);
     if (auto checked = tuning::checkSeries(out); !checked) return checked.error();
     return out;
 }

@@ -83,14 +83,14 @@ void append(tuning::LoopSeries& series, double time, double input, double output
 
 /// A controller at the first scan of the stretch, with the new parameters.
 Result<std::unique_ptr<Controller>> controllerAt(const history::ScanInput& input, std::span<const std::byte> image,
-                                                 const history::ScanStamp& stamp,
-                                                 const std::vector<ParameterWrite>& writes) {
+                                                 const history::ScanStamp& stamp, const TrialPlan& plan) {
     controller::Settings settings;
     settings.calendarStartNs = input.calendarStartNs;
-    auto out = std::make_unique<Controller>(input.program, settings);
-    out->resumeFrom(input.program, image, stamp.scan, stamp.time);
-    for (const ParameterWrite& write : writes) {
-        const auto value = valueFor(*input.program, write.path, write.value);
+    const auto& program = plan.program ? plan.program : input.program;
+    auto out = std::make_unique<Controller>(program, settings);
+    out->resumeFrom(program, image, stamp.scan, stamp.time);
+    for (const ParameterWrite& write : plan.writes) {
+        const auto value = valueFor(*program, write.path, write.value);
         if (!value) return value.error();
         if (auto written = out->write(write.path, *value); !written) return written.error();
     }
@@ -171,7 +171,7 @@ Result<Stage> stageFor(const history::History& history, const TrialPlan& plan) {
         if (!played) return played.error();
         out.others.push_back(std::move(*played));
     }
-    auto controller = controllerAt(*input, first, *stamp, plan.writes);
+    auto controller = controllerAt(*input, first, *stamp, plan);
     if (!controller) return controller.error();
     out.controller = std::move(*controller);
     return out;

@@ -28,6 +28,7 @@ struct TrialPlan {
     std::string input, measured;        // paths; the measured value is forced
     std::vector<std::string> played;    // others that are forced to what was recorded: a set point, other inputs
     std::vector<ParameterWrite> writes; // before the first scan
+    ProgramPointer program;             // runs in the place of the recorded one: with other constants; null: that one
 };
 
 struct TrialRun {

@@ -4,6 +4,7 @@
 #include "projects/session/value_text.h"
 #include "runtime/base/text.h"
 #include "runtime/debug/sites.h"
+#include "runtime/image/variable_tree.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -25,25 +26,10 @@ Json idOf(const Json& request) {
     return it != request.end() && it->is_number_unsigned() ? *it : Json(0);
 }
 
-/// Paths of variables below a type, down to single values.
-void addPaths(const types::TypeTable& types, const std::string& path, types::TypeId id, const std::string& filter,
-              Json& out) {
-    constexpr size_t kMost = 20'000;
-    if (out.size() >= kMost) return;
-    const types::Type& type = types[id];
-    if (type.kind == types::TypeKind::Block || type.kind == types::TypeKind::Struct) {
-        for (const types::Field& field : type.fields)
-            if (field.section != types::FieldSection::InOut && field.section != types::FieldSection::External)
-                addPaths(types, path + "." + field.name, field.type, filter, out);
-        return;
-    }
-    if (filter.empty() || foldCase(path).find(filter) != std::string::npos) out.push_back({path, type.name});
-}
-
 } // namespace
 
 Door::Door(session::Session& session, std::string origin, Rights rights)
-    : m_session(session), m_origin(std::move(origin)), m_rights(rights) {}
+    : m_session(session), m_origin(std::move(origin)), m_rights(rights), m_journal(session.history()) {}
 
 Door::~Door() {
     for (const std::string& path : m_held) m_session.release(path);
@@ -79,6 +65,7 @@ std::optional<Json> Door::answer(const Json& request) {
     if (wish == "follow") {
         m_follows = true;
         m_writer.restart();
+        m_journal.restart();
         m_next = m_session.history().statistics().end;
         m_next -= std::min<history::Position>(m_next, 1);
         m_stateSent.clear();
@@ -130,14 +117,26 @@ std::optional<Json> Door::afterScan(const Json& id) {
     return {};
 }
 
+/// Single values and whole arrays, without constants.
 Json Door::list(const Json& request) const {
+    using Next = image::VariableTree::Next;
+    constexpr size_t kMost = 20'000;
     const image::Layout& layout = m_session.program()->layout;
     const std::string filter = foldCase(textAt(request, "filter"));
     Json all = Json::array();
-    for (const image::Root& root : layout.roots)
-        if (!root.isHidden && !root.constant)
-            addPaths(*layout.types, root.list.empty() ? root.name : root.list + "." + root.name, root.type, filter,
-                     all);
+    const image::VariableTree tree(layout);
+    tree.visit(
+        tree.declared(),
+        [&](const image::VariableNode& node, int) {
+            if (all.size() >= kMost) return Next::Stop;
+            if (node.isConstant || node.isInOut) return Next::Over;
+            const types::Type& type = (*layout.types)[node.type];
+            if (layout.types->isAggregate(node.type) && type.kind != types::TypeKind::Array) return Next::Into;
+            if (filter.empty() || foldCase(node.path).find(filter) != std::string::npos)
+                all.push_back({node.path, type.name});
+            return Next::Over;
+        },
+        false);
     Json out = good(idOf(request));
     out["variables"] = std::move(all);
     return out;
@@ -434,25 +433,37 @@ std::string Door::standingImage() {
 }
 
 std::string Door::bytes(size_t most) {
+    constexpr history::Position kMostScans = 4096; // whose journals are read ahead
     if (m_fetch && m_fetch->isReady) return nextPiece(most);
     if (!m_follows || m_version == 0) return {};
     const session::Status status = m_session.status();
     const history::Statistics recorded = m_session.history().statistics();
-    if (m_next < recorded.first) m_next = recorded.first;
+    const auto skipTo = [this](history::Position position) {
+        m_next = position;
+        m_journal.restart(); // what acted on those that are left out is not known there
+    };
+    if (m_next < recorded.first) skipTo(recorded.first);
+    const history::Position end = std::min<history::Position>(recorded.end, m_next + kMostScans);
+    m_journal.gather({m_next, end});
     std::string out(1, static_cast<char>(Piece::Scans));
     putNumber(out, m_version);
     const size_t head = out.size();
     const auto begin = Clock::now();
-    while (m_next < recorded.end && out.size() < most && Clock::now() - begin < std::chrono::milliseconds(10)) {
+    while (m_next < end && out.size() < most && Clock::now() - begin < std::chrono::milliseconds(10)) {
         std::shared_ptr<const image::CompiledProgram> program;
         const std::vector<std::byte> image = m_session.history().seek(m_next, &program);
-        const auto stamp = m_session.history().stamp(m_next++);
-        if (!program || !stamp || program->version != m_version) continue;
-        m_writer.write(out, {stamp->scan, stamp->time, std::span(image).first(program->layout.dataEnd)});
+        const auto stamp = m_session.history().stamp(m_next);
+        if (!program || !stamp || program->version != m_version) {
+            skipTo(m_next + 1);
+            continue;
+        }
+        m_writer.write(out, {stamp->scan, stamp->time, std::span(image).first(program->layout.dataEnd)},
+                       m_journal.of(m_next));
+        ++m_next;
     }
     // A second of scans is waited for; more is a line or a machine that cannot follow.
     const auto oldest = m_session.history().stamp(m_next);
-    if (oldest && status.time - oldest->time > std::chrono::seconds(1)) m_next = recorded.end - 1;
+    if (oldest && status.time - oldest->time > std::chrono::seconds(1)) skipTo(recorded.end - 1);
     if (out.size() > head) return out;
     if (status.state != State::Running) return standingImage();
     m_standing.clear();

@@ -1,6 +1,7 @@
 // What an attached studio or command line may ask of a controller that is served (D16): each request is checked, posted
 // with its origin and answered once the scan has had it. Knows no sockets. Owned by the connection; one thread.
 #pragma once
+#include "projects/remote/journal_sender.h"
 #include "projects/remote/scan_stream.h"
 #include "projects/remote/state_json.h"
 
@@ -72,6 +73,7 @@ private:
     // who follows
     bool m_follows = false;
     ScanWriter m_writer;
+    JournalSender m_journal;
     history::Position m_next = 0;
     uint64_t m_version = 0, m_haltSeen = 0;
     size_t m_events = 0;

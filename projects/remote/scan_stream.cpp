@@ -22,6 +22,26 @@ std::pair<size_t, size_t> nextChange(std::span<const std::byte> now, std::span<c
     return {std::min(begin, now.size()), std::min(end, now.size())};
 }
 
+bool isWithin(size_t offset, size_t length, size_t size) { return offset <= size && length <= size - offset; }
+bool isBit(int16_t bit) { return bit >= -1 && bit < 8; }
+
+/// Whether everything in it has its place in the image of that program: it is put there when the scan is looked into.
+bool fits(const history::JournalEntry& entry, const image::Layout& layout) {
+    const auto patchFits = [&](const history::Patch& each) {
+        return isWithin(each.offset, each.bytes.size(), layout.dataEnd);
+    };
+    const auto forceFits = [&](const image::ForcedBytes& each) {
+        return isWithin(each.offset, each.bytes.size(), layout.dataEnd) && isBit(each.bit) && !each.bytes.empty();
+    };
+    const auto noteFits = [&](const image::OutsideNote& each) {
+        return isWithin(each.offset, each.size, layout.imageSize) && isBit(each.bit) &&
+               (each.bytes.size() == each.size || (each.site == 0 && each.bytes.empty()));
+    };
+    return entry.start && !entry.startIsPartial && std::all_of(entry.patch.begin(), entry.patch.end(), patchFits) &&
+           std::all_of(entry.start->forces.begin(), entry.start->forces.end(), forceFits) &&
+           std::all_of(entry.notes.begin(), entry.notes.end(), noteFits);
+}
+
 } // namespace
 
 void putNumber(std::string& out, uint64_t number) {
@@ -42,10 +62,12 @@ bool takeNumber(std::string_view& bytes, uint64_t& number) {
     return false;
 }
 
-void ScanWriter::write(std::string& out, const StreamedScan& scan) {
+void ScanWriter::write(std::string& out, const StreamedScan& scan, std::span<const std::byte> journal) {
     if (m_before.size() != scan.image.size()) m_before.assign(scan.image.size(), std::byte(0));
     putNumber(out, scan.scan);
     putNumber(out, static_cast<uint64_t>(scan.time.count()));
+    putNumber(out, journal.size());
+    out.append(reinterpret_cast<const char*>(journal.data()), journal.size());
     size_t at = 0;
     for (;;) {
         const auto [begin, end] = nextChange(scan.image, m_before, at);
@@ -58,21 +80,50 @@ void ScanWriter::write(std::string& out, const StreamedScan& scan) {
     std::copy(scan.image.begin(), scan.image.end(), m_before.begin());
 }
 
+ScanReader::ScanReader(std::shared_ptr<const image::CompiledProgram> program)
+    : m_program(std::move(program)), m_image(m_program->layout.dataEnd) {}
+
+/// None of its bytes: nothing acted.
+bool ScanReader::readJournal(std::span<const std::byte> bytes) {
+    if (bytes.empty()) return true;
+    std::optional<history::JournalEntry> entry = history::readEntry(bytes);
+    if (!entry || !fits(*entry, m_program->layout)) return false;
+    m_journal = std::move(*entry);
+    m_began = m_journal.isFresh ? m_program->initialImage : m_image;
+    m_began.resize(m_image.size());
+    for (const history::Patch& patch : m_journal.patch)
+        std::copy(patch.bytes.begin(), patch.bytes.end(), m_began.begin() + patch.offset);
+    return true;
+}
+
+bool ScanReader::readImage(std::string_view& bytes) {
+    uint64_t length = 0, skipped = 0;
+    for (size_t at = 0;;) {
+        if (!takeNumber(bytes, length)) return false;
+        if (length == 0) return true;
+        if (!takeNumber(bytes, skipped) || length > bytes.size()) return false;
+        if (!isWithin(skipped, length, m_image.size() - at)) return false;
+        at += skipped;
+        std::memcpy(m_image.data() + at, bytes.data(), length);
+        bytes.remove_prefix(length);
+        at += length;
+    }
+}
+
 bool ScanReader::read(std::string_view bytes, const std::function<void(const StreamedScan&)>& visit) {
     while (!bytes.empty()) {
-        uint64_t scan = 0, time = 0, length = 0, skipped = 0;
-        if (!takeNumber(bytes, scan) || !takeNumber(bytes, time)) return false;
-        for (size_t at = 0;;) {
-            if (!takeNumber(bytes, length)) return false;
-            if (length == 0) break;
-            if (!takeNumber(bytes, skipped) || length > bytes.size()) return false;
-            if (skipped > m_image.size() - at || length > m_image.size() - at - skipped) return false;
-            at += skipped;
-            std::memcpy(m_image.data() + at, bytes.data(), length);
-            bytes.remove_prefix(length);
-            at += length;
+        uint64_t scan = 0, time = 0, journal = 0;
+        if (!takeNumber(bytes, scan) || !takeNumber(bytes, time) || !takeNumber(bytes, journal)) return false;
+        if (journal > bytes.size() || !readJournal(std::as_bytes(std::span(bytes.substr(0, journal))))) return false;
+        bytes.remove_prefix(journal);
+        if (!readImage(bytes)) return false;
+        const std::chrono::nanoseconds at(static_cast<int64_t>(time));
+        if (journal == 0) {
+            visit({scan, at, m_image});
+            continue;
         }
-        visit({scan, std::chrono::nanoseconds(static_cast<int64_t>(time)), m_image});
+        const image::Outside outside{m_began, {}, *m_journal.start, m_journal.notes};
+        visit({scan, at, m_image, &outside});
     }
     return true;
 }

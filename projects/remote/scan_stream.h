@@ -1,6 +1,9 @@
-// Scans over a wire: each image as what differs from the one before, in 64-byte blocks. The reader checks every length:
-// what it reads was sent by somebody. Each side belongs to one thread.
+// Scans over a wire: what acted on each from outside, and its image as what differs from the one before, in 64-byte
+// blocks. The reader checks every length and place: what it reads was sent by somebody. Each side belongs to one
+// thread.
 #pragma once
+#include "runtime/history/journal.h"
+
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -19,13 +22,15 @@ struct StreamedScan {
     uint64_t scan = 0;
     std::chrono::nanoseconds time{};
     std::span<const std::byte> image;
+    const image::Outside* outside = nullptr; // as it was read; none: nothing acted on it
 };
 
 class ScanWriter {
 public:
     /// The next scan is sent whole.
     void restart() { m_before.clear(); }
-    void write(std::string& out, const StreamedScan& scan);
+    /// `journal`: the bytes of an entry with its start, or none.
+    void write(std::string& out, const StreamedScan& scan, std::span<const std::byte> journal = {});
 
 private:
     std::vector<std::byte> m_before;
@@ -34,13 +39,17 @@ private:
 class ScanReader {
 public:
     ScanReader() = default;
-    /// `size`: of the images of the program that runs there.
-    explicit ScanReader(size_t size) : m_image(size) {}
+    /// `program` runs there, too.
+    explicit ScanReader(std::shared_ptr<const image::CompiledProgram> program);
     /// False: they are not scans of that program; nothing can be read after that.
     [[nodiscard]] bool read(std::string_view bytes, const std::function<void(const StreamedScan&)>& visit);
 
 private:
-    std::vector<std::byte> m_image;
+    [[nodiscard]] bool readJournal(std::span<const std::byte> bytes);
+    [[nodiscard]] bool readImage(std::string_view& bytes);
+    std::shared_ptr<const image::CompiledProgram> m_program;
+    std::vector<std::byte> m_image, m_began; // after the scan before; what this one began from
+    history::JournalEntry m_journal;
 };
 
 void putNumber(std::string& out, uint64_t number);

@@ -30,12 +30,13 @@ std::unique_ptr<Session> Mirror::open(driver::Built built, Settings settings, st
     return session;
 }
 
-void Mirror::scanned(std::span<const std::byte> image, uint64_t scan, Nanoseconds time) {
+void Mirror::scanned(std::span<const std::byte> image, uint64_t scan, Nanoseconds time, const image::Outside* outside) {
     Session::State& state = *m.m;
     const image::Layout& layout = m.program()->layout;
     PLC_ASSERT(image.size() >= layout.dataEnd, return );
     const bool beganAgain = scan < state.scans.load(std::memory_order_relaxed); // it was reset or restarted
     if (state.settings.record && beganAgain) state.history.beginBranch(history::kNoParent);
+    if (state.settings.record && outside) state.history.outsideActed(*outside);
     if (state.settings.record) state.history.append(image, scan, time);
     state.scans.store(scan + 1, std::memory_order_relaxed);
     state.time.store(time.count(), std::memory_order_relaxed);

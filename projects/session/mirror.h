@@ -58,8 +58,10 @@ public:
                                                        std::shared_ptr<Outlet> outlet);
     explicit Mirror(Session& session) : m(session) {}
 
-    /// A scan that the controller made, in the program that the mirror has; recorded and shown.
-    void scanned(std::span<const std::byte> image, uint64_t scan, Nanoseconds time);
+    /// A scan that the controller made, in the program that the mirror has; recorded and shown. `outside`: what acted
+    /// on it there, if anything did.
+    void scanned(std::span<const std::byte> image, uint64_t scan, Nanoseconds time,
+                 const image::Outside* outside = nullptr);
     /// The image where the controller stands between scans, or inside one with its frames.
     void stands(std::span<const std::byte> image, bool isHalted) { show(image, isHalted); }
     struct Figures {

@@ -174,7 +174,7 @@ void judge(const Context& context, FoundStep& step) {
         change = std::max(change, std::abs(mean - before));
     step.outputChange = change;
     const double perBlock = context.noise / std::sqrt(static_cast<double>(after) / static_cast<double>(blocks));
-    step.signalToNoise = context.noise > 0 ? change / context.noise : 1e6;
+    step.signalToNoise = context.noise > 0 ? change / context.noise : change > 0 ? 1e6 : 0;
     const auto say = [&](Verdict verdict, Message reason) {
         step.verdict = verdict;
         step.reason = std::move(reason);
@@ -255,9 +255,12 @@ std::vector<FoundStep> findSteps(const LoopSeries& series) {
             out.erase(out.begin() + static_cast<std::ptrdiff_t>(i));
         else
             ++i;
+    const std::vector<FoundStep> loads = findLoads(series, out);
     for (size_t i = 0; i < out.size(); ++i) {
         FoundStep& step = out[i];
         step.end = i + 1 < out.size() ? out[i + 1].step : series.size();
+        for (const FoundStep& load : loads)
+            if (load.step > step.step) step.end = std::min(step.end, load.step);
         cutRest(context, step);
         const size_t floor = i > 0 ? out[i - 1].settled : 0;
         const size_t wanted = std::max<size_t>((step.end - step.step) / 8, 10);
@@ -270,6 +273,8 @@ std::vector<FoundStep> findSteps(const LoopSeries& series) {
             step.reason = errors::StepNotAtRest();
         }
     }
+    out.insert(out.end(), loads.begin(), loads.end());
+    std::stable_sort(out.begin(), out.end(), [](const FoundStep& a, const FoundStep& b) { return a.step < b.step; });
     return out;
 }
 

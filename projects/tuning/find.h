@@ -6,23 +6,29 @@
 
 namespace plc::tuning {
 
-enum class Moved : uint8_t { Input, SetPoint };
-enum class Verdict : uint8_t { Usable, Saturated, Noisy, TooShort, Disturbed };
+/// Load: something else moved the process, and the controller brought it back.
+enum class Moved : uint8_t { Input, SetPoint, Load };
+enum class Verdict : uint8_t { Usable, Saturated, Noisy, TooShort, Disturbed, Unanswered };
 
 /// Samples [begin, end) around the change at `step`.
 struct FoundStep {
     size_t begin = 0, step = 0, settled = 0, end = 0;
     Moved moved{};
-    double from = 0, to = 0;
+    double from = 0, to = 0;  // of what moved; of a load the input, before and after
     double outputChange = 0;  // greatest, from where it was
     double signalToNoise = 0; // of the output
     bool startsAtRest = true;
     Verdict verdict{};
     Message reason;
     [[nodiscard]] bool isUsable() const { return verdict == Verdict::Usable; }
+    /// What moved the process is known: a model can be made from it.
+    [[nodiscard]] bool canModel() const { return moved != Moved::Load; }
 };
 
+/// Steps of the set point and of the input, and disturbances where a set point is known, in the order of the recording.
 [[nodiscard]] std::vector<FoundStep> findSteps(const LoopSeries& series);
+/// The disturbances alone. `steps`: where the process moves for another reason.
+[[nodiscard]] std::vector<FoundStep> findLoads(const LoopSeries& series, const std::vector<FoundStep>& steps);
 /// Standard deviation of what changes from sample to sample without the signal moving.
 [[nodiscard]] double noiseOf(const std::vector<double>& values);
 /// Evenly sampled with about so many points, one of them at the step.

@@ -116,14 +116,14 @@ LoopFigures analyse(const ProcessModel& process, const ControllerGains& controll
             const double at = crossing(omegas[i - 1], omegas[i], [&](double w) { return std::abs(loop(w)) - 1; });
             const double margin = 180 + (before + std::arg(loop(at) / values[i - 1])) * 180 / kPi; // of this crossing
             if (out.crossover == 0) out.crossover = at;
-            out.phaseMargin = std::min(out.phaseMargin, margin);
+            if (margin < out.phaseMargin) out.phaseMargin = margin, out.phaseMarginAt = at;
             out.delayMargin = std::min(out.delayMargin, margin / 180 * kPi / at);
         }
         if (std::imag(values[i - 1]) * std::imag(values[i]) <= 0 && std::real(values[i]) < 0 &&
             std::abs(std::arg(values[i] / values[i - 1])) < 1) {
             const double at = crossing(omegas[i - 1], omegas[i], [&](double w) { return std::imag(loop(w)); });
             const double size = std::abs(loop(at));
-            if (size < 1) out.gainMargin = std::min(out.gainMargin, 1 / size);
+            if (size < 1 && 1 / size < out.gainMargin) out.gainMargin = 1 / size, out.gainMarginAt = at;
         }
     }
     const auto refine = [&](size_t i, const auto& value) {

@@ -27,6 +27,8 @@ struct LoopFigures {
     double phaseMargin = 0;   // [degrees]
     double delayMargin = 0;   // [s]
     double crossover = 0;     // [rad/s], |L| = 1
+    double gainMarginAt = 0;  // [rad/s], the phase is -180 degrees; 0: nowhere
+    double phaseMarginAt = 0; // [rad/s], of the crossover with the least margin
     double noiseGain = 0;     // of the controller at high frequencies
 };
 

@@ -15,7 +15,7 @@ constexpr size_t kMostUsed = 6;
 std::vector<size_t> clearest(const std::vector<FoundStep>& steps) {
     std::vector<size_t> out;
     for (size_t i = 0; i < steps.size(); ++i)
-        if (steps[i].isUsable()) out.push_back(i);
+        if (steps[i].isUsable() && steps[i].canModel()) out.push_back(i);
     const auto worth = [&](size_t i) {
         const double length = static_cast<double>(steps[i].end - steps[i].step);
         return (steps[i].startsAtRest ? 2.0 : 1.0) * std::min(steps[i].signalToNoise, 200.0) * std::sqrt(length);
@@ -69,7 +69,12 @@ void markDisturbed(FoundStep& step, double fit) {
 
 Result<Study> nothing(const Study& study) {
     if (study.steps.empty()) return Error{errors::NoStepFound(), ""};
-    return Error{errors::NoStepUsable(study.steps.size(), study.steps.front().reason), ""};
+    const auto first =
+        std::find_if(study.steps.begin(), study.steps.end(), [](const FoundStep& s) { return s.canModel(); });
+    if (first == study.steps.end()) return Error{errors::OnlyDisturbances(study.steps.size()), ""};
+    const auto count =
+        std::count_if(study.steps.begin(), study.steps.end(), [](const FoundStep& s) { return s.canModel(); });
+    return Error{errors::NoStepUsable(static_cast<size_t>(count), first->reason), ""};
 }
 
 } // namespace
@@ -101,6 +106,8 @@ Result<Study> study(const LoopSeries& series, std::vector<FoundStep> steps, cons
     Study out;
     out.steps = std::move(steps);
     out.used = chosen;
+    for (const size_t index : chosen)
+        if (!out.steps[index].canModel()) return Error{errors::NoModelFromLoad(index + 1), ""};
     for (const size_t index : chosen) out.excerpts.push_back(excerptOf(series, out.steps[index]));
     out.models = identify(out.excerpts);
     if (out.models.empty()) return Error{errors::NothingExplains(), ""};

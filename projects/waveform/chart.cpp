@@ -27,6 +27,10 @@ constexpr Theme kLight{
 constexpr Theme kDark{
     "#1e1f22", "#e8eaed", "#3a3c40", "#80868b", {"#8ab4f8", "#f28b82", "#81c995", "#fdd663", "#c58af9", "#9aa0a6"}};
 
+const char* colourOf(const Curve& curve, const Theme& theme) {
+    return theme.curves[curve.colour < 0 ? 5 : static_cast<size_t>(curve.colour) % 6];
+}
+
 std::string number(double value) { return numberText(value, 5); }
 
 struct Scale {
@@ -62,16 +66,9 @@ std::string line(double x1, double y1, double x2, double y2, const char* colour)
            "\" stroke=\"" + colour + "\"/>\n";
 }
 
-std::vector<double> decades(double low, double high) {
-    std::vector<double> out;
-    for (double at = std::pow(10, std::ceil(std::log10(low) - 1e-9)); at <= high * 1.000001; at *= 10)
-        out.push_back(at);
-    return out;
-}
-
 std::string axes(const Chart& chart, const Scale& x, const Scale& y, const Theme& theme) {
     std::string out;
-    for (const double at : chart.isLogarithmic ? decades(x.low, x.high) : axisTicks(x.low, x.high, 7)) {
+    for (const double at : chart.isLogarithmic ? logarithmicTicks(x.low, x.high) : axisTicks(x.low, x.high, 7)) {
         out += line(x(at), y.from, x(at), y.to, theme.grid);
         out += text(x(at), y.from + 16, numberText(at, 4), "middle", theme.text, 11);
     }
@@ -91,12 +88,12 @@ std::string axes(const Chart& chart, const Scale& x, const Scale& y, const Theme
 }
 
 std::string drawn(const Curve& curve, const Scale& x, const Scale& y, const Theme& theme) {
-    const char* colour = theme.curves[static_cast<size_t>(curve.colour) % 6];
+    const char* colour = colourOf(curve, theme);
     std::string points;
     const size_t count = std::min(curve.x.size(), curve.y.size());
     if (curve.style == CurveStyle::Dots) {
         for (size_t i = 0; i < count; ++i)
-            points += "<circle cx=\"" + number(x(curve.x[i])) + "\" cy=\"" + number(y(curve.y[i])) + "\" r=\"1.4\"/>";
+            points += "<circle cx=\"" + number(x(curve.x[i])) + "\" cy=\"" + number(y(curve.y[i])) + "\" r=\"2\"/>";
         return std::string("<g fill=\"") + colour + "\">" + points + "</g>\n";
     }
     for (size_t i = 0; i < count; ++i)
@@ -105,32 +102,91 @@ std::string drawn(const Curve& curve, const Scale& x, const Scale& y, const Them
            (curve.style == CurveStyle::Dashed ? " stroke-dasharray=\"6 4\"" : "") + " points=\"" + points + "\"/>\n";
 }
 
-std::string legend(const Chart& chart, double right, double top, const Theme& theme) {
+/// About how wide a text is: SVG has no measure of fonts.
+double widthOf(const std::string& what, double size) { return 0.58 * size * static_cast<double>(what.size()); }
+
+constexpr double kSample = 18, kBetween = 14; // of a name in the legend
+
+double legendWidth(const Chart& chart) {
+    double out = 0;
+    for (const Curve& curve : chart.curves)
+        if (!curve.name.empty()) out += kSample + 4 + widthOf(curve.name, 11) + kBetween;
+    return out;
+}
+
+/// Beside the title, or below it where that is too narrow: never over the curves.
+bool isLegendBelow(const Chart& chart) {
+    return widthOf(chart.title, 15) + 20 + legendWidth(chart) > kWidth - kLeft - kRight;
+}
+
+std::string legend(const Chart& chart, double right, double base, const Theme& theme) {
     std::string out;
-    double at = top;
+    double at = right - legendWidth(chart) + kBetween;
     for (const Curve& curve : chart.curves) {
         if (curve.name.empty()) continue;
-        const char* colour = theme.curves[static_cast<size_t>(curve.colour) % 6];
-        out += line(right - 18, at - 4, right - 4, at - 4, colour);
-        out += text(right - 22, at, curve.name, "end", theme.text, 11);
-        at += 15;
+        const char* colour = colourOf(curve, theme);
+        const std::string middle = number(base - 4);
+        if (curve.style == CurveStyle::Dots)
+            for (const double dot : {3.0, 9.0, 15.0})
+                out +=
+                    "<circle cx=\"" + number(at + dot) + "\" cy=\"" + middle + "\" r=\"2\" fill=\"" + colour + "\"/>";
+        else
+            out += "<path d=\"M" + number(at) + " " + middle + "h" + number(kSample) + "\" stroke=\"" + colour +
+                   "\" stroke-width=\"2\"" + (curve.style == CurveStyle::Dashed ? " stroke-dasharray=\"5 3\"" : "") +
+                   "/>\n";
+        out += text(at + kSample + 4, base, curve.name, "start", theme.text, 11);
+        at += kSample + 4 + widthOf(curve.name, 11) + kBetween;
     }
     return out;
 }
 
+std::string drawn(const ChartNote& note, const Scale& x, const Scale& y, const Theme& theme) {
+    const double atX = x(note.x), atY = y(note.y);
+    if (atX < x.from || atX > x.to || atY > y.from || atY < y.to) return {};
+    const double width = widthOf(note.text, 11), base = std::max(atY - 6, y.to + 12);
+    const bool isLeft = atX + 12 + width > x.to;
+    // the text has a ground of its own: curves pass behind it
+    return "<rect x=\"" + number(isLeft ? atX - 11 - width : atX + 6) + "\" y=\"" + number(base - 11) + "\" width=\"" +
+           number(width + 5) + "\" height=\"14\" fill=\"" + theme.back + "\" fill-opacity=\"0.85\"/>\n" +
+           "<circle cx=\"" + number(atX) + "\" cy=\"" + number(atY) + "\" r=\"3.5\" fill=\"" + theme.curves[4] +
+           "\"/>\n" + text(atX + (isLeft ? -8 : 8), base, note.text, isLeft ? "end" : "start", theme.text, 11);
+}
+
 std::string drawn(const Chart& chart, double left, double top, const Theme& theme) {
     auto [xLow, xHigh] = rangeOf(chart, &Curve::x);
-    auto [yLow, yHigh] = rangeOf(chart, &Curve::y);
+    const auto values = rangeOf(chart, &Curve::y);
+    const auto [yLow, yHigh] = spanOf(values.first, values.second, chart.leastSpan);
+    const double below = isLegendBelow(chart) ? 18 : 0;
     const double margin = (yHigh - yLow) * 0.06;
     const Scale x{xLow, xHigh, left + kLeft, left + kWidth - kRight, chart.isLogarithmic};
-    const Scale y{yLow - margin, yHigh + margin, top + kHeight - kBottom, top + kTop, false};
+    const Scale y{yLow - margin, yHigh + margin, top + kHeight - kBottom, top + kTop + below, false};
     std::string out = text(left + kLeft, top + 22, chart.title, "start", theme.text, 14, " font-weight=\"600\"");
     out += axes(chart, x, y, theme);
     for (const Curve& curve : chart.curves) out += drawn(curve, x, y, theme);
-    return out + legend(chart, left + kWidth - kRight - 4, top + kTop + 16, theme);
+    for (const ChartNote& note : chart.notes) out += drawn(note, x, y, theme);
+    return out + legend(chart, left + kWidth - kRight, top + 22 + below, theme);
 }
 
 } // namespace
+
+std::pair<double, double> spanOf(double low, double high, double least) {
+    if (high - low >= least) return {low, high};
+    const double middle = (low + high) / 2;
+    return {middle - least / 2, middle + least / 2};
+}
+
+std::vector<double> logarithmicTicks(double low, double high) {
+    std::vector<double> out;
+    constexpr double kManyDecades = 100; // then the powers of ten are enough
+    const double first = std::pow(10, std::floor(std::log10(low)));
+    for (double decade = first; decade <= high * 1.000001; decade *= 10)
+        for (const double share : {1.0, 2.0, 5.0}) {
+            if (share > 1 && high / low > kManyDecades) continue;
+            const double at = decade * share;
+            if (at >= low * 0.999999 && at <= high * 1.000001) out.push_back(at);
+        }
+    return out;
+}
 
 std::vector<double> axisTicks(double low, double high, int about) {
     const double raw = (high - low) / about, power = std::pow(10, std::floor(std::log10(raw)));
@@ -144,8 +200,9 @@ std::vector<double> axisTicks(double low, double high, int about) {
 std::string svgOf(const ChartPage& page) {
     const Theme& theme = page.isDark ? kDark : kLight;
     const double head = 30 + 18 * static_cast<double>(page.lines.size()) + 14;
-    const size_t rows = (page.charts.size() + 1) / 2;
-    const double width = page.charts.size() > 1 ? 2 * kWidth : kWidth;
+    const size_t columns = std::clamp<size_t>(page.columns, 1, std::max<size_t>(page.charts.size(), 1));
+    const size_t rows = (page.charts.size() + columns - 1) / columns;
+    const double width = static_cast<double>(columns) * kWidth;
     const double height = head + kHeight * static_cast<double>(rows) + 8;
     std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + number(width) + "\" height=\"" +
                       number(height) + "\" viewBox=\"0 0 " + number(width) + " " + number(height) +
@@ -155,7 +212,8 @@ std::string svgOf(const ChartPage& page) {
     for (size_t i = 0; i < page.lines.size(); ++i)
         out += text(18, 48 + 18 * static_cast<double>(i), page.lines[i], "start", theme.text, 13);
     for (size_t i = 0; i < page.charts.size(); ++i)
-        out += drawn(page.charts[i], i % 2 ? kWidth : 0, head + kHeight * static_cast<double>(i / 2), theme);
+        out += drawn(page.charts[i], kWidth * static_cast<double>(i % columns),
+                     head + kHeight * static_cast<double>(i / columns), theme);
     return out + "</svg>\n";
 }
 

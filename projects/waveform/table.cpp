@@ -128,6 +128,39 @@ char separatorOf(const std::string& line) {
     return count(',') > 0 || count(' ') == 0 ? ',' : ' ';
 }
 
+/// As TwinCAT Scope exports: a block of lines, each with its own word in the columns of times and what it says of each
+/// channel in the others ("Name", "Data-Type", "SampleTime[ms]", "Unit"…); then the rows. Times are milliseconds since
+/// the start, or dates in steps of 100 ns. `next` at the line after the names. False: it is no such head.
+bool readScopeHead(const std::string& text, Head& head) {
+    if (head.cells.size() < 2 || head.cells[0] != "Name") return false;
+    std::vector<std::string> names = head.cells, cells;
+    size_t at = head.next, line = head.line;
+    bool isScope = false;
+    while (at < text.size()) {
+        const size_t next = splitLine(text, at, head.separator, cells);
+        const std::string word = cells.empty() ? "" : lower(cells[0]);
+        if (word.empty() || !std::isnan(numberOf(cells[0], head.separator))) break;
+        isScope = isScope || word == "data-type" || word == "sampletime[ms]";
+        for (size_t i = 0; word == "unit" && i < std::min(cells.size(), names.size()); ++i)
+            if (names[i] != "Name" && !names[i].empty() && cells[i] != "(None)" && !cells[i].empty())
+                names[i] += " [" + cells[i].substr(0, cells[i].find(' ')) + "]"; // "dV (Voltage)"
+        at = next;
+        ++line;
+    }
+    if (!isScope) return false;
+    for (; at < text.size() && (text[at] == '\r' || text[at] == '\n'); ++at) line += text[at] == '\n';
+    splitLine(text, at, head.separator, cells);
+    constexpr double kDates = 1e14; // more milliseconds than that are no time since a start
+    const bool isDate = !cells.empty() && numberOf(cells[0], head.separator) > kDates;
+    head.unitOf.clear();
+    for (const std::string& name : names)
+        head.unitOf.push_back(name == "Name" ? std::optional(isDate ? 1e-7 : 1e-3) : std::nullopt);
+    head.cells = std::move(names);
+    head.next = at;
+    head.line = line;
+    return true;
+}
+
 /// The first of the leading lines with a column of times and one of something else.
 Result<Head> headOf(const std::string& text) {
     constexpr size_t kMostLines = 60;
@@ -136,16 +169,16 @@ Result<Head> headOf(const std::string& text) {
     for (size_t line = 1; line <= kMostLines && at < text.size(); ++line) {
         head.separator = separatorOf(text.substr(at, text.find('\n', at) - at));
         at = splitLine(text, at, head.separator, head.cells);
+        head.next = at;
+        head.line = line + 1;
+        if (readScopeHead(text, head)) return head;
         head.unitOf.clear();
         size_t times = 0;
         for (const std::string& cell : head.cells) {
             head.unitOf.push_back(unitOfTime(cell));
             times += head.unitOf.back() ? 1 : 0;
         }
-        if (times == 0 || times == head.cells.size()) continue;
-        head.next = at;
-        head.line = line + 1;
-        return head;
+        if (times > 0 && times < head.cells.size()) return head;
     }
     return Error{errors::CsvHasNoTime(), ""};
 }
@@ -211,6 +244,7 @@ Result<Table> parseTable(const std::string& text) {
     for (size_t line = head->line; at < text.size(); ++line) {
         at = splitLine(text, at, head->separator, cells);
         if (cells.empty() || (cells.size() == 1 && cells[0].empty())) continue;
+        if (cells[0] == "EOF") break;
         const auto timeAt = [&](size_t cell) {
             if (cell >= cells.size()) return kNoNumber;
             const double number = dateOf(cells[cell]);

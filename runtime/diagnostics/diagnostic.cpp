@@ -1,5 +1,7 @@
 #include "runtime/diagnostics/diagnostic.h"
 
+#include "runtime/diagnostics/severity_name.h"
+
 #include "runtime/base/text.h"
 
 #include <algorithm>
@@ -39,6 +41,16 @@ std::string jsonString(std::string_view text) {
     }
     return out + '"';
 }
+std::string rangeJson(const SourceSet& sources, SourceRange range) {
+    const SourceText& file = sources[range.file];
+    const LineColumn begin = file.lineColumn(range.begin), end = file.lineColumn(range.end);
+    return "{\"line\":" + std::to_string(begin.line) + ",\"column\":" + std::to_string(begin.column) +
+           ",\"endLine\":" + std::to_string(end.line) + ",\"endColumn\":" + std::to_string(end.column) + "}";
+}
+} // namespace
+
+std::string_view codeOf(Kind kind) { return entry(kind).code; }
+std::string_view nameOf(Kind kind) { return entry(kind).name; }
 std::string_view severityName(Severity severity) {
     switch (severity) {
     case Severity::Error:
@@ -50,16 +62,7 @@ std::string_view severityName(Severity severity) {
     }
     return {};
 }
-std::string rangeJson(const SourceSet& sources, SourceRange range) {
-    const SourceText& file = sources[range.file];
-    const LineColumn begin = file.lineColumn(range.begin), end = file.lineColumn(range.end);
-    return "{\"line\":" + std::to_string(begin.line) + ",\"column\":" + std::to_string(begin.column) +
-           ",\"endLine\":" + std::to_string(end.line) + ",\"endColumn\":" + std::to_string(end.column) + "}";
-}
-} // namespace
 
-std::string_view codeOf(Kind kind) { return entry(kind).code; }
-std::string_view nameOf(Kind kind) { return entry(kind).name; }
 Severity severityOf(Kind kind) { return entry(kind).severity; }
 
 Diagnostic& Sink::emit(SourceRange range, Finding finding) {
@@ -80,6 +83,12 @@ void Sink::sort() {
                                 return key(a) == key(b) && a.message == b.message;
                             }),
                 m_all.end());
+}
+
+/// "src/a.st:3:7: ", as terminals and editors open it.
+static std::string placeOf(const SourceSet& sources, SourceRange range) {
+    const LineColumn at = sources[range.file].lineColumn(range.begin);
+    return sources[range.file].path() + ":" + std::to_string(at.line) + ":" + std::to_string(at.column) + ": ";
 }
 
 std::string renderText(const SourceSet& sources, const Diagnostic& d, bool colours) {
@@ -107,7 +116,10 @@ std::string renderText(const SourceSet& sources, const Diagnostic& d, bool colou
     for (uint32_t i = d.range.begin; i < d.range.end && i < lineBegin + line.size(); ++i)
         if ((static_cast<unsigned char>(line[i - lineBegin]) & 0xC0) != 0x80) ++marks;
     out += colour(tint) + "^" + std::string(marks > 1 ? marks - 1 : 0, '~') + colour("\033[0m") + "\n";
-    for (const Fix& fix : d.fixes) out += "  " + std::string(number.size(), ' ') + " = " + fix.title.english() + "\n";
+    const std::string aside = "  " + std::string(number.size(), ' ') + " = ";
+    for (const Related& each : d.related)
+        if (each.range.file.isValid()) out += aside + placeOf(sources, each.range) + each.note.english() + "\n";
+    for (const Fix& fix : d.fixes) out += aside + fix.title.english() + "\n";
     return out;
 }
 
@@ -127,7 +139,15 @@ std::string renderJson(const SourceSet& sources, const Diagnostic& d) {
         }
         out += "]}";
     }
-    return out + "]}";
+    out += "]";
+    for (size_t i = 0; i < d.related.size(); ++i) {
+        const Related& each = d.related[i];
+        out += (i ? ",{" : ",\"related\":[{") + std::string("\"file\":");
+        out += each.range.file.isValid() ? jsonString(sources[each.range.file].path()) : "null";
+        if (each.range.file.isValid()) out += ",\"range\":" + rangeJson(sources, each.range);
+        out += ",\"message\":" + jsonString(each.note.english()) + "}";
+    }
+    return out + (d.related.empty() ? "}" : "]}");
 }
 
 } // namespace plc::diagnostics

@@ -86,11 +86,14 @@ void CodeBuilder::convert(types::TypeId from, types::TypeId to) {
 
 void CodeBuilder::intrinsic(IntrinsicCall call) {
     using library::Intrinsic;
-    const Intrinsic code = call.intrinsic;
-    if (code == Intrinsic::Time || code == Intrinsic::Calendar || code == Intrinsic::FirstScan ||
-        code == Intrinsic::ScanNumber || code == Intrinsic::TaskPeriod) {
+    switch (call.intrinsic) {
+#define PLC_OF_SCAN(Name, field) case Intrinsic::Name:
+#include "runtime/library/intrinsic_meanings.def"
         reads(0, sizeof(image::ImageHeader));
         m_code.directEnd = std::max<uint32_t>(m_code.directEnd, sizeof(image::ImageHeader));
+        break;
+    default:
+        break;
     }
     add({.op = Op::Intrinsic, .a = static_cast<uint32_t>(m_code.calls.size())},
         1 - static_cast<int>(call.operands.size()));

@@ -191,6 +191,11 @@ void Slicer::write(EventIndex at, const image::Place& place, Steps& out) {
         }
         step.event = at;
         step.value = m_look.valueOf(event);
+        if (const tree::Expr* given = event.stmt()->a;
+            !step.value.hasValue() && given) { // a text: too wide for one event
+            const EventIndex made = valueEvent(*given, at, event.activation);
+            if (made != kNone) step.value = m_look.valueOf(m_look.events()[made]);
+        }
         assigned(at, step.steps);
         guards(*event.stmt(), at, event.activation, step.steps);
         out.push_back(std::move(step));

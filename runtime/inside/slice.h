@@ -92,7 +92,12 @@ private:
     struct Reach {
         image::Place place;
         bool isWhole = false; // the whole of an array, a word or a text: which part of it is not known
+        /// Of an array's element that is not known: `place` in the first one, and so on every `stride` bytes within
+        /// `span`.
+        uint32_t stride = 0, span = 0;
+        [[nodiscard]] bool isKnown() const { return !isWhole && stride == 0; }
     };
+    [[nodiscard]] bool reaches(const Reach& reach, const image::Place& place) const;
     [[nodiscard]] std::optional<Reach> reachOf(const tree::Place& place, const Activation& run) const;
     [[nodiscard]] std::optional<Reach> argumentOf(const Activation& run, uint32_t local) const;
     [[nodiscard]] std::optional<uint32_t> referredBy(uint32_t offset) const;

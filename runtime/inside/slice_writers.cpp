@@ -25,6 +25,15 @@ bool overlap(const types::TypeTable& types, const image::Place& a, const image::
 
 } // namespace
 
+bool Slicer::reaches(const Reach& reach, const image::Place& place) const {
+    const types::TypeTable& types = *m_look.tree().types;
+    if (reach.isKnown() || reach.stride == 0) return overlap(types, reach.place, place);
+    image::Place element = reach.place;
+    for (uint32_t passed = 0; passed < reach.span; passed += reach.stride, element.offset += reach.stride)
+        if (overlap(types, element, place)) return true;
+    return false;
+}
+
 // ---------------------------------------------------------------- what a place may reach
 
 /// The offset that an IN_OUT or a reference at this place of the image held in the scan.
@@ -52,7 +61,7 @@ std::optional<Slicer::Reach> Slicer::argumentOf(const Activation& run, uint32_t 
 }
 
 std::optional<Slicer::Reach> Slicer::reachOf(const tree::Place& place, const Activation& run) const {
-    const auto at = [&](uint32_t offset) { return Reach{{place.type, offset, place.bit}, false}; };
+    const auto at = [&](uint32_t offset) { return Reach{{place.type, offset, place.bit}}; };
     std::optional<Reach> base;
     if (place.base) {
         base = reachOf(*place.base, run);
@@ -66,23 +75,35 @@ std::optional<Slicer::Reach> Slicer::reachOf(const tree::Place& place, const Act
     case PlaceKind::Local:
         return argumentOf(run, place.local);
     case PlaceKind::Field:
-        return base->isWhole ? base : at(base->place.offset + place.offset);
+        if (!base->isWhole) { // of an element that is not known: this member of each
+            base->place = {place.type, base->place.offset + place.offset, place.bit};
+        }
+        return base;
     case PlaceKind::InOutSlot: {
-        if (base && base->isWhole) return std::nullopt;
+        if (base && !base->isKnown()) return std::nullopt;
         const auto target = referredBy((base ? base->place.offset : run.instance) + place.offset);
         return target ? std::optional(at(*target)) : std::nullopt;
     }
     case PlaceKind::Deref: {
         if (place.pointer->kind != tree::ExprKind::Load) return std::nullopt;
         const auto pointer = reachOf(*place.pointer->place, run);
-        if (!pointer || pointer->isWhole) return std::nullopt;
+        if (!pointer || !pointer->isKnown()) return std::nullopt;
         const auto target = referredBy(pointer->place.offset);
         return target ? std::optional(at(*target)) : std::nullopt;
     }
-    case PlaceKind::Index:
+    case PlaceKind::Index: // which element is not known before the statement has run
+        if (base->isKnown()) {
+            const types::TypeTable& types = *m_look.tree().types;
+            base->stride = std::max(1u, types[place.type].size);
+            base->span = sizeOf(types, base->place);
+            base->place.type = place.type;
+        } else {
+            base->isWhole = true;
+        }
+        return base;
     case PlaceKind::Bit:
     case PlaceKind::TextIndex:
-        base->isWhole = true; // which element is not known before the statement has run
+        base->isWhole = true;
         return base;
     case PlaceKind::Temporary:
         break;
@@ -95,7 +116,6 @@ std::optional<Slicer::Reach> Slicer::reachOf(const tree::Place& place, const Act
 /// Statements behind the last write (or all, where there is none) that would have written it had their condition come
 /// out otherwise.
 void Slicer::otherWriters(const image::Place& place, EventIndex after, Steps& out, bool followsCalls) {
-    const types::TypeTable& types = *m_look.tree().types;
     const auto events = m_look.events();
     std::set<std::pair<const Stmt*, uint32_t>> seen;
     if (after == kNone && followsCalls) blockedCalls(out);
@@ -104,7 +124,7 @@ void Slicer::otherWriters(const image::Place& place, EventIndex after, Steps& ou
         if (libraryActivation(a) != kNone) continue;
         for (const Stmt* stmt : m_map.assignments(activation.function)) {
             const std::optional<Reach> target = reachOf(*stmt->place, activation);
-            if (!target || !overlap(types, target->place, place)) continue;
+            if (!target || !reaches(*target, place)) continue;
             for (const Stmt* inner = stmt; inner;) {
                 const StatementMap::Around* around = m_map.around(*inner);
                 if (!around || !around->parent) break;

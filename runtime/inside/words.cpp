@@ -199,7 +199,7 @@ Message stepWords(const Step& step, const image::CompiledProgram& program) {
                       value = step.value.hasValue() ? types::toText(*program.layout.types, step.value) : std::string();
     switch (step.kind) {
     case Step::Kind::Statement:
-        return texts::StatementGave(text, value);
+        return value.empty() ? texts::OnlyName(text) : texts::StatementGave(text, value);
     case Step::Kind::Guard:
         return texts::ItRan(text, value);
     case Step::Kind::NotReset:

@@ -57,10 +57,6 @@ template <class Single, class Wide> Evaluated realFunction(const Call& call, Sin
         return realResult(call, static_cast<double>(single(static_cast<float>(call.real(0)))));
     return realResult(call, wide(call.real(0)));
 }
-#define PLC_REAL_FUNCTION(function)                                                                                    \
-    realFunction(                                                                                                      \
-        call, [](float x) { return std::function(x); }, [](double x) { return std::function(x); })
-
 template <class Single, class Wide> Evaluated realFunction2(const Call& call, Single single, Wide wide) {
     if (call.kind() == TypeKind::Real)
         return realResult(
@@ -345,22 +341,12 @@ template <class Function> Evaluated withOk(const Call& call, Function function) 
     return integerResult(call, value, ok != 0);
 }
 
-Evaluated clock(const Call& call) {
+/// A field of the header; only a running program has one.
+template <class Field> Evaluated ofScan(const Call& call, Field image::ImageHeader::*field) {
     if (!call.header) return failed(EvaluationError::NotEvaluable);
-    switch (call.intrinsic) {
-    case Intrinsic::Time:
-        return integerResult(call, call.header->timeNs);
-    case Intrinsic::Calendar:
-        return integerResult(call, call.header->calendarNs);
-    case Intrinsic::FirstScan:
-        return integerResult(call, call.header->firstScan != 0);
-    case Intrinsic::ScanNumber:
-        return integerResult(call, static_cast<int64_t>(call.header->scan));
-    case Intrinsic::TaskPeriod:
-        return integerResult(call, static_cast<int64_t>(call.header->taskPeriodNs));
-    default:
-        return failed(EvaluationError::NotEvaluable);
-    }
+    const bool isAsked = call.kind() == TypeKind::Bool;
+    const auto value = static_cast<int64_t>(call.header->*field);
+    return integerResult(call, isAsked ? value != 0 : value);
 }
 
 } // namespace
@@ -369,41 +355,24 @@ Evaluated evaluateIntrinsic(const TypeTable& types, Intrinsic intrinsic, TypeId 
                             const image::ImageHeader* header, int64_t selector) {
     const Call call{types, intrinsic, result, operands, header, selector};
     switch (intrinsic) {
+#define PLC_MATH1(Name, function)                                                                                      \
+    case Intrinsic::Name:                                                                                              \
+        return realFunction(                                                                                           \
+            call, [](float x) { return std::function(x); }, [](double x) { return std::function(x); });
+#define PLC_MATH2(Name, function)                                                                                      \
+    case Intrinsic::Name:                                                                                              \
+        return realFunction2(                                                                                          \
+            call, [](float x, float y) { return std::function(x, y); },                                                \
+            [](double x, double y) { return std::function(x, y); });
+#define PLC_OF_SCAN(Name, field)                                                                                       \
+    case Intrinsic::Name:                                                                                              \
+        return ofScan(call, &image::ImageHeader::field);
+#include "runtime/library/intrinsic_meanings.def"
     case Intrinsic::Abs:
         return absolute(call);
     case Intrinsic::Sqrt:
-        return PLC_REAL_FUNCTION(sqrt);
-    case Intrinsic::Ln:
-        return PLC_REAL_FUNCTION(log);
-    case Intrinsic::Log:
-        return PLC_REAL_FUNCTION(log10);
-    case Intrinsic::Exp:
-        return PLC_REAL_FUNCTION(exp);
-    case Intrinsic::Sin:
-        return PLC_REAL_FUNCTION(sin);
-    case Intrinsic::Cos:
-        return PLC_REAL_FUNCTION(cos);
-    case Intrinsic::Tan:
-        return PLC_REAL_FUNCTION(tan);
-    case Intrinsic::Asin:
-        return PLC_REAL_FUNCTION(asin);
-    case Intrinsic::Acos:
-        return PLC_REAL_FUNCTION(acos);
-    case Intrinsic::Atan:
-        return PLC_REAL_FUNCTION(atan);
-    case Intrinsic::Sinh:
-        return PLC_REAL_FUNCTION(sinh);
-    case Intrinsic::Cosh:
-        return PLC_REAL_FUNCTION(cosh);
-    case Intrinsic::Tanh:
-        return PLC_REAL_FUNCTION(tanh);
-    case Intrinsic::Atan2:
-        return realFunction2(
-            call, [](float y, float x) { return std::atan2(y, x); },
-            [](double y, double x) { return std::atan2(y, x); });
-    case Intrinsic::Expt:
-        return realFunction2(
-            call, [](float x, float y) { return std::pow(x, y); }, [](double x, double y) { return std::pow(x, y); });
+        return realFunction(
+            call, [](float x) { return std::sqrt(x); }, [](double x) { return std::sqrt(x); });
     case Intrinsic::ExptInt:
         return integerResult(call, plc_power_integer(call.integer(0), call.count(1)));
     case Intrinsic::Square:
@@ -458,12 +427,6 @@ Evaluated evaluateIntrinsic(const TypeTable& types, Intrinsic intrinsic, TypeId 
         return anyTextFunction(call);
     case Intrinsic::CharOf:
         return characterText(call);
-    case Intrinsic::Time:
-    case Intrinsic::Calendar:
-    case Intrinsic::FirstScan:
-    case Intrinsic::ScanNumber:
-    case Intrinsic::TaskPeriod:
-        return clock(call);
     case Intrinsic::MulDuration:
         return multiplyDuration(call);
     case Intrinsic::DivDuration:

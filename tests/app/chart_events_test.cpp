@@ -428,6 +428,10 @@ TEST_F(ChartEventsTest, EachLineOfAListShowsItsCurrentResultLiveAndInThePast) {
     window->control().view(9);
     EXPECT_TRUE(waitFor([&] { return shown(6) == "10" && shown(5) == "9" && shown(7) == "10" && shown(8) == "FALSE"; }))
         << shown(5).toStdString() << " " << shown(6).toStdString();
+    for (const auto& [line, values] : editor().shownValues())
+        for (const auto& value : values)
+            EXPECT_FALSE(value.name.contains(u' '))
+                << "an instruction is shown as its result: " << value.name.toStdString();
     window->control().view(std::nullopt);
 }
 

@@ -7,6 +7,7 @@
 #include "app/problems_view.h"
 #include "app/project_tree.h"
 #include "app/text_page.h"
+#include "hmi/designer/design_canvas.h"
 #include "hmi/designer/panel_designer.h"
 #include "tests/app/studio_fixture.h"
 
@@ -60,13 +61,16 @@ protected:
     }
     /// The next question is answered with the button of that name.
     static void answerNext(const char* button) {
-        QTimer::singleShot(100, qApp, [button] {
-            QWidget* box = QApplication::activeModalWidget();
-            ASSERT_NE(box, nullptr) << button;
-            auto* found = box->findChild<QAbstractButton*>(button);
-            ASSERT_NE(found, nullptr) << button;
+        auto* look = new QTimer(qApp); // until the question is there: a busy machine takes its time
+        QObject::connect(look, &QTimer::timeout, look, [look, button] {
+            const QWidget* box = QApplication::activeModalWidget();
+            auto* found = box ? box->findChild<QAbstractButton*>(button) : nullptr;
+            if (!found) return;
+            look->stop();
+            look->deleteLater();
             found->click();
         });
+        look->start(20);
     }
     QString tabTitle(const QString& key) {
         return window->tabs().tabText(window->tabs().indexOf(window->tabs().pageByKey(key)));
@@ -91,6 +95,36 @@ TEST_F(DiskChangeTest, WhatIsCleanHereIsTakenFromDisk) {
     EXPECT_TRUE(waitFor([&] { return window->live().panels().alarms.rows().size() == 1; }));
 }
 
+TEST_F(DiskChangeTest, AThemeWrittenElsewhereIsShownAndWhatIsWrongWithItIsAFinding) {
+    write("hmi/overview.panel.json",
+          panelWith("first").replace("{\n  \"elements\"", "{\"theme\": \"fog\", \"elements\""));
+    window->openDesigner("overview");
+    auto* canvas = window->tabs().currentWidget()->findChild<hmi::DesignCanvas*>();
+    ASSERT_NE(canvas, nullptr);
+    const auto isShown = [&](const char* color) {
+        const QColor wanted{QLatin1String(color)};
+        return waitFor([&] {
+            return canvas->scene().theme().color("background") == wanted && window->live().player() &&
+                   window->live().player()->scene().theme().color("background") == wanted;
+        });
+    };
+    ASSERT_TRUE(QDir(folder.path()).mkpath("hmi/themes"));
+    write("hmi/themes/fog.json", "{\"base\": \"dark\", \"colors\": {\"background\": \"#102030\"}}");
+    EXPECT_TRUE(isShown("#102030")) << "the file is new";
+    write("hmi/themes/fog.json", "{\"base\": \"dark\", \"colors\": {\"background\": \"#203040\"}}");
+    EXPECT_TRUE(isShown("#203040")) << "the file is another";
+    write("hmi/themes/fog.json", "{\"base\": \"dark\",\n \"colors\": {\n  \"backgrond\": \"#304050\"}}");
+    EXPECT_TRUE(waitFor([&] { return problemPlaces().contains("hmi/themes/fog.json:3"); }))
+        << problemPlaces().join(" | ").toStdString();
+    EXPECT_TRUE(isShown("#203040")) << "what was understood last stays";
+    write("hmi/themes/fog.json", "{\"base\": \"dark\", \"colors\": {\"background\": \"#304050\"}}");
+    EXPECT_TRUE(isShown("#304050"));
+    EXPECT_TRUE(waitFor([&] { return problemPlaces().filter("hmi/themes/").isEmpty(); }))
+        << problemPlaces().join(" | ").toStdString();
+    ASSERT_TRUE(QFile::remove(folder.path() + "/hmi/themes/fog.json"));
+    EXPECT_TRUE(waitFor([&] { return window->live().panels().themes.own().empty(); })) << "the file is gone";
+}
+
 TEST_F(DiskChangeTest, TextsChangedOnDiskAreNotOverwrittenUnknowingly) {
     setText("start", "Anfahren");
     answerNext("loadFromDisk");
@@ -98,6 +132,23 @@ TEST_F(DiskChangeTest, TextsChangedOnDiskAreNotOverwrittenUnknowingly) {
     ASSERT_TRUE(waitFor([&] { return window->live().panels().texts.table().text("stop", "de") == "Stopp"; }));
     EXPECT_FALSE(window->panelFiles().isChanged("texts"));
     EXPECT_EQ(window->live().panels().texts.table().text("start", "de"), "Start");
+}
+
+TEST_F(DiskChangeTest, WhatTheOperatorSavesIsAskedAboutWhereTheRecipeEditorHasChanges) {
+    write("hmi/recipes.json", R"({"recipes": [{"name": "dough", "variables": [{"variable": "Main.limit"}],
+                               "sets": [{"name": "rye", "values": {"Main.limit": "5"}}]}]})");
+    ASSERT_TRUE(waitFor([&] { return window->live().panels().recipes.find("dough") != nullptr; }));
+    ASSERT_NE(window->live().player(), nullptr);
+    ASSERT_TRUE(waitFor([&] { return window->live().player()->recipes().find("dough") != nullptr; }));
+    hmi::RecipeFile mine = window->live().panels().recipes;
+    mine.find("dough")->title = "mine";
+    window->live().design()->setRecipes(mine);
+    ASSERT_TRUE(window->panelFiles().isChanged("recipes"));
+    answerNext("loadFromDisk");
+    window->live().player()->scene().request(
+        hmi::RecipeRequest{{}, hmi::RecipeRequestKind::Add, "dough", "rye", {}}); // a key of the operator's list
+    ASSERT_TRUE(waitFor([&] { return window->live().panels().recipes.find("dough")->sets.size() == 2; }));
+    EXPECT_FALSE(window->panelFiles().isChanged("recipes"));
 }
 
 TEST_F(DiskChangeTest, SavingAsksFirstWhenTheFileIsNewer) {

@@ -6,8 +6,10 @@
 #include "editor/debug/watch_view.h"
 #include "tests/app/studio_fixture.h"
 
+#include <QAbstractItemView>
 #include <QAction>
 #include <QComboBox>
+#include <QContextMenuEvent>
 #include <QDialog>
 #include <QHeaderView>
 #include <QLineEdit>
@@ -53,6 +55,15 @@ protected:
         window->action("run.start")->trigger();
         ASSERT_TRUE(waitFor([&] { return window->control().value("Main.n").text.toInt() > 3; }));
     }
+    /// At a breakpoint of one instance of Axis.
+    void haltIn(const QString& instance) {
+        editor().goTo(at("pos := pos"));
+        int line = 0, column = 0;
+        editor().getCursorPosition(&line, &column);
+        window->control().setBreakpoints({{"src/main.st", line + 1, "", 0, instance, true}});
+        window->action("run.start")->trigger();
+        ASSERT_TRUE(waitFor([&] { return window->control().status().state == controller::State::Halted; }));
+    }
     uint32_t at(const char* text) { return static_cast<uint32_t>(editor().utf8().find(text)); }
     InstanceBar& bar() { return window->tabs().currentPage()->instanceBar(); }
     /// The value that is shown beside the line with the text.
@@ -64,6 +75,12 @@ protected:
                 for (const editor::OnlineValue& value : values)
                     if (value.name == name) return value.value;
         return {};
+    }
+    /// As a click with the right button does.
+    static void askForMenu(QTreeWidget& tree, const QTreeWidgetItem* item) {
+        const QPoint at = tree.visualItemRect(item).center();
+        QContextMenuEvent event(QContextMenuEvent::Mouse, at, tree.viewport()->mapToGlobal(at));
+        QApplication::sendEvent(tree.viewport(), &event);
     }
     static void typeIntoNextDialog(const QString& text) {
         QTimer::singleShot(100, qApp, [text] {
@@ -85,21 +102,36 @@ TEST_F(OnlineSourceTest, SaysWhoseValuesItShowsAndShowsThoseOfAnother) {
     const int n = window->control().value("Main.n").text.toInt();
     ASSERT_TRUE(waitFor([&] { return beside("pos := pos", "pos").toInt() == n; }));
     auto* choice = bar().findChild<QComboBox*>();
-    choice->setCurrentText("Main.b");
-    emit choice->textActivated("Main.b");
+    QTest::mouseClick(choice, Qt::LeftButton); // the list opens
+    ASSERT_TRUE(waitFor([&] { return choice->view()->isVisible(); }));
+    QTest::keyClick(choice->view(), Qt::Key_Down);
+    QTest::keyClick(choice->view(), Qt::Key_Return);
+    EXPECT_EQ(bar().shownInstance(), "Main.b");
     EXPECT_TRUE(waitFor([&] { return beside("pos := pos", "pos").toInt() == 2 * n; }));
     editor().goTo(at("n := n"));
     EXPECT_TRUE(waitFor([&] { return !bar().isVisible(); })) << "a program is its own";
 }
 
 TEST_F(OnlineSourceTest, TheCallPathChoosesTheInstance) {
-    editor().goTo(at("pos := pos"));
-    int line = 0, column = 0;
-    editor().getCursorPosition(&line, &column);
-    window->control().setBreakpoints({{"src/main.st", line + 1, "", 0, "Main.b", true}});
-    window->action("run.start")->trigger();
-    ASSERT_TRUE(waitFor([&] { return window->control().status().state == controller::State::Halted; }));
+    haltIn("Main.b");
     EXPECT_TRUE(waitFor([&] { return bar().shownInstance() == "Main.b"; }));
+    window->control().setBreakpoints({});
+}
+
+TEST_F(OnlineSourceTest, AClickOnAFrameOfTheCallStackChoosesItsInstance) {
+    window->showDock("callPath");
+    haltIn("Main.b");
+    ASSERT_TRUE(waitFor([&] { return bar().isVisible() && bar().shownInstance() == "Main.b"; }));
+    window->control().setPreferredInstance("Axis", "Main.a"); // one looks at the other
+    ASSERT_TRUE(waitFor([&] { return bar().shownInstance() == "Main.a"; }));
+    QTreeWidget* frames = nullptr;
+    for (QTreeWidget* each : window->findChild<editor::CallPathView*>()->findChildren<QTreeWidget*>())
+        if (each->accessibleName() == "Call stack") frames = each;
+    ASSERT_TRUE(frames && frames->topLevelItemCount() == 2);
+    EXPECT_EQ(frames->topLevelItem(0)->text(1), "Main.b");
+    QTest::mouseClick(frames->viewport(), Qt::LeftButton, {}, frames->visualItemRect(frames->topLevelItem(0)).center());
+    EXPECT_TRUE(waitFor([&] { return bar().shownInstance() == "Main.b"; }));
+    EXPECT_TRUE(waitFor([&] { return beside("pos := pos", "step") == "2"; })) << "its values, not those of Main.a";
     window->control().setBreakpoints({});
 }
 
@@ -126,7 +158,7 @@ TEST_F(OnlineSourceTest, TheTreeChoosesTheInstance) {
             }
             menu->close();
         });
-        emit tree.customContextMenuRequested(tree.visualItemRect(item(name)).center());
+        askForMenu(tree, item(name));
         EXPECT_TRUE(chosen) << entry.toStdString();
     };
     choose("b", "Source of Axis with the values of Main.b", {});
@@ -153,7 +185,7 @@ TEST_F(OnlineSourceTest, TheWatchChoosesTheInstance) {
         menu->close();
     });
     const QTreeWidgetItem* row = tree->topLevelItem(tree->topLevelItemCount() - 1);
-    emit tree->customContextMenuRequested(tree->visualItemRect(row).center());
+    askForMenu(*tree, row);
     EXPECT_TRUE(isOffered);
     EXPECT_EQ(window->control().preferredInstance("Axis"), "Main.b");
     EXPECT_EQ(editor().cursorOffset(), at("Axis"));

@@ -6,6 +6,8 @@
 
 #include <QAction>
 #include <QPlainTextEdit>
+#include <QScreen>
+#include <QToolButton>
 #include <QTreeWidget>
 
 namespace plc::app {
@@ -115,6 +117,45 @@ TEST_F(PanelDockTest, ARecordingFromAFileIsShownInThePanelAndCanNotBeWritten) {
     EXPECT_EQ(shown(), recorded) << "without any controller";
     window->live().closeRecording();
     EXPECT_EQ(player().values(), nullptr);
+}
+
+TEST_F(PanelDockTest, FullScreenShowsThePanelAloneAndEscapeBringsItBackIntoItsDock) {
+    window->showDock("panel");
+    ASSERT_TRUE(waitFor([&] { return player().isVisible(); }));
+    const QWidget* dock = player().parentWidget();
+    const QSize inDock = player().size();
+    QToolButton* button = nullptr;
+    for (QToolButton* each : window->live().panelArea()->findChildren<QToolButton*>())
+        if (each->text().startsWith("Full screen")) button = each;
+    ASSERT_TRUE(button);
+    QTest::mouseClick(button, Qt::LeftButton);
+    ASSERT_TRUE(waitFor([&] { return player().isFullScreen(); }));
+    EXPECT_TRUE(player().isWindow()) << "the panel, not the studio";
+    EXPECT_FALSE(window->isFullScreen());
+    EXPECT_TRUE(waitFor([&] { return player().size() == player().screen()->size(); }));
+    QTest::keyClick(&player(), Qt::Key_Escape);
+    EXPECT_TRUE(waitFor([&] { return !player().isWindow() && player().isVisible(); }));
+    EXPECT_EQ(player().parentWidget(), dock);
+    EXPECT_TRUE(waitFor([&] { return player().size() == inDock; }));
+}
+
+TEST_F(PanelDockTest, APanelThatIsMadeLargerLeavesNoStrips) {
+    window->showDock("panel");
+    ASSERT_TRUE(waitFor([&] { return player().isVisible(); }));
+    for (const QSize size : {QSize(1400, 900), QSize(1024, 700), QSize(1399, 901)}) {
+        window->resize(size);
+        ASSERT_TRUE(waitFor([&] { return player().view().height() > 0; }));
+        player().frame();
+        const QRect below = player().view().geometry(); // under the strip that tells the state
+        EXPECT_EQ(below.bottom(), player().rect().bottom());
+        EXPECT_EQ(below.left(), 0);
+        EXPECT_EQ(below.right(), player().rect().right());
+        const QImage shown = player().view().grab().toImage();
+        const QColor ground = shown.pixelColor(1, 1);
+        for (const QPoint corner : {QPoint(shown.width() - 2, 1), QPoint(1, shown.height() - 2),
+                                    QPoint(shown.width() - 2, shown.height() - 2)})
+            EXPECT_EQ(shown.pixelColor(corner), ground) << corner.x() << ", " << corner.y();
+    }
 }
 
 } // namespace

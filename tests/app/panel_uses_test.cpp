@@ -43,6 +43,21 @@ TEST_F(PanelUsesTest, UsesInPanelsAreCountedAndLeadThere) {
     EXPECT_EQ(designer->selection().ids(), hmi::ElementIds{"entry"});
 }
 
+TEST_F(PanelUsesTest, ABindingIsCompletedWithTheProjectsVariablesBeforeFunctions) {
+    const auto offered = [&](std::string_view typed) {
+        QStringList out;
+        for (const auto& item :
+             window->workspace().model()->completePath(typed, static_cast<uint32_t>(typed.size())).items)
+            out << QString::fromStdString(item.text);
+        return out;
+    };
+    const QStringList all = offered("M");
+    ASSERT_FALSE(all.isEmpty());
+    EXPECT_EQ(all.first(), "Main");
+    EXPECT_TRUE(all.contains("MAX")) << all.join(' ').toStdString();
+    EXPECT_EQ(offered("Main.li").first(), "limit");
+}
+
 TEST_F(PanelUsesTest, FindInAllFilesCoversPanels) {
     window->search().openSearch("Main.limit");
     window->search().search();

@@ -1,9 +1,12 @@
 // Halting and stepping as a commissioning engineer does it: into calls of every kind, with the call path and the mark
 // of the line in step; breakpoints on any line, in texts that were edited since; resets wherever the controller stands.
+#include "app/live_views.h"
 #include "editor/debug/debug_views.h"
+#include "editor/debug/watch_view.h"
 #include "tests/app/studio_fixture.h"
 
 #include <QAction>
+#include <QLabel>
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <QToolButton>
@@ -300,6 +303,71 @@ TEST_F(SteppingTest, TheFaultIsALinkAndItsCallPathHasValues) {
     EXPECT_EQ(textOfLine(line + 1), "counter := counter / divisor;");
     ASSERT_EQ(frames(), "Main");
     EXPECT_EQ(frameValue("divisor"), "0");
+}
+
+TEST_F(SteppingTest, CallStackAndWatchShowTheScanOfTheTimeSlider) {
+    window->showDock("callPath");
+    window->showDock("watch");
+    window->action("run.start")->trigger();
+    ASSERT_TRUE(waitFor([&] { return window->control().value("Main.counter").text.toInt() > 5; }));
+    window->control().toggleBreakpoint("src/main.st", lineOf("a(target := counter)"));
+    ASSERT_TRUE(waitFor([&] { return isHalted() && marked() > 0; }));
+    window->watch().add("Main.counter");
+    auto* watched = window->watch().findChild<QTreeWidget*>();
+    const auto counter = [&] { return watched->topLevelItem(watched->topLevelItemCount() - 1)->text(1).toInt(); };
+    auto* none = window->findChild<QLabel*>("noCallStack");
+    ASSERT_TRUE(none);
+    ASSERT_TRUE(waitFor([&] { return counter() > 5 && frames() == "Main"; }));
+    EXPECT_EQ(frameValue("counter").toInt(), counter());
+    EXPECT_FALSE(none->isVisible());
+    const int halted = counter();
+
+    // A finished scan is looked at: the stack of the scan that is halted is not that of this one.
+    QTest::keyClick(&window->live().slider(), Qt::Key_Left);
+    ASSERT_TRUE(waitFor([&] { return window->control().viewed() && counter() < halted; }));
+    EXPECT_EQ(frames(), "");
+    EXPECT_EQ(frameValue("counter"), "(none)");
+    EXPECT_TRUE(waitFor([&] { return none->isVisible(); }));
+
+    QTest::keyClick(&window->live().slider(), Qt::Key_End);
+    EXPECT_TRUE(waitFor([&] { return frames() == "Main" && counter() == halted; }));
+    EXPECT_EQ(frameValue("counter").toInt(), halted);
+    EXPECT_FALSE(none->isVisible());
+    window->control().setBreakpoints({});
+}
+
+TEST_F(SteppingTest, TheLastScanOfAFaultHasItsCallStackAndTheOnesBeforeHaveNone) {
+    window->showDock("callPath");
+    window->action("run.start")->trigger();
+    ASSERT_TRUE(waitFor([&] { return window->control().value("Main.counter").text.toInt() > 5; }));
+    (void)window->control().write("Main.divisor", "0");
+    ASSERT_TRUE(waitFor([&] { return window->control().status().state == controller::State::Fault; }));
+    ASSERT_TRUE(waitFor([&] { return frames() == "Main"; }));
+    window->action("time.back")->trigger();
+    ASSERT_TRUE(waitFor([&] { return window->control().viewed().has_value(); }));
+    EXPECT_EQ(frames(), "");
+    EXPECT_TRUE(window->findChild<QLabel*>("noCallStack")->isVisible());
+    window->control().view(window->control().shownHistory()->statistics().end - 1);
+    EXPECT_EQ(frames(), "Main") << "the image at the fault is the last record";
+    EXPECT_EQ(frameValue("divisor"), "0");
+}
+
+TEST_F(SteppingTest, ARecordingFromAFileHasNoCallStackOfTheController) {
+    window->showDock("callPath");
+    haltAt("a(target := counter)");
+    ASSERT_TRUE(waitFor([&] { return frames() == "Main"; }));
+    window->control().resume();
+    ASSERT_TRUE(waitFor([&] { return window->control().value("Main.counter").text.toInt() > 5; }));
+    const QString path = folder.path() + "/before.rec";
+    ASSERT_TRUE(window->live().saveRecording(path));
+    window->control().toggleBreakpoint("src/main.st", lineOf("a(target := counter)"));
+    ASSERT_TRUE(waitFor([&] { return isHalted() && frames() == "Main"; }));
+    ASSERT_TRUE(window->live().openRecording(path));
+    EXPECT_EQ(frames(), "");
+    EXPECT_TRUE(window->findChild<QLabel*>("noCallStack")->isVisible());
+    QTest::mouseClick(window->findChild<QToolButton*>("recordingShown"), Qt::LeftButton);
+    EXPECT_TRUE(waitFor([&] { return frames() == "Main"; }));
+    window->control().setBreakpoints({});
 }
 
 TEST_F(SteppingTest, AFaultTakesTheEditorToItsLineAndTheLogSaysWhere) {

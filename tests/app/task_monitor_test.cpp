@@ -37,11 +37,12 @@ TEST_F(StudioTest, TheTaskMonitorCountsScansAndDrawsTheirHistogram) {
     ASSERT_TRUE(waitFor([&] { return tree->topLevelItemCount() == 1 && tree->topLevelItem(0)->text(1).toInt() > 20; }));
     window->action("run.pause")->trigger();
     ASSERT_TRUE(waitFor([&] { return window->control().status().state == controller::State::Paused; }));
-    QTest::qWait(60);
-    monitor->refresh();
     const auto tasks = window->control().session()->taskStatistics();
     ASSERT_EQ(tasks.size(), 1u);
-    EXPECT_EQ(tree->topLevelItem(0)->text(1), QString::number(tasks[0].count));
+    EXPECT_TRUE(waitFor([&] {
+        monitor->refresh();
+        return tree->topLevelItem(0)->text(1) == QString::number(tasks[0].count);
+    })) << tree->topLevelItem(0)->text(1).toStdString();
     uint64_t inBins = 0;
     for (const uint32_t bin : tasks[0].histogram) inBins += bin;
     EXPECT_EQ(inBins, tasks[0].count) << "every scan is in a bar";

@@ -1,14 +1,18 @@
 // The tuning dock as one works with it: find the steps, look at the model, move the sliders, write the parameters in
 // one scan, take them back.
+#include "app/live_views.h"
+#include "editor/kit/theme.h"
 #include "editor/plot/figure_view.h"
 #include "editor/tuning/tuning_view.h"
 #include "tests/app/studio_fixture.h"
 
 #include <QAction>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QLabel>
 #include <QPushButton>
 #include <QSlider>
+#include <QTabWidget>
 #include <QTreeWidget>
 
 namespace plc::app {
@@ -41,10 +45,12 @@ END_CONFIGURATION
 
 class TuningDock : public StudioTest {
 protected:
+    /// The loop as it is written; tests change a word of it.
+    virtual QByteArray program() const { return kLoop; }
     void SetUp() override {
         StudioTest::SetUp();
         put("project.json", "{\n  \"name\": \"Loop\",\n  \"libraries\": [\"toolbox\"]\n}\n");
-        put("src/main.st", kLoop);
+        put("src/main.st", program());
         ASSERT_TRUE(window->openProject(m_other.path()));
         ASSERT_TRUE(waitFor([&] { return window->workspace().model() != nullptr; }));
         control().setMode({session::Pace::Fastest, 1.0});
@@ -57,7 +63,8 @@ protected:
         if (!toggles.front()->isChecked()) toggles.front()->trigger();
         view = window->findChild<editor::TuningView*>();
         ASSERT_TRUE(view);
-        view->parentWidget()->raise();
+        for (QWidget* each = view; each; each = each->parentWidget())
+            if (qobject_cast<QDockWidget*>(each)) each->raise(); // in front of the other tabs
     }
     void put(const QString& path, const QByteArray& text) {
         QFile file(m_other.path() + "/" + path);
@@ -84,6 +91,27 @@ protected:
         return {};
     }
     double value(const char* path) { return control().value(path).text.toDouble(); }
+    const waveform::Chart& chart(const char* figure) { return part<plot::FigureView>(figure)->figure().charts.front(); }
+    bool waitForTrial() {
+        return waitFor(
+            [&] {
+                const auto& charts = part<plot::FigureView>("tuningTrial")->figure().charts;
+                return !charts.empty() && charts.front().curves.size() == 2;
+            },
+            20'000);
+    }
+    /// With STEPWISE_PICTURES=FOLDER the window is saved there, for a look.
+    void keepPicture(const QString& name) {
+        const QString folder = qEnvironmentVariable("STEPWISE_PICTURES");
+        if (folder.isEmpty()) return;
+        QTest::qWait(50);
+        EXPECT_TRUE(window->grab().save(folder + "/" + name + ".png"));
+        view->setFixedSize(1000, 640); // as a window of its own on a small screen
+        QTest::qWait(30);
+        EXPECT_TRUE(view->grab().save(folder + "/" + name + "_alone.png"));
+        view->setMinimumSize(0, 0);
+        view->setMaximumSize(QWIDGETSIZE_MAX, QWIDGETSIZE_MAX);
+    }
     editor::TuningView* view = nullptr;
 
 private:
@@ -120,6 +148,151 @@ TEST_F(TuningDock, TheSlidersMoveTheSettings) {
     rule->setFocus();
     QTest::keyClick(rule, Qt::Key_End); // Ziegler-Nichols: with a warning
     EXPECT_TRUE(part<QLabel>("tuningWords")->text().contains("Ziegler-Nichols"));
+}
+
+TEST_F(TuningDock, TheSliderFromDisturbanceToSetPointMovesBothResponses) {
+    findSteps();
+    auto* kind = part<QComboBox>("tuningKind");
+    for (const int rule : {0, 2}) { // SIMC and the optimum
+        part<QComboBox>("tuningRule")->setCurrentIndex(rule);
+        kind->setCurrentIndex(1);
+        auto* tracking = part<QSlider>("tuningTracking");
+        tracking->setFocus();
+        QTest::keyClick(tracking, Qt::Key_Home);
+        const std::vector<double> setPoint = chart("tuningSetPoint").curves.back().y;
+        const double loadError = proposed("Error after a load step").toDouble();
+        const double overshoot = proposed("Overshoot").section(' ', 0, 0).toDouble();
+        QTest::keyClick(tracking, Qt::Key_End);
+        EXPECT_NE(chart("tuningSetPoint").curves.back().y, setPoint) << rule;
+        // less for the disturbance, less overshoot at the set point
+        EXPECT_GT(proposed("Error after a load step").toDouble(), loadError * 1.05) << rule;
+        EXPECT_LE(proposed("Overshoot").section(' ', 0, 0).toDouble(), overshoot) << rule;
+        // with the mouse too: a click in the middle of the groove moves a page towards it
+        const int end = tracking->value();
+        QTest::mouseClick(tracking, Qt::LeftButton, {}, tracking->rect().center());
+        EXPECT_LT(tracking->value(), end) << rule;
+    }
+}
+
+TEST_F(TuningDock, TheBodePlotHasTheMarginsOfTheTable) {
+    findSteps();
+    auto* tabs = part<QTabWidget>("tuningCharts");
+    ASSERT_EQ(tabs->count(), 2);
+    QTest::mouseClick(tabs->tabBar(), Qt::LeftButton, {}, tabs->tabBar()->tabRect(1).center());
+    auto* bode = part<plot::FigureView>("tuningBode");
+    EXPECT_TRUE(bode->isVisible());
+    ASSERT_EQ(bode->figure().charts.size(), 2U);
+    ASSERT_FALSE(bode->figure().charts[1].notes.empty());
+    const QString margin = proposed("Phase margin");
+    EXPECT_TRUE(QString::fromStdString(bode->figure().charts[1].notes.front().text).endsWith(margin))
+        << bode->figure().charts[1].notes.front().text << " and " << margin.toStdString();
+    const auto before = bode->figure().charts[0].notes.front().x;
+    auto* brisk = part<QSlider>("tuningBrisk");
+    brisk->setFocus();
+    QTest::keyClick(brisk, Qt::Key_Home);
+    EXPECT_LT(bode->figure().charts[0].notes.front().x, before); // calm: crosses over at less
+}
+
+TEST_F(TuningDock, ARecordingFromAFileIsLookedAtWithoutAController) {
+    const QString path = folder.path() + "/loop.rec";
+    ASSERT_TRUE(window->live().saveRecording(path));
+    control().disconnectSession();
+    ASSERT_FALSE(part<QPushButton>("tuningFind")->isEnabled());
+    ASSERT_TRUE(window->live().openRecording(path));
+    ASSERT_TRUE(waitFor([&] { return part<QComboBox>("tuningLoop")->count() == 1; }));
+    findSteps();
+    EXPECT_TRUE(waitForTrial()) << chart("tuningTrial").title;
+    EXPECT_FALSE(part<QPushButton>("tuningWrite")->isEnabled()); // nothing to write to
+    EXPECT_FALSE(part<QPushButton>("tuningBack")->isEnabled());
+}
+
+TEST_F(TuningDock, PicturesForALook) {
+    findSteps();
+    ASSERT_TRUE(waitForTrial());
+    auto* tabs = part<QTabWidget>("tuningCharts");
+    for (const bool isDark : {false, true}) {
+        kit::Theme::current().setChoice(isDark ? kit::ThemeChoice::Dark : kit::ThemeChoice::Light);
+        for (const QSize size : {QSize(1600, 1000), QSize(1024, 700)}) {
+            window->resize(size);
+            for (int tab = 0; tab < 2; ++tab) {
+                tabs->setCurrentIndex(tab);
+                keepPicture(QString("tuning_%1_%2_%3").arg(size.width()).arg(tab).arg(isDark));
+                EXPECT_GT(part<plot::FigureView>(tab ? "tuningBode" : "tuningTrial")->frames().front().area.height(),
+                          20);
+            }
+        }
+    }
+    kit::Theme::current().setChoice(kit::ThemeChoice::Light);
+}
+
+/// A load that is switched while the set point rests.
+class TuningDockWithLoad : public TuningDock {
+    QByteArray program() const override {
+        QByteArray text = kLoop;
+        text.replace("scan / 1500) MOD 2) * 10.0", "scan / 6000) MOD 2) * 10.0");
+        text.replace("(pid.q_rPidOput * 2.0 - first)", "(pid.q_rPidOput * 2.0 + SEL(scan > 9000, 0.0, -4.0) - first)");
+        return text;
+    }
+};
+
+TEST_F(TuningDockWithLoad, ADisturbanceIsListedAndTried) {
+    findSteps();
+    auto* steps = part<QTreeWidget>("tuningSteps");
+    const auto found = steps->findItems("disturbance", Qt::MatchExactly, 2);
+    ASSERT_EQ(found.size(), 1);
+    EXPECT_FALSE(found.front()->data(0, Qt::CheckStateRole).isValid()); // no model is made from it
+    EXPECT_EQ(found.front()->text(5), "usable");
+    ASSERT_TRUE(waitForTrial());
+    EXPECT_EQ(chart("tuningTrial").title, "The recorded step with these settings");
+    QTest::mouseClick(steps->viewport(), Qt::LeftButton, {}, steps->visualItemRect(found.front()).center());
+    ASSERT_TRUE(
+        waitFor([&] { return chart("tuningTrial").title == "The recorded disturbance with these settings"; }, 20'000));
+    ASSERT_EQ(chart("tuningTrial").curves.size(), 2U);
+    const auto& recorded = chart("tuningTrial").curves[0];
+    EXPECT_NEAR(recorded.x.front(), 90, 10); // scan 9000 of 10 ms
+    EXPECT_NE(recorded.y, chart("tuningTrial").curves[1].y);
+}
+
+/// Parameters that are constants of the call.
+class TuningDockWithConstants : public TuningDock {
+    QByteArray program() const override {
+        QByteArray text = kLoop;
+        text.replace("i_rTn := Tn", "i_rTn := 900.0");
+        return text;
+    }
+
+protected:
+    std::string source() { return window->workspace().text("src/main.st"); }
+};
+
+TEST_F(TuningDockWithConstants, AreWrittenInTheTextWithAnOnlineChangeAndTakenBack) {
+    findSteps();
+    EXPECT_TRUE(part<QLabel>("tuningConstants")->isVisibleTo(view));
+    EXPECT_TRUE(part<QLabel>("tuningConstants")->text().contains("i_rTn"));
+    ASSERT_TRUE(waitForTrial()) << chart("tuningTrial").title;
+    const std::string before = source();
+    ASSERT_NE(before.find("i_rTn := 900.0"), std::string::npos);
+    control().start();
+    ASSERT_TRUE(waitFor([&] { return control().status().state == controller::State::Running; }));
+    const uint64_t scans = control().status().scans;
+    click("tuningWrite");
+    ASSERT_TRUE(waitFor([&] { return value("Main.pid.i_rTn") != 900 && value("Main.Kp") != 1.5; }, 30'000));
+    EXPECT_EQ(source().find("i_rTn := 900.0"), std::string::npos);
+    EXPECT_GT(control().status().scans, scans); // it went on
+    EXPECT_EQ(control().status().state, controller::State::Running);
+    ASSERT_TRUE(waitFor([&] { return control().isUpToDate() && part<QPushButton>("tuningBack")->isEnabled(); }));
+    click("tuningBack");
+    ASSERT_TRUE(waitFor([&] { return value("Main.pid.i_rTn") == 900 && value("Main.Kp") == 1.5; }, 30'000));
+    EXPECT_EQ(source(), before);
+}
+
+TEST_F(TuningDockWithConstants, OneUndoTakesTheTextBack) {
+    findSteps();
+    const std::string before = source();
+    click("tuningWrite");
+    ASSERT_NE(source(), before);
+    window->tabs().undo();
+    EXPECT_EQ(source(), before);
 }
 
 TEST_F(TuningDock, WritesAllParametersInOneScanAndTakesThemBack) {

@@ -55,7 +55,9 @@ TEST(Tutorial, ItsStepsWork) {
     ASSERT_TRUE(window.control().write("Main.Start", "TRUE"));
     ASSERT_TRUE(waitFor([&] { return window.control().value("Main.Motor").isTrue; }));
     ASSERT_TRUE(window.control().write("Main.Start", "FALSE"));
-    QTest::qWait(100);
+    ASSERT_TRUE(waitFor([&] { return window.control().value("NOT Main.Start").isTrue; }));
+    const uint64_t released = window.control().status().scans;
+    ASSERT_TRUE(waitFor([&] { return window.control().status().scans > released + 5; }));
     EXPECT_TRUE(window.control().value("Main.Motor").isTrue) << "it holds itself";
 
     // 6: a panel in two languages

@@ -144,6 +144,47 @@ void journalTable() {
     }
 }
 
+/// The same images appended to a history again, with and without somebody who writes: what the journal adds to each.
+void journalShareTable() {
+    session::Settings settings;
+    settings.historyBudget = size_t(2) << 30;
+    session::Session session(build(kPlant), settings);
+    constexpr uint64_t kScans = 200'000, kImages = 1'000;
+    session.runHere([](const controller::Controller& c) { return c.nextScan() == kImages; });
+    std::vector<std::vector<std::byte>> images;
+    for (uint64_t scan = 0; scan < kImages; ++scan) images.push_back(session.history().seek(scan));
+    const image::Place place = *session.program()->layout.find("start");
+    image::OutsideNote note{image::OutsideKind::Write, place.offset, 1};
+    note.origin = "panel Main, button Start";
+    const std::vector<image::OutsideNote> notes{note};
+    image::ScanStart start;
+    start.plcRuns = true;
+    const auto nanosecondsFor = [&](uint64_t every) {
+        double best = 1e300;
+        for (int round = 0; round < 5; ++round) {
+            history::History history(settings.historyBudget);
+            history.beginProgram(session.program());
+            best = std::min(best, milliseconds([&] {
+                                for (uint64_t scan = 0; scan < kScans; ++scan) {
+                                    if (every > 0 && scan % every == every - 1)
+                                        history.outsideActed({images[scan % kImages], {}, start, notes});
+                                    history.append(images[scan % kImages], scan,
+                                                   history::Nanoseconds{static_cast<int64_t>(scan)} * 1'000'000);
+                                }
+                            }));
+        }
+        return best * 1e6 / static_cast<double>(kScans);
+    };
+    std::printf("\nthe same 200,000 images appended again, without the controller\n");
+    const double without = nanosecondsFor(0);
+    row("no journal at all, ns a scan", without, "ns");
+    for (const uint64_t every : {1000, 100, 10}) {
+        const double with = nanosecondsFor(every);
+        row(("a journal every " + std::to_string(every) + " scans, ns a scan").c_str(), with, "ns");
+        row("  more than without", (with / without - 1) * 100, "%");
+    }
+}
+
 } // namespace
 } // namespace plc::bench
 
@@ -152,4 +193,5 @@ int main() {
     plc::bench::liveTable();
     plc::bench::hourTable();
     plc::bench::journalTable();
+    plc::bench::journalShareTable();
 }

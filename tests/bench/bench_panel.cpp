@@ -109,6 +109,40 @@ void BM_FrameOnController(benchmark::State& state) {
 }
 BENCHMARK(BM_FrameOnController)->Unit(benchmark::kMillisecond);
 
+/// What serving browsers costs: one frame of all of them, in which all elements change.
+void BM_Browsers(benchmark::State& state) {
+    driver::Built built = bigProgram();
+    if (!built.program) return state.SkipWithError("the program has errors");
+    PanelProject project;
+    project.panels.push_back({QStringLiteral("big"), bigPanel()});
+    project.startPanel = QStringLiteral("big");
+    session::Session session(std::move(built));
+    PanelPlayer station(project, &session);
+    station.setStepped();
+    web::PaintStore store;
+    std::vector<std::unique_ptr<web::WebPanel>> browsers;
+    for (int i = 0; i < state.range(0); ++i) {
+        browsers.push_back(std::make_unique<web::WebPanel>(project, session, store, station));
+        web::ClientMessage hello;
+        hello.word = web::ClientWord::Hello;
+        hello.number = 1;
+        (void)browsers.back()->take(hello);
+    }
+    uint64_t scans = 0;
+    qsizetype bytes = 0;
+    for ([[maybe_unused]] auto _ : state) {
+        state.PauseTiming();
+        ++scans;
+        session.runHere([&](const controller::Controller& controller) { return controller.nextScan() >= scans; });
+        state.ResumeTiming();
+        for (const auto& browser : browsers) bytes += browser->next(static_cast<qint64>(scans) * 33).frame.size();
+    }
+    state.counters["kB_a_frame"] =
+        static_cast<double>(bytes) / 1000 / static_cast<double>(state.iterations() * state.range(0));
+    showShare(state);
+}
+BENCHMARK(BM_Browsers)->Arg(1)->Arg(10)->Unit(benchmark::kMillisecond);
+
 /// From the file's bytes to the first picture, with all expressions compiled.
 void BM_Open(benchmark::State& state) {
     driver::Built built = bigProgram();

@@ -1,13 +1,11 @@
 // Whoever opens an example sees a machine at work: it is whole (texts, pictures, trace, tests), its panels are without
 // findings in every language, and in a minute of plant time with its start actions nothing faults and the panel moves.
 #include "tests/examples/example_names.h"
+#include "tests/examples/shown.h"
 
 #include "app/cli/command.h"
 #include "app/cli/timed_write.h"
-#include "hmi/model/faceplate.h"
-#include "hmi/model/walk.h"
 #include "hmi/player/panel_commands.h"
-#include "hmi/player/plc_values.h"
 #include "projects/storage/project_file.h"
 #include "projects/testing/test_run.h"
 
@@ -172,12 +170,6 @@ TEST_P(Example, HasPicturesOfWhatItIsNow) {
         << "the pictures are older than the project: run docs/make_pictures.sh dev " << GetParam();
 }
 
-/// What an element shows: the values of its expressions, changed or not, whatever they move, fill, light or hide.
-struct Shown {
-    std::vector<hmi::BindingId> bindings;
-    std::set<std::string> looks;
-};
-
 TEST_P(Example, RunsAMinuteWithoutAFaultAndItsPanelMoves) {
     driver::Built built = driver::build(project.buildInput());
     ASSERT_TRUE(built.program) << built.failure.english();
@@ -199,49 +191,13 @@ TEST_P(Example, RunsAMinuteWithoutAFaultAndItsPanelMoves) {
     EXPECT_FALSE(session.controller().simulationFault()) << session.controller().simulationFault()->message.english();
     EXPECT_GE(session.controller().lastTime() + std::chrono::seconds(2), length);
 
-    hmi::PlcValues values(session);
-    std::map<std::string, Shown> elements;
-    const auto take = [&](const QString& panel, const hmi::Element& element) {
-        hmi::forEachBinding(element, [&](const hmi::Found& found) {
-            if (found.type != hmi::PropertyType::Target)
-                elements[(panel + "/" + element.caption()).toStdString()].bindings.push_back(values.bind(found.text));
-        });
-    };
-    const hmi::PanelLookup lookup = [&](const QString& name) -> const hmi::Panel* {
-        const hmi::NamedPanel* found = panels.find(name);
-        return found ? &found->panel : nullptr;
-    };
-    for (const hmi::NamedPanel& panel : panels.panels) {
-        if (!hmi::parametersOf(panel.panel).empty()) continue; // a faceplate is looked at where it is placed
-        for (const hmi::Element& element : panel.panel.elements()) {
-            if (element.kind() != hmi::ElementKind::Faceplate)
-                take(panel.name, element);
-            else
-                for (const hmi::Element& inner : hmi::contentsOf(element, lookup)) take(panel.name, inner);
-        }
-    }
-    for (nanoseconds at{0}; at < length; at += std::chrono::milliseconds(250)) {
-        values.setPosition(session.history().positionAt(at));
-        values.refresh();
-        for (auto& [name, shown] : elements) {
-            std::string look;
-            for (const hmi::BindingId binding : shown.bindings) {
-                const hmi::Value& value = values.value(binding);
-                ASSERT_FALSE(value.isNone()) << name << " shows nothing: " << value.text().toStdString();
-                look += value.toLiteral().toStdString() + " ";
-            }
-            shown.looks.insert(look);
-        }
-    }
-    size_t moved = 0;
+    ShownElements shown(panels, session);
+    for (const hmi::NamedPanel& panel : panels.panels) shown.add(panel);
+    EXPECT_EQ(shown.watch(length), "") << "shows nothing";
+    const size_t moved = shown.moved().size();
     std::string still;
-    for (const auto& [name, shown] : elements) {
-        if (shown.looks.size() > 1)
-            ++moved;
-        else
-            still += " " + name;
-    }
-    std::cout << GetParam() << ": " << moved << " of " << elements.size() << " elements with values change\n";
+    for (const std::string& name : shown.still()) still += " " + name;
+    std::cout << GetParam() << ": " << moved << " of " << shown.count() << " elements with values change\n";
     const std::vector<std::string> named = pictureOptions(folder, "elements");
     const size_t wanted = named.empty() ? 5 : std::stoul(named[0]);
     EXPECT_GE(wanted, 2u);

@@ -6,10 +6,12 @@
 #include "hmi/people/password.h"
 #include "projects/storage/project_file.h"
 
+#include <QDir>
 #include <QListWidget>
 #include <QSpinBox>
 #include <QTableWidget>
 #include <QTemporaryDir>
+#include <QToolBar>
 
 namespace plc::hmi {
 namespace {
@@ -21,6 +23,7 @@ void type(QTableWidget& table, int row, int column, const QString& text) {
     QWidget* editor = table.viewport()->findChild<QLineEdit*>();
     ASSERT_NE(editor, nullptr);
     QTest::keyClick(editor, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClick(editor, Qt::Key_Delete);
     QTest::keyClicks(editor, text);
     QTest::keyClick(editor, Qt::Key_Return);
     QCoreApplication::processEvents(); // the delegate takes the text over when the key has been handled
@@ -85,6 +88,87 @@ TEST_F(Recipes, WhatIsWrongStandsInItsCellAndWhatIsNoNumberIsNotTaken) {
     editor.addRecipe();
     editor.list().item(1)->setText(QStringLiteral("recipe"));
     EXPECT_EQ(studio.project.recipes.recipes()[1].name.toStdString(), "recipe2") << "a name is there once";
+}
+
+/// A press on the key of the tool bar with that text.
+void pressKey(QWidget& editor, const QString& text) {
+    for (QAction* action : editor.findChild<QToolBar*>()->actions()) {
+        if (action->text().remove(u'&') != text) continue;
+        auto* key = editor.findChild<QToolBar*>()->widgetForAction(action);
+        ASSERT_NE(key, nullptr) << text.toStdString();
+        return QTest::mouseClick(key, Qt::LeftButton);
+    }
+    FAIL() << "no key " << text.toStdString();
+}
+
+TEST_F(Recipes, AreMadeNamedAndUndoneWithMouseAndKeys) {
+    const std::string before = bytes();
+    pressKey(editor, QStringLiteral("Add a Recipe"));
+    ASSERT_EQ(editor.list().count(), 1);
+    // A name as in any list: double click, text, Enter.
+    const QPoint at = editor.list().visualItemRect(editor.list().item(0)).center();
+    QTest::mouseClick(editor.list().viewport(), Qt::LeftButton, {}, at);
+    QTest::mouseDClick(editor.list().viewport(), Qt::LeftButton, {}, at);
+    auto* name = editor.list().viewport()->findChild<QLineEdit*>();
+    ASSERT_NE(name, nullptr);
+    QTest::keyClick(name, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(name, QStringLiteral("dough"));
+    QTest::keyClick(name, Qt::Key_Return);
+    QCoreApplication::processEvents();
+    EXPECT_EQ(only().name.toStdString(), "dough");
+    editor.addVariable(QStringLiteral("Main.level")); // from the list of variables
+    pressKey(editor, QStringLiteral("Add a Set"));
+    ASSERT_EQ(only().sets.size(), 2u);
+    type(editor.table(), 0, RecipeEditor::FirstSet + 1, QStringLiteral("4.0"));
+    const std::string full = bytes();
+    editor.table().setCurrentCell(0, RecipeEditor::FirstSet + 1);
+    pressKey(editor, QStringLiteral("Remove Row or Set"));
+    EXPECT_EQ(only().sets.size(), 1u);
+    editor.table().setFocus();
+    QTest::keySequence(&editor.table(), QKeySequence::Undo);
+    EXPECT_EQ(bytes(), full) << "the set is back with its value";
+    pressKey(editor, QStringLiteral("Remove Recipe"));
+    EXPECT_TRUE(studio.project.recipes.recipes().empty());
+    while (editor.undoStack().canUndo()) QTest::keySequence(&editor.table(), QKeySequence::Undo);
+    EXPECT_EQ(bytes(), before);
+}
+
+TEST_F(Recipes, WhatIsRefusedSaysWhy) {
+    editor.addRecipe();
+    editor.addVariable(QStringLiteral("Main.level"));
+    editor.addVariable(QStringLiteral("Main.count"));
+    editor.addSet();
+    const std::string before = bytes();
+    const auto isSaid = [&](const char* what) {
+        EXPECT_TRUE(editor.problems().contains(QLatin1String(what))) << editor.problems().toStdString();
+        EXPECT_EQ(bytes(), before);
+    };
+    type(editor.table(), 0, RecipeEditor::Minimum, QStringLiteral("1,5"));
+    isSaid("\"1,5\" is not a number");
+    type(editor.table(), 1, RecipeEditor::Variable, QStringLiteral("Main.level"));
+    isSaid("Main.level is in the recipe already");
+    type(editor.table(), 1, RecipeEditor::Variable, QString());
+    isSaid("needs a variable");
+    editor.renameSet(RecipeEditor::FirstSet + 1, QStringLiteral("set1"));
+    isSaid("\"set1\" already");
+    editor.list().item(0)->setText(QStringLiteral(" "));
+    isSaid("needs a name");
+    type(editor.table(), 0, RecipeEditor::Minimum, QStringLiteral("1.5"));
+    EXPECT_FALSE(editor.problems().contains(QStringLiteral("needs a name"))) << "what is right ends the reproach";
+}
+
+TEST_F(Recipes, WhatCannotBeWrittenIsSaidAndNothingIsLost) {
+    editor.addRecipe();
+    ASSERT_TRUE(QDir(folder.path()).mkpath(QStringLiteral("hmi/recipes.json/in the way"))); // as good as a full disk
+    const auto saved = studio.context->save();
+    ASSERT_FALSE(saved);
+    EXPECT_NE(saved.error().place.find("recipes.json"), std::string::npos) << saved.error().place;
+    EXPECT_TRUE(studio.context->areRecipesChanged()) << "it can be saved again";
+    ASSERT_TRUE(QDir(folder.filePath(QStringLiteral("hmi/recipes.json"))).removeRecursively());
+    ASSERT_TRUE(studio.context->save());
+    EXPECT_FALSE(studio.context->areRecipesChanged());
+    editor.exportCsv(folder.filePath(QStringLiteral("no such folder/r.csv")));
+    EXPECT_TRUE(editor.problems().contains(QStringLiteral("r.csv"))) << editor.problems().toStdString();
 }
 
 TEST_F(Recipes, CsvGoesOutAndComesBackAsOneStep) {

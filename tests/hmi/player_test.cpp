@@ -347,6 +347,7 @@ TEST(Check, TheFrontEndChecksEveryBinding) {
         {"Main.name", "number", false, "number"},    {"Main.name", "text", true, ""},
         {"Main.numbers", "array", false, ""},        {"Main.numbers[2]", "number", true, ""},
         {"Main.numbers", "any", false, "single"},    {"Main.operation", "number", true, ""},
+        {"NOT Main.running", "bool", true, "not a"}, // of a switch: it could not be written
     };
     for (const auto& row : rows) {
         const std::string complaint =

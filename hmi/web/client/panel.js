@@ -4,7 +4,7 @@
 
 const byId = id => document.getElementById(id);
 const stage = byId('stage'), canvas = byId('canvas'), elements = byId('elements');
-const painter = new Painter(canvas);
+const painter = new Painter(canvas), labels = new Map();
 let socket = null, panel = null, waits = 250, noteTimer = 0, isHeld = false, painted = 0, shown = 0, secret = '', user = '';
 const asked = new URLSearchParams(location.search);
 const wanted = {panel: decodeURIComponent(location.pathname.replace(/^\/panel\/?/, '')), language: asked.get('language') || ''};
@@ -77,7 +77,7 @@ function show(message) {
   document.body.classList.toggle('dark', message.dark);
   stage.classList.remove('stale');
   state('', false);
-  if (isOther) elements.replaceChildren();
+  if (isOther) { elements.replaceChildren(); labels.clear(); }
   fill(byId('panels'), message.panels.map(name => [name, name]), message.name);
   fill(byId('languages'), message.languages, message.language);
   byId('log').textContent = message.operator ? message.words.logOut : message.words.logIn;
@@ -124,22 +124,25 @@ function place() {
   painter.paint();
 }
 
-/// A button or a text that lies over an element, for keyboards and screen readers.
+/// A button or a text that lies over an element, for keyboards and screen readers. Only what is new of it is touched:
+/// a panel has 1,000 of them.
 function label([index, words, isLive, x, y, width, height]) {
-  const tag = isLive ? 'BUTTON' : 'SPAN';
-  let part = elements.querySelector(`[data-index="${index}"]`);
-  if (part && part.tagName !== tag) { part.remove(); part = null; }
-  if (!part) {
-    part = document.createElement(tag);
-    part.dataset.index = index;
-    if (isLive) part.addEventListener('click', () => send({t: 'activate', n: index}));
-    const after = [...elements.children].find(other => Number(other.dataset.index) > index);
-    elements.insertBefore(part, after || null);
+  const tag = isLive ? 'BUTTON' : 'SPAN', place = `left:${x}px;top:${y}px;width:${width}px;height:${height}px`;
+  let one = labels.get(index);
+  if (one && one.part.tagName !== tag) { one.part.remove(); one = null; }
+  if (!one) {
+    one = {part: document.createElement(tag), words: null, place: ''};
+    one.part.dataset.index = index;
+    if (isLive) one.part.addEventListener('click', () => send({t: 'activate', n: index}));
+    else one.part.setAttribute('role', 'img');
+    labels.set(index, one);
+    const after = lastLabel() < index ? null : [...elements.children].find(other => Number(other.dataset.index) > index);
+    elements.insertBefore(one.part, after || null);
   }
-  part.setAttribute('aria-label', words);
-  if (!isLive) part.setAttribute('role', 'img');
-  part.style.cssText = `left:${x}px;top:${y}px;width:${width}px;height:${height}px`;
+  if (one.words !== words) one.part.setAttribute('aria-label', one.words = words);
+  if (one.place !== place) one.part.style.cssText = one.place = place;
 }
+function lastLabel() { return elements.lastElementChild ? Number(elements.lastElementChild.dataset.index) : -1; }
 
 // ---- fingers, mouse, keys
 

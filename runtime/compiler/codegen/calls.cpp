@@ -49,6 +49,7 @@ llvm::Value* FunctionEmitter::resolveTarget(const Call& call, Value* self64, Val
     guard(b.CreateOr(b.CreateICmpEQ(code, llvm::ConstantPointerNull::get(m.ptr)), isOutside),
           FaultCode::ForeignReference, self64);
     // One implementation only: called directly, so that it can be inlined.
+    // The guards above stay: the place may hold anything a wrong pointer led to.
     uint32_t only = 0;
     bool isUnique = true;
     for (const Target& target : m.facts.targetsOf(method)) {
@@ -88,6 +89,7 @@ std::vector<llvm::Value*> FunctionEmitter::callArguments(const Call& call) {
             guardRange(values.back(), *argument.value, local.type);
             continue;
         }
+        // A text or structure is given as an address: what comes later in the call must not change it any more.
         bool isExposed = false;
         for (size_t k = n + 1; k < call.arguments.size(); ++k)
             isExposed = isExposed || hasEffects(call.arguments[k].value) || hasEffects(call.arguments[k].place);

@@ -44,6 +44,7 @@ llvm::Value* FunctionEmitter::plainScalar(const Expr& expr) {
         return convertExpr(expr);
     case ExprKind::AddressOf:
     case ExprKind::InterfaceOf: {
+        // A pointer is an offset into the image, so that it means the same in every copy of it: history, online change.
         const Address a = address(*expr.place);
         Value* at = a.isImage ? offset(a) : int64(0);
         return b.CreateZExtOrTrunc(at, m.scalarType(expr.type));
@@ -151,6 +152,7 @@ llvm::Value* FunctionEmitter::divide(Value* a, Value* c, types::TypeId type, boo
     guard(b.CreateICmpEQ(c, llvm::Constant::getNullValue(wanted)), FaultCode::DivisionByZero);
     if (!isSigned(m.types().family(type))) return isModulo ? b.CreateURem(a, c) : b.CreateUDiv(a, c);
     const unsigned width = wanted->getIntegerBitWidth();
+    // Narrower than the processor divides: MIN / -1 fits into 32 bits and wraps when it is cut.
     if (width < 32) {
         Value* wideA = b.CreateSExt(a, m.i32);
         Value* wideC = b.CreateSExt(c, m.i32);
@@ -165,6 +167,7 @@ llvm::Value* FunctionEmitter::divide(Value* a, Value* c, types::TypeId type, boo
 }
 
 llvm::Value* FunctionEmitter::compare(BinaryOp op, Value* a, Value* c, types::TypeId type) {
+    // IEEE 754: nothing is equal to NaN, less or greater; only <> holds.
     using P = llvm::CmpInst;
     if (a->getType()->isFloatingPointTy()) {
         switch (op) {
@@ -323,6 +326,7 @@ void FunctionEmitter::aggregateInto(const Expr& expr, const Address& target) {
     const uint32_t size = m.types()[expr.type].size;
     if (expr.kind == ExprKind::Call) {
         const Returned returned = call(*expr.call);
+        // The result is in the callee's frame until the next call uses that memory.
         Address from;
         from.baseOffset = returned.frame;
         from.base = b.CreateInBoundsGEP(m.i8, m_image, from.baseOffset);
@@ -353,6 +357,7 @@ void FunctionEmitter::aggregateInto(const Expr& expr, const Address& target) {
         const int64_t last = static_cast<int64_t>(expr.operands.size()) - 2;
         Block* done = newBlock("done");
         Block* lastBlock = newBlock("last");
+        // As library/intrinsics.cpp: a negative K takes the first operand, one beyond the last takes the last.
         k = b.CreateSelect(b.CreateICmpSLT(k, int64(0)), int64(0), k);
         llvm::SwitchInst* choice = b.CreateSwitch(k, lastBlock);
         for (int64_t i = 0; i <= last; ++i) {
@@ -376,6 +381,7 @@ void FunctionEmitter::aggregateInto(const Expr& expr, const Address& target) {
 
 Range FunctionEmitter::rangeOf(const Expr& expr) {
     const Family family = m.types().family(expr.type);
+    // Of types of eight bytes nothing is assumed: ULINT does not fit into a Range.
     Range own;
     if (m.isScalar(expr.type) && (types::isInteger(family) || family == Family::Bool) &&
         m.types()[m.types().storage(expr.type)].size < 8) {
@@ -415,6 +421,7 @@ Range FunctionEmitter::rangeOf(const Expr& expr) {
                 return own;
             return within(r);
         case BinaryOp::Modulo:
+            // Division cuts towards zero (edition 3, table 29), so that the remainder has the sign of the left operand.
             if (c.low != c.high || c.low <= 0) return own;
             return within({a.low >= 0 ? 0 : -(c.low - 1), c.low - 1});
         case BinaryOp::Divide:

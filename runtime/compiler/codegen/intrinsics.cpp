@@ -34,42 +34,18 @@ llvm::Value* FunctionEmitter::mathFunction(const Expr& expr) {
     const auto operand = [&](size_t i) {
         return convert(scalar(*expr.operands[i]), expr.operands[i]->type, expr.type);
     };
-    const auto one = [&](const char* single, const char* wide) { return mathCall(single, wide, {operand(0)}); };
     switch (expr.intrinsic) {
     case Intrinsic::Sqrt:
         return b.CreateUnaryIntrinsic(llvm::Intrinsic::sqrt, operand(0)); // correctly rounded everywhere
-    case Intrinsic::Ln:
-        return one("plc_logf", "plc_log");
-    case Intrinsic::Log:
-        return one("plc_log10f", "plc_log10");
-    case Intrinsic::Exp:
-        return one("plc_expf", "plc_exp");
-    case Intrinsic::Sin:
-        return one("plc_sinf", "plc_sin");
-    case Intrinsic::Cos:
-        return one("plc_cosf", "plc_cos");
-    case Intrinsic::Tan:
-        return one("plc_tanf", "plc_tan");
-    case Intrinsic::Asin:
-        return one("plc_asinf", "plc_asin");
-    case Intrinsic::Acos:
-        return one("plc_acosf", "plc_acos");
-    case Intrinsic::Atan:
-        return one("plc_atanf", "plc_atan");
-    case Intrinsic::Sinh:
-        return one("plc_sinhf", "plc_sinh");
-    case Intrinsic::Cosh:
-        return one("plc_coshf", "plc_cosh");
-    case Intrinsic::Tanh:
-        return one("plc_tanhf", "plc_tanh");
-    case Intrinsic::Atan2: {
-        Value* y = operand(0);
-        return mathCall("plc_atan2f", "plc_atan2", {y, operand(1)});
+#define PLC_MATH1(Name, function)                                                                                      \
+    case Intrinsic::Name:                                                                                              \
+        return mathCall("plc_" #function "f", "plc_" #function, {operand(0)});
+#define PLC_MATH2(Name, function)                                                                                      \
+    case Intrinsic::Name: {                                                                                            \
+        Value* first = operand(0);                                                                                     \
+        return mathCall("plc_" #function "f", "plc_" #function, {first, operand(1)});                                  \
     }
-    case Intrinsic::Expt: {
-        Value* base = operand(0);
-        return mathCall("plc_powf", "plc_pow", {base, operand(1)});
-    }
+#include "runtime/library/intrinsic_meanings.def"
     case Intrinsic::DegToRad:
     case Intrinsic::RadToDeg: {
         const double factor = expr.intrinsic == Intrinsic::DegToRad ? std::numbers::pi / 180 : 180 / std::numbers::pi;
@@ -252,24 +228,20 @@ llvm::Value* FunctionEmitter::intrinsic(const Expr& expr) {
     Value* result = nullptr;
     bool hasOk = false;
     switch (expr.intrinsic) {
+#define PLC_MATH1(Name, function)                                                                                      \
+    case Intrinsic::Name:                                                                                              \
+        result = mathFunction(expr);                                                                                   \
+        break;
+#define PLC_MATH2(Name, function) PLC_MATH1(Name, function)
+#define PLC_OF_SCAN(Name, field)                                                                                       \
+    case Intrinsic::Name:                                                                                              \
+        result = headerField(offsetof(ImageHeader, field), b.getIntNTy(8 * sizeof(ImageHeader::field)), expr.type);    \
+        break;
+#include "runtime/library/intrinsic_meanings.def"
     case Intrinsic::Abs:
         result = absolute(expr);
         break;
     case Intrinsic::Sqrt:
-    case Intrinsic::Ln:
-    case Intrinsic::Log:
-    case Intrinsic::Exp:
-    case Intrinsic::Sin:
-    case Intrinsic::Cos:
-    case Intrinsic::Tan:
-    case Intrinsic::Asin:
-    case Intrinsic::Acos:
-    case Intrinsic::Atan:
-    case Intrinsic::Atan2:
-    case Intrinsic::Sinh:
-    case Intrinsic::Cosh:
-    case Intrinsic::Tanh:
-    case Intrinsic::Expt:
     case Intrinsic::DegToRad:
     case Intrinsic::RadToDeg:
     case Intrinsic::Frac:
@@ -347,21 +319,6 @@ llvm::Value* FunctionEmitter::intrinsic(const Expr& expr) {
         hasOk = true;
         break;
     }
-    case Intrinsic::Time:
-        result = headerField(offsetof(ImageHeader, timeNs), m.i64, expr.type);
-        break;
-    case Intrinsic::Calendar:
-        result = headerField(offsetof(ImageHeader, calendarNs), m.i64, expr.type);
-        break;
-    case Intrinsic::FirstScan:
-        result = headerField(offsetof(ImageHeader, firstScan), m.i32, expr.type);
-        break;
-    case Intrinsic::ScanNumber:
-        result = headerField(offsetof(ImageHeader, scan), m.i64, expr.type);
-        break;
-    case Intrinsic::TaskPeriod:
-        result = headerField(offsetof(ImageHeader, taskPeriodNs), m.i64, expr.type);
-        break;
     case Intrinsic::MulDuration:
         result = durationTimes(expr, false);
         break;

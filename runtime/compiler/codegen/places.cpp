@@ -23,11 +23,13 @@ llvm::Value* FunctionEmitter::offset(const Address& a) {
 }
 
 llvm::MaybeAlign FunctionEmitter::alignOf(const Address& a) {
+    // The lowest bit set in either is what both are multiples of.
     const uint64_t at = static_cast<uint64_t>(a.constant) | a.align;
     return llvm::Align(at & 7 ? at & (~at + 1) & 7 : 8);
 }
 
 template <class Access> void FunctionEmitter::tag(Access* access, const Address& a) {
+    // Quick code is not optimised; what is not in the image is an alloca, which LLVM follows by itself.
     if (m.isQuick() || !a.isImage) return;
     access->setMetadata(llvm::LLVMContext::MD_tbaa, m.aliasTag(a.alias ? a.alias : m.imageNode()));
 }
@@ -93,6 +95,7 @@ void FunctionEmitter::plainStore(const Address& a, Value* value) {
 void FunctionEmitter::copy(const Address& to, const Address& from, uint32_t size) {
     if (size == 0) return;
     chargeUnits(facts::copyUnits(size));
+    // Not memcpy: through references and in-outs, source and target may be the same or overlap.
     b.CreateMemMove(pointer(to), alignOf(to), pointer(from), alignOf(from), size);
     watchPlace(image::WatchKind::Write, m_cause, to, size);
 }

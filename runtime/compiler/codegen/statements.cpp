@@ -107,6 +107,7 @@ void FunctionEmitter::plainStatement(const Stmt& stmt) {
         if (stmt.label.index() < m_labelPlaced.size() && m_labelPlaced[stmt.label.index()])
             chargeUnits(m.facts.work().ofJump(m_index)); // backwards: a loop
         b.CreateBr(target);
+        // What follows cannot be reached, but is emitted as well and needs a block.
         enter(skip ? skip : newBlock("dead"));
         break;
     }
@@ -130,6 +131,7 @@ void FunctionEmitter::assign(const Stmt& stmt) {
     const tree::Place& place = *stmt.place;
     if (m.types().isText(place.type)) {
         if (mayOverlap(*stmt.a, place)) {
+            // t := CONCAT('a', t): written in place it would read what it has overwritten.
             const Text made = textTemporary(place.type);
             textInto(*stmt.a, made);
             assignText(textAt(address(place)), made);
@@ -249,6 +251,7 @@ void FunctionEmitter::caseStatement(const Stmt& stmt) {
         Value* span =
             int64(static_cast<int64_t>(static_cast<uint64_t>(w.range->high) - static_cast<uint64_t>(w.range->low)));
         Block* next = newBlock("range");
+        // Unsigned: what is below the lower end wraps to a large distance, so that one compare asks for both ends.
         b.CreateCondBr(b.CreateICmpULE(b.CreateSub(selector, int64(w.range->low)), span), w.arm, next);
         enter(next);
     }

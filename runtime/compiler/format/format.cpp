@@ -232,7 +232,7 @@ private:
         if (n == TokenKind::LeftParen) {
             if (p == TokenKind::Identifier) return m_structure.isSoftKeyword(previous.begin) || isPriority(i);
             if (p == TokenKind::RightBracket || p == TokenKind::Caret || p == TokenKind::RightParen ||
-                p == TokenKind::WstringLiteral || p == TokenKind::IntegerLiteral)
+                p == TokenKind::WstringLiteral || p == TokenKind::IntegerLiteral || p == TokenKind::Catch)
                 return false;
             return !isOperatorFunction(i - 1);
         }

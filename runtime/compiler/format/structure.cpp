@@ -71,6 +71,9 @@ Structure::Structure(const SyntaxFile& file, std::string_view text,
         case TokenKind::Else:
         case TokenKind::Elsif:
         case TokenKind::Until:
+        case TokenKind::Catch:
+        case TokenKind::Finally:
+        case TokenKind::EndTry:
         case TokenKind::Then:
         case TokenKind::Do:
         case TokenKind::Struct:

@@ -41,24 +41,29 @@ struct Symbol {
 
 template <class Function> void* addressOf(Function* function) { return reinterpret_cast<void*>(function); }
 
-#define PLC_MATH1(Name)                                                                                                \
-    {"plc_" #Name, addressOf<double(double)>(&::Name)}, { "plc_" #Name "f", addressOf<float(float)>(&::Name##f) }
-#define PLC_MATH2(Name)                                                                                                \
-    {"plc_" #Name, addressOf<double(double, double)>(&::Name)}, {                                                      \
-        "plc_" #Name "f", addressOf<float(float, float)>(&::Name##f)                                                   \
-    }
+// Functions of the C library under names LLVM does not know: those that intrinsics are, and the remainder.
+#define PLC_MATH1(Name, function)                                                                                      \
+    {"plc_" #function, addressOf<double(double)>(&::function)},                                                        \
+        {"plc_" #function "f", addressOf<float(float)>(&::function##f)},
+#define PLC_MATH2(Name, function)                                                                                      \
+    {"plc_" #function, addressOf<double(double, double)>(&::function)},                                                \
+        {"plc_" #function "f", addressOf<float(float, float)>(&::function##f)},
 // What LLVM itself may call where the processor has no instruction for it.
 #define PLC_OWN1(Name)                                                                                                 \
     {#Name, addressOf<double(double)>(&::Name)}, { #Name "f", addressOf < float(float)>(&::Name##f) }
 
 const Symbol kMath[] = {
-    PLC_MATH1(log),  PLC_MATH1(log10), PLC_MATH1(exp),  PLC_MATH1(sin),      PLC_MATH1(cos),  PLC_MATH1(tan),
-    PLC_MATH1(asin), PLC_MATH1(acos),  PLC_MATH1(atan), PLC_MATH1(sinh),     PLC_MATH1(cosh), PLC_MATH1(tanh),
-    PLC_MATH2(pow),  PLC_MATH2(atan2), PLC_MATH2(fmod), PLC_OWN1(floor),     PLC_OWN1(ceil),  PLC_OWN1(trunc),
-    PLC_OWN1(sqrt),  PLC_OWN1(fabs),   PLC_OWN1(rint),  PLC_OWN1(nearbyint),
+    {"plc_fmod", addressOf<double(double, double)>(&::fmod)},
+    {"plc_fmodf", addressOf<float(float, float)>(&::fmodf)},
+    PLC_OWN1(floor),
+    PLC_OWN1(ceil),
+    PLC_OWN1(trunc),
+    PLC_OWN1(sqrt),
+    PLC_OWN1(fabs),
+    PLC_OWN1(rint),
+    PLC_OWN1(nearbyint),
+#include "runtime/library/intrinsic_meanings.def"
 };
-#undef PLC_MATH1
-#undef PLC_MATH2
 #undef PLC_OWN1
 
 // roundeven is missing in older C libraries; the rounding mode is always to nearest even.

@@ -141,6 +141,22 @@ Expr* Parser::parsePrimary() {
         Expr* e = makeName(nameOf(token));
         if (token.soft == SoftWord::This) e->kind = ExprKind::This;
         if (token.soft == SoftWord::Super) e->kind = ExprKind::Super;
+        if (token.soft == SoftWord::Pointer && at(TokenKind::To)) { // a type where __NEW wants one: POINTER of T
+            const Nesting nesting(*this);
+            advance();
+            if (nesting.tooDeep) {
+                skipTo({TokenKind::Semicolon});
+                return errorExpr();
+            }
+            Expr* pointer = make<Expr>();
+            pointer->kind = ExprKind::Call;
+            pointer->base = e;
+            pointer->arguments.emplace_back();
+            pointer->arguments.back().value = parsePlace();
+            pointer->arguments.back().range = pointer->arguments.back().value->range;
+            pointer->range = joined(e->range, pointer->arguments.back().range);
+            return pointer;
+        }
         return e;
     }
     case TokenKind::Hash:

@@ -1,8 +1,8 @@
 // Checks expressions and statements of one scope and makes their tree. Short-lived: one for a body, a constant, an
-// initial value or a watch expression. Uses the World it belongs to; one thread (a finished World may serve several
-// checkers at once).
+// initial value or a watch expression. Reads the World and adds to what is gathered; one thread (one World may serve
+// several contexts at once, each with its own gathering).
 #pragma once
-#include "runtime/compiler/sema/world.h"
+#include "runtime/compiler/sema/world_builder.h"
 
 namespace plc::sema {
 
@@ -97,16 +97,29 @@ struct Label {
     SymbolId symbol;
 };
 
-struct Context {
-    Context(World& world, Scope scope, diagnostics::Sink& sink, Arena& arena);
+/// What every check works with. `builder` is there only while declarations are being completed; a body and a watch
+/// expression have none, so that nothing they ask for can change what is declared.
+struct Check {
+    Check(WorldBuilder& theBuilder) : world(theBuilder), gathered(theBuilder), builder(&theBuilder) {}
+    Check(const World& theWorld, Gathered& theGathered) : world(theWorld), gathered(theGathered) {}
+
+    diagnostics::Diagnostic& emit(SourceRange range, diagnostics::Finding finding) const {
+        return gathered.emit(range, std::move(finding));
+    }
+
+    const World& world;
+    Gathered& gathered;
+    WorldBuilder* builder = nullptr;
+};
+
+struct Context : Check {
+    Context(const Check& check, Scope scope, diagnostics::Sink& sink, Arena& arena);
 
     diagnostics::Diagnostic& emit(SourceRange range, diagnostics::Finding finding) {
         return sink.emit(range, std::move(finding));
     }
-    /// A name that no declaration has is no name: a watch expression adds none to those of the program.
-    [[nodiscard]] NameId key(std::string_view spelling) {
-        return isExpression ? world.names.find(spelling) : world.key(spelling);
-    }
+    /// A name that no declaration has is no name.
+    [[nodiscard]] NameId key(std::string_view spelling) const { return world.names.find(spelling); }
     [[nodiscard]] const std::string& nameOf(TypeId type) const { return types[type].name; }
     [[nodiscard]] std::string textOf(SourceRange range) const {
         if (isExpression && !range.file.isValid())
@@ -118,7 +131,6 @@ struct Context {
     [[nodiscard]] TypeId elementary(TypeKind kind) const { return types::TypeTable::of(kind); }
     [[nodiscard]] bool isKind(TypeId type, TypeKind kind) const { return types.kind(type) == kind; }
 
-    World& world;
     types::TypeTable& types;
     Scope scope;
     diagnostics::Sink& sink;
@@ -136,7 +148,7 @@ struct Context {
     std::vector<Loop> loops;
     bool insideUnreachable = false; // said already
     std::vector<const Variable*> loopVariables;
-    std::unordered_map<NameId, Label> labels;
+    std::map<std::string, Label> labels; // by folded name
     std::unordered_map<const Variable*, uint32_t> temporaries;
     std::vector<tree::Stmt*>* pending = nullptr; // statements an expression needs before it stands in the body
     bool returnsSet = true;                      // every RETURN so far had the result set

@@ -2,7 +2,6 @@
 #include "runtime/base/text.h"
 #include "runtime/compiler/parse/parser.h"
 #include "runtime/compiler/sema/context.h"
-#include "runtime/compiler/sema/kept_world.h"
 #include "runtime/compiler/sema/values/expressions.h"
 
 namespace plc::sema {
@@ -11,8 +10,9 @@ CheckedExpression checkExpression(const Analysis& analysis, const SourceSet&, st
                                   std::string_view scopePath, Arena& arena) {
     CheckedExpression out;
     if (!analysis.scopes) return out;
-    World& world = *static_cast<const KeptWorld*>(analysis.scopes.get())->world;
-    diagnostics::Sink sink;
+    const World& world = *static_cast<const World*>(analysis.scopes.get());
+    Gathered gathered(*analysis.program->types, arena); // thrown away, but for what is reported
+    diagnostics::Sink& sink = gathered.sink;
     syntax::SyntaxFile file; // lives as long as the checking; the result refers to none of it
     const syntax::Expr* parsed = parse::parseExpression(file, text, sink);
     if (!parsed || sink.hasErrors()) {
@@ -20,7 +20,7 @@ CheckedExpression checkExpression(const Analysis& analysis, const SourceSet&, st
         return out;
     }
     Scope scope{nullptr, &world.top, nullptr};
-    Context checker(world, scope, sink, arena);
+    Context checker({world, gathered}, scope, sink, arena);
     checker.isExpression = true;
     checker.expressionText = text;
     if (!scopePath.empty()) {

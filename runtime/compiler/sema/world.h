@@ -1,5 +1,6 @@
-// Everything about one program while it is checked, and what stays of it for expressions (Analysis::scopes): name
-// tables, types, the tree being made. One thread builds it.
+// What one program declares: name tables, types, what was found out about them. A WorldBuilder makes it on one thread
+// (world_builder.h); bodies are checked against a `const World`, and so are the expressions of an Analysis, on any
+// thread.
 #pragma once
 #include "runtime/compiler/sema/limits.h"
 #include "runtime/compiler/sema/scopes.h"
@@ -28,12 +29,6 @@ struct DynamicInit {
 struct InitialValue {
     std::vector<std::byte> bytes; // empty: zero
     std::vector<DynamicInit> dynamics;
-};
-
-struct Call {
-    uint32_t from = 0, to = 0;
-    bool isDispatched = false;
-    SourceRange range;
 };
 
 using image::DirectAddress;
@@ -73,64 +68,30 @@ struct Instance {
     std::string resourceName; // where another RESOURCE has an instance of the same name: R1.A
 };
 
-struct Located { // an open address that VAR_CONFIG completes, copied at the scan's borders when it lies in a block
-    Variable* variable = nullptr;
-    bool isCompleted = false;
-};
-
-/// That a body reads or writes a variable.
-struct VariableUse {
-    uint32_t variable = 0; // World::numbered
-    bool isRead = false, isWrite = false;
-    bool operator==(const VariableUse&) const = default;
-};
 struct LastCheck;
 
-struct Copy {
-    image::Place data, address;
-    bool isInput = false;
-    uint32_t root = 0;
-};
-
+/// Immutable but for its builder. Ask it through const: what it points to is only changed by who declares.
 struct World {
-    /// Where all counting goes through: what a body uses is kept for the next check.
-    void count(Variable& variable, bool isRead, bool isWrite) {
-        if (isRead) ++variable.reads;
-        if (isWrite) ++variable.writes;
-        uses.push_back({variable.number, isRead, isWrite});
-    }
+    World(const SourceSet& theSources, Options theOptions, std::shared_ptr<const tree::Program> theProgram)
+        : sources(theSources), options(std::move(theOptions)), program(std::move(theProgram)), types(*program->types) {}
 
-    World(const SourceSet& sources, const Options& options);
-
-    [[nodiscard]] NameId key(std::string_view spelling) { return names.intern(spelling); }
-    diagnostics::Diagnostic& emit(SourceRange range, diagnostics::Finding finding) {
-        return sink.emit(range, std::move(finding));
-    }
     [[nodiscard]] std::string_view textOf(SourceRange range) const {
         return range.file.isValid() ? sources[range.file].slice(range) : std::string_view{};
     }
-    tree::Function& function(tree::FunctionId id) { return functions[id.index()]; }
-
     [[nodiscard]] Unit* unitOf(TypeId type) const {
         const auto it = unitsByType.find(type);
         return it == unitsByType.end() ? nullptr : it->second;
     }
     [[nodiscard]] const std::string& nameOf(TypeId type) const { return types[type].name; }
 
-    InitialValue& typeInitial(TypeId type) { return typeInitials[type]; }
-
-    void checkInferred();
-
     const SourceSet& sources;
     Options options;
-    diagnostics::Sink sink;
     Names names;
-    std::shared_ptr<tree::Program> program;
-    types::TypeTable& types;
-    Arena& arena;
-    std::deque<tree::Function> functions; // moved into the program at the end
+    std::shared_ptr<const tree::Program> program;
+    const types::TypeTable& types;
 
-    Space top;
+    std::unique_ptr<Space> outermost = std::make_unique<Space>();
+    Space& top = *outermost; // stays where it is when the World moves
     std::deque<Space> spaces;
     std::vector<Space*> libraries;
     std::deque<Unit> units;
@@ -149,35 +110,20 @@ struct World {
         aliasesByType; // TYPE with a default of its own: a copy of the type behind it
     std::unordered_map<TypeId, TypeId> aliasOf;
     std::map<TypeId, InitialValue> typeInitials;
-    std::map<TypeId, tree::FunctionId> initialisers;
     std::unordered_map<const syntax::SyntaxFile*, std::vector<Space*>> fileUsings;
     std::unordered_map<const Unit*, std::vector<Space*>> unitUsings;
     std::vector<const syntax::SyntaxFile*> fileOf; // by FileId
-
-    std::vector<Symbol> symbols;
-    std::vector<Reference> references;
-    std::vector<Call> calls;
-    std::vector<Variable*> numbered; // all variables, by Variable::number, from before the bodies on
-    std::vector<VariableUse> uses;   // by the body being checked
-    size_t completions = 0;          // of anything shared, whoever needed it first
-    std::shared_ptr<const LastCheck> check;
+    std::vector<Variable*> numbered;               // all variables, by Variable::number, from before the bodies on
 
     std::vector<Configuration> configurations;
     std::vector<Instance> instances;
-    std::vector<Located> openAddresses;
-    std::vector<Copy> copies;
-    std::vector<DynamicInit> programInits; // absolute offsets, in order
     std::vector<SourceRange> syntaxErrors;
-    uint32_t waiting = 0, completing = 0; // see limits.h
-    std::vector<uint32_t> nestings;       // by type: of those complete
-    std::unordered_set<TypeId> tooLarge;  // reported
-    TypeId anyInput;                      // of VAR_INPUT a : ANY, where there is one
-    uint64_t initialBytes = 0;            // of all types
-    size_t suggestions = 0;               // so many near names were looked for; at some point a reader has enough
+    std::shared_ptr<const LastCheck> check; // what its bodies gave, where they are kept
+    std::vector<uint32_t> nestings;         // by type: of those complete
+    std::unordered_set<TypeId> tooLarge;    // reported
+    TypeId anyInput;                        // of VAR_INPUT a : ANY, where there is one
     uint32_t rangeOfInputs = 0, rangeOfOutputs = 0, rangeOfMemory = 0;
     std::map<std::string, HierarchicalPlace> hierarchical; // by image::hierarchicalName
-    std::vector<std::byte> image;
-    std::vector<NameId> slotNames;
 };
 
 } // namespace plc::sema

@@ -104,7 +104,7 @@ TEST_F(TuneCommand, AReportSaysHowTheLoopIsDoing) {
         << err;
     const std::string page = read("loop.html");
     EXPECT_NE(page.find("<h2>How it is doing</h2>"), std::string::npos);
-    EXPECT_NE(page.find("<h2>Model and settings</h2>"), std::string::npos);
+    EXPECT_NE(page.find(">Model and settings</h2>"), std::string::npos);
     EXPECT_NE(page.find("<polyline"), std::string::npos);
     EXPECT_EQ(page.find("nan"), std::string::npos);
     // without a step there is still something to say
@@ -115,6 +115,76 @@ TEST_F(TuneCommand, AReportSaysHowTheLoopIsDoing) {
     EXPECT_NE(read("quiet.html").find("How it is doing"), std::string::npos);
 }
 
+TEST_F(TuneCommand, TheBodePlotHasItsMargins) {
+    write("valve.csv", table());
+    ASSERT_EQ(command({"tune", path("valve.csv"), "--input", "valve", "--output", "level", "--bode", path("b.svg"),
+                       "--dark"}),
+              cli::kGood)
+        << err;
+    const std::string picture = read("b.svg");
+    for (const char* part :
+         {"phase margin", "gain margin", "phase [°]", "magnitude [dB]", "frequency [rad/s]", "rad/s"})
+        EXPECT_NE(picture.find(part), std::string::npos) << part;
+    EXPECT_EQ(picture.find("nan"), std::string::npos);
+    EXPECT_EQ(command({"tune", path("valve.csv"), "--input", "valve", "--output", "level", "--bode", "/nowhere/b.svg"}),
+              cli::kWrongUse);
+}
+
+TEST_F(TuneCommand, ConstantsOfTheCallAreNamedWithTheirPlace) {
+    write("loop.st", R"(PROGRAM Main
+VAR
+    SetPoint : REAL; Measured : REAL; Gain : REAL := 0.5;
+    pid : FB_PID;
+    parameters : stPid := (xActValType := TRUE, rTargCyclTime := 10.0, rLowLim := -1000.0, rHighLim := 1000.0);
+END_VAR
+pid(i_xEn := TRUE, i_rSp := SetPoint, i_rPv1 := Measured, i_rKp := Gain * 2.0,
+    i_rTn := 900.0, i_rTd := 60.0, i_stPid := parameters);
+Measured := Measured + (pid.q_rPidOput - Measured) * 0.02;
+END_PROGRAM
+CONFIGURATION Plc
+    RESOURCE Cpu ON Pc
+        TASK Fast(INTERVAL := T#10ms, PRIORITY := 1);
+        PROGRAM Main WITH Fast : Main;
+    END_RESOURCE
+END_CONFIGURATION
+)");
+    const std::vector<std::string> run{"tune",  path("loop.st"), "--library", "toolbox",
+                                       "--for", "20s",           "--set",     "Main.SetPoint=10@5s"};
+    ASSERT_EQ(command(run), cli::kGood) << err;
+    EXPECT_NE(out.find("loop.st:8: i_rTn := "), std::string::npos) << out;
+    EXPECT_NE(out.find("in the place of 900.0"), std::string::npos) << out;
+    EXPECT_NE(out.find("i_rKp is computed in the call"), std::string::npos) << out;
+    std::vector<std::string> asJson = run;
+    asJson.insert(asJson.end(), {"--format", "json"});
+    ASSERT_EQ(command(asJson), cli::kGood) << err;
+    EXPECT_EQ(json()["writes"][1]["constants"][0]["line"], 8) << json()["writes"].dump(1);
+}
+
+TEST_F(TuneCommand, DisturbancesAreListedAndMakeNoModel) {
+    const std::vector<std::string> run{
+        "tune",  example("loop_tuning"),     "--for",    "400s", "--set", "Main.SetPoint=45@60s",
+        "--set", "Plant.MoreFlow=TRUE@220s", "--format", "json"};
+    ASSERT_EQ(command(run), cli::kGood) << err;
+    const auto answer = json();
+    size_t loads = 0, number = 0;
+    for (size_t i = 0; i < answer["steps"].size(); ++i) {
+        const auto& step = answer["steps"][i];
+        if (step["moved"] != "load") continue;
+        ++loads;
+        number = i + 1;
+        EXPECT_NEAR(step["time_s"], 222, 6);
+        EXPECT_TRUE(step["usable"]) << step.dump();
+        EXPECT_FALSE(step["used"]);
+        EXPECT_NEAR(step["to"].get<double>() - step["from"].get<double>(), 10, 0.6); // 6 C by 0.6 C each per cent
+    }
+    EXPECT_EQ(loads, 1U) << answer["steps"].dump(1);
+    EXPECT_NEAR(answer["model"]["gain"], 0.6, 0.02);
+    std::vector<std::string> wrong = run;
+    wrong.insert(wrong.end(), {"--step", std::to_string(number)});
+    EXPECT_EQ(command(wrong), cli::kWrongUse);
+    EXPECT_NE(err.find("disturbance"), std::string::npos) << err;
+}
+
 TEST_F(TuneCommand, AReportEndingInPdfIsOne) {
     ASSERT_EQ(command({"tune", example("loop_tuning"), "--for", "180s", "--set", "Main.SetPoint=45@60s", "--report",
                        path("loop.pdf")}),
@@ -123,6 +193,7 @@ TEST_F(TuneCommand, AReportEndingInPdfIsOne) {
     const std::string page = read("loop.pdf");
     EXPECT_TRUE(page.starts_with("%PDF-")) << page.substr(0, 20);
     EXPECT_NE(page.find("/Image"), std::string::npos) << "the charts are in it";
+    EXPECT_NE(page.find("/Count 3"), std::string::npos) << "health, charts, figures";
     EXPECT_NE(command({"tune", example("loop_tuning"), "--for", "180s", "--set", "Main.SetPoint=45@60s", "--report",
                        "/no/such/folder/loop.pdf"}),
               cli::kGood);

@@ -5,6 +5,10 @@
 #include "tests/hmi/running.h"
 
 #include <QDir>
+#include <QElapsedTimer>
+
+#include <array>
+#include <ctime>
 
 namespace plc::serve {
 namespace {
@@ -98,6 +102,31 @@ TEST_F(Browser, ShowsWhatQtPaints) {
     for (const QString& name : names) expectSamePictures(*s_chromium, name.toStdString());
 }
 
+/// The client keeps pictures of what stays the same and repaints only what changed; nobody may see that.
+TEST_F(Browser, WhatIsRepaintedInPartsIsThePictureOfTheWhole) {
+    const auto image = [](const QString& url) {
+        return QImage::fromData(QByteArray::fromBase64(url.section(u',', 1).toLatin1()), "PNG");
+    };
+    for (const char* example : {"pwm", "six_pumps", "traffic_light"}) {
+        Served served;
+        served.open(exampleFolder(example));
+        ASSERT_FALSE(HasFatalFailure());
+        served.machine->startThread({session::Pace::Real});
+        const auto page = s_chromium->open(served.url("panel/" + served.panels.startPanel + "?bare&scale=1"),
+                                           served.panels.find(served.panels.startPanel)->panel.size());
+        ASSERT_TRUE(page->waitFor(QStringLiteral("stepwise.painted > 40"), 60'000)) << example;
+        const QStringList urls =
+            page->evaluate(
+                    QStringLiteral("(() => { const p = stepwise.painter; p.paint();"
+                                   "const parts = p.canvas.toDataURL(); p.forgetFaces(); p.forgetWords();"
+                                   "p.allDirty = true; p.paint(); return parts + ' ' + p.canvas.toDataURL(); })()"))
+                .toString()
+                .split(u' ');
+        ASSERT_EQ(urls.size(), 2);
+        EXPECT_LT(difference(image(urls[0]), image(urls[1])), 0.0005) << example;
+    }
+}
+
 constexpr const char* kPanel = R"(
     {"id": "go", "kind": "button", "rect": [20, 20, 160, 60], "text": "Go", "target": "Main.start", "action": "momentary"},
     {"id": "level", "kind": "numberEntry", "rect": [20, 100, 160, 60], "target": "Main.level", "minimum": "0", "maximum": "50"})";
@@ -126,6 +155,80 @@ TEST_F(Browser, AButtonPressedThereMovesThePlantOnceSomebodyLoggedIn) {
     EXPECT_TRUE(waitUntil([&] { return served.number("Main.presses") == 1; }));
     EXPECT_TRUE(waitUntil([&] { return served.number("Main.start") == 0; })) << "the button came up again";
 }
+
+/// Bars, lamps, numbers and switches, 1,000 of them, all of which change from scan to scan.
+std::string thousandElements() {
+    constexpr std::array kKinds = {"number", "lamp", "bar", "number", "progress", "switch", "numberEntry", "tankLevel"};
+    std::string out;
+    for (size_t i = 0; i < 1000; ++i) {
+        const std::string kind = kKinds[i % kKinds.size()], at = std::to_string(i);
+        const bool isBool = kind == "lamp" || kind == "switch", isTarget = kind == "switch" || kind == "numberEntry";
+        out += (i ? "," : "") + std::string(R"({"id":"e)") + at + R"(","kind":")" + kind + R"(","rect":[)" +
+               std::to_string(4 + i % 40 * 48) + "," + std::to_string(4 + i / 40 * 43) + R"(,44,39],")" +
+               (isTarget ? "target" : "value") + R"(":"Main.)" + (isBool ? "b[" : "r[") + at + R"(]")" +
+               (kind == "number" || kind == "numberEntry" ? R"(,"fontSize":11)" : "") + "}";
+    }
+    return out;
+}
+
+constexpr const char* kThousandValues =
+    "PROGRAM Main VAR b : ARRAY[0..999] OF BOOL; r : ARRAY[0..999] OF REAL; i, n : DINT; END_VAR\n"
+    "n := n + 1; FOR i := 0 TO 999 DO r[i] := 50.0 + 45.0 * SIN(DINT_TO_REAL(n) * 0.1 + DINT_TO_REAL(i)); "
+    "b[i] := (n / 10 + i) MOD 2 = 0; END_FOR;\nEND_PROGRAM\nCONFIGURATION C RESOURCE R ON PLC "
+    "TASK T(INTERVAL := T#20ms, PRIORITY := 1); PROGRAM Main WITH T : Main; END_RESOURCE END_CONFIGURATION\n";
+
+/// Prints what a design asks for: frames a second of `count` browsers, and what a frame costs. How many there are
+/// depends on what else the machine does; that all browsers go on is certain anywhere.
+void measureBrowsers(Chromium& chromium, size_t count, double scale) {
+    Served served;
+    served.panels = hmi::machineProject();
+    auto panel =
+        hmi::Panel::parse(R"({"size": [1920, 1080], "elements": [)" + thousandElements() + "]}", QStringLiteral("p"));
+    ASSERT_TRUE(panel) << panel.error().english();
+    served.panels.panels.push_back({QStringLiteral("main"), std::move(*panel)});
+    served.panels.startPanel = QStringLiteral("main");
+    driver::BuildInput input;
+    input.files.push_back({"main.st", kThousandValues});
+    served.build(input);
+    if (testing::Test::HasFatalFailure()) return;
+    served.machine->startThread({session::Pace::Real});
+    std::vector<std::unique_ptr<Page>> pages;
+    for (size_t i = 0; i < count; ++i)
+        pages.push_back(chromium.open(served.url("panel/main?bare&scale=" + QString::number(scale)),
+                                      (QSizeF(1920, 1080) * scale).toSize()));
+    for (const auto& page : pages) ASSERT_TRUE(page->waitFor(QStringLiteral("stepwise.shown > 3"), 60'000));
+    const auto frames = [&] {
+        std::vector<double> out;
+        for (const auto& page : pages) out.push_back(page->evaluate(QStringLiteral("stepwise.shown")).toDouble());
+        return out;
+    };
+    const std::vector<double> before = frames();
+    const QHash<QString, double> cpuBefore = chromium.processorSeconds();
+    const double ownBefore = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+    QElapsedTimer clock;
+    clock.start();
+    EXPECT_TRUE(waitUntil([&] { return clock.elapsed() > 4000; }, 60'000));
+    const double seconds = static_cast<double>(clock.elapsed()) / 1000;
+    const std::vector<double> after = frames();
+    const double own = static_cast<double>(std::clock()) / CLOCKS_PER_SEC - ownBefore;
+    const QHash<QString, double> cpu = chromium.processorSeconds();
+    double sum = 0, least = 1e9;
+    for (size_t i = 0; i < count; ++i) {
+        EXPECT_GT(after[i], before[i]) << "browser " << i << " stands still";
+        sum += after[i] - before[i];
+        least = std::min(least, (after[i] - before[i]) / seconds);
+    }
+    const auto perFrame = [&](const char* kind) {
+        return 1000 * (cpu[QLatin1String(kind)] - cpuBefore[QLatin1String(kind)]) / sum;
+    };
+    std::printf("%zu browsers at scale %.1f, 1,000 changing elements: %.1f frames a second each, at least %.1f; "
+                "processor time of a frame: page %.1f ms, its compositor %.1f ms, browser %.1f ms, server %.1f ms\n",
+                count, scale, sum / seconds / static_cast<double>(count), least, perFrame("renderer"), perFrame("GPU"),
+                perFrame("browser"), 1000 * own / sum);
+}
+
+TEST_F(Browser, AThousandChangingElementsInOneBrowser) { measureBrowsers(*s_chromium, 1, 1); }
+TEST_F(Browser, AThousandChangingElementsInTenBrowsers) { measureBrowsers(*s_chromium, 10, 0.5); }
 
 TEST_F(Browser, ANumberIsTypedOnTheKeypadAndItsLimitsHold) {
     Served served;

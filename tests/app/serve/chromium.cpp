@@ -85,6 +85,14 @@ std::unique_ptr<Page> Chromium::open(const QString& url, QSize size) {
     return std::make_unique<Page>(*this, target, session);
 }
 
+QHash<QString, double> Chromium::processorSeconds() {
+    QHash<QString, double> out;
+    const QJsonObject answer = call(QStringLiteral("SystemInfo.getProcessInfo"), {});
+    for (const QJsonValue& process : answer["processInfo"].toArray())
+        out[process["type"].toString()] += process["cpuTime"].toDouble();
+    return out;
+}
+
 Page::Page(Chromium& browser, QString target, QString session)
     : m_browser(browser), m_target(std::move(target)), m_session(std::move(session)) {}
 

@@ -50,6 +50,8 @@ public:
     QString problem() const { return m_problem; }
     std::unique_ptr<Page> open(const QString& url, QSize size = {1280, 900});
     QJsonObject call(const QString& method, const QJsonObject& parameters, const QString& session = {});
+    /// Processor time of its processes so far, by kind: renderer, GPU, browser …
+    QHash<QString, double> processorSeconds();
 
 private:
     bool start();

@@ -63,7 +63,7 @@ struct Browsers {
     PanelProject project = machineProject();
     session::Session session{builtMachine()};
     PaintStore store;
-    std::unique_ptr<PanelPlayer> station;
+    std::unique_ptr<OperatorStation> keeper;
     std::unique_ptr<WebPanel> panel;
 
     Browsers() {
@@ -80,12 +80,11 @@ struct Browsers {
             {QStringLiteral("pop"),
              panelOf(R"({"id": "x", "kind": "button", "rect": [20, 20, 160, 60], "action": "close"})")});
         project.startPanel = QStringLiteral("main");
-        station = std::make_unique<PanelPlayer>(project, &session);
-        station->setStepped();
+        keeper = std::make_unique<OperatorStation>(project, &session);
         open();
     }
     void open() {
-        panel = std::make_unique<WebPanel>(project, session, store, *station);
+        panel = std::make_unique<WebPanel>(project, session, store, *keeper);
         EXPECT_TRUE(panel->take({.word = ClientWord::Hello, .number = 1}));
     }
     double number(const char* path) {
@@ -102,7 +101,10 @@ struct Browsers {
     }
 };
 
-int messages() { return qEnvironmentVariableIsSet("STEPWISE_LONG") ? 10'000'000 : 20'000; }
+int messages() {
+    const int wanted = qEnvironmentVariableIntValue("STEPWISE_MESSAGES"); // a share of the long run
+    return wanted > 0 ? wanted : qEnvironmentVariableIsSet("STEPWISE_LONG") ? 10'000'000 : 20'000;
+}
 
 void feed(Browsers& browsers, bool isOperator, uint32_t seed) {
     Fuzz fuzz(seed);

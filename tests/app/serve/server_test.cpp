@@ -4,6 +4,7 @@
 
 #include "tests/hmi/running.h"
 
+#include <QElapsedTimer>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QTcpSocket>
@@ -145,6 +146,41 @@ TEST(Server, ABrowserThatHangsGetsNothingMoreAndComesBackWithTheWholePicture) {
     hanging.draws = true;
     hanging.say(QStringLiteral(R"({"t":"drawn","n":%1})").arg(hanging.last));
     EXPECT_TRUE(waitUntil([&] { return hanging.frames > frames + 10; }));
+}
+
+/// Waits without turning the event loop: the server does nothing meanwhile.
+bool scansGoOn(const session::Session& machine, uint64_t count) {
+    const uint64_t before = machine.status().scans;
+    QElapsedTimer clock;
+    clock.start();
+    while (machine.status().scans < before + count)
+        if (clock.elapsed() > 20'000) return false;
+    return true;
+}
+
+TEST(Server, AClientThatHangsCostsTheScanNothing) {
+    Served served;
+    ServerSettings settings;
+    settings.link.drawnWithin = 600'000;
+    openMachine(served, settings);
+    served.machine->startThread({session::Pace::Real});
+    // This one opens a panel and never takes a byte off the line.
+    QTcpSocket deaf;
+    deaf.setReadBufferSize(1);
+    deaf.connectToHost(QStringLiteral("127.0.0.1"), served.server->port());
+    deaf.write("GET /panel-stream HTTP/1.1\r\nHost: x\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
+               "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\nSec-WebSocket-Version: 13\r\n\r\n");
+    deaf.write(QByteArray("\x81\x93", 2) + QByteArray(4, 0) + R"({"t":"hello","n":1})"); // a masked text of 19 bytes
+    Client other(served);
+    ASSERT_TRUE(waitUntil([&] { return other.frames > 2 && served.server->figures().browsers == 2; }));
+    ASSERT_TRUE(waitUntil([&] { return other.frames > 30; }));
+    const uint64_t toDeaf = served.server->figures().sentFrames - static_cast<uint64_t>(other.frames);
+    EXPECT_LE(toDeaf, 4u) << "it gets what is drawn, and it draws nothing";
+    // Even a server that comes to nothing at all leaves the controller alone: it scans in a thread of its own.
+    EXPECT_TRUE(scansGoOn(*served.machine, 50));
+    EXPECT_FALSE(served.machine->status().fault);
+    for (const controller::TaskStatistics& task : served.machine->taskStatistics())
+        EXPECT_GT(task.count, 50u) << task.name;
 }
 
 TEST(Server, ABrowserThatNeverDrawsIsDroppedInTheEnd) {

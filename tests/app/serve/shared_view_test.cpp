@@ -22,19 +22,18 @@ struct Watchers {
     PanelProject project = machineProject();
     session::Session session{builtMachine()};
     PaintStore store;
-    std::unique_ptr<PanelPlayer> station;
+    std::unique_ptr<OperatorStation> keeper;
     std::vector<std::unique_ptr<WebPanel>> panels;
     uint64_t scans = 0;
 
     explicit Watchers(int count, const std::string& elements = grid(100)) {
         project.panels.push_back({QStringLiteral("main"), panelOf(elements)});
         project.startPanel = QStringLiteral("main");
-        station = std::make_unique<PanelPlayer>(project, &session);
-        station->setStepped();
+        keeper = std::make_unique<OperatorStation>(project, &session);
         for (int i = 0; i < count; ++i) add();
     }
     WebPanel& add(const QString& language = {}) {
-        panels.push_back(std::make_unique<WebPanel>(project, session, store, *station));
+        panels.push_back(std::make_unique<WebPanel>(project, session, store, *keeper));
         ClientMessage hello;
         hello.word = ClientWord::Hello;
         hello.more = language;

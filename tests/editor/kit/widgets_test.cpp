@@ -278,6 +278,23 @@ TEST(ExpressionEdit, CompletesTheWordAtTheCursorAndKeepsTheRest) {
     EXPECT_EQ(edit.complaint(), "unexpected ?");
 }
 
+TEST(ExpressionEdit, EnterOnANameThatIsCompleteEnds) {
+    ExpressionEdit edit;
+    edit.setCompletionSource([](const QString&, int) {
+        return std::vector<Completion>{{"run", "BOOL"}, {"running", "BOOL"}};
+    });
+    QSignalSpy ended(&edit, &QLineEdit::returnPressed);
+    edit.show();
+    edit.setFocus();
+    QTest::keyClicks(&edit, "run");
+    ASSERT_TRUE(edit.isCompletionShown());
+    QTest::keyClick(&edit, Qt::Key_Down); // on the longer one
+    QTest::keyClick(&edit, Qt::Key_Return);
+    EXPECT_EQ(edit.text(), "run");
+    EXPECT_FALSE(edit.isCompletionShown());
+    EXPECT_EQ(ended.count(), 1);
+}
+
 namespace {
 
 class FewVariables : public VariableProvider {

@@ -387,6 +387,18 @@ TEST(PlotScale, ValuesAndDurationsReadShort) {
     EXPECT_EQ(frequencyText(20 * Ms).toStdString(), "50 Hz");
 }
 
+TEST(PlotScale, OneLanguageHasOneDecimalSign) {
+    QLocale::setDefault(QLocale(QLocale::German));
+    EXPECT_EQ(momentText(1'500'000'000).toStdString(), "1,5 s");
+    EXPECT_EQ(momentText(11 * 60 * S + 500'000'000).toStdString(), "11:00,5");
+    EXPECT_EQ(durationText(12'500'000).toStdString(), "12,5 ms");
+    EXPECT_EQ(valueText(-0.25).toStdString(), "−0,25");
+    EXPECT_EQ(numberTicks(0, 1, 2)[1].label.toStdString(), "0,5");
+    EXPECT_EQ(timeTicks(0, 2 * S, 0, 4).ticks[1].second.toStdString(), "0,5");
+    QLocale::setDefault(QLocale::c());
+    EXPECT_EQ(exactText(-0.25, PlotValueKind::Double), "-0.25") << "what is written for programs stays";
+}
+
 TEST(MeasureTable, GivesBothCursorsAndLeavesEmptyColumnsOut) {
     PlotModel model;
     model.curves = {

@@ -1,5 +1,6 @@
 // What a trace shows besides curves over time: derived channels, XY plots, spectra, responses, runs, remarks, tables of
 // measured values beside live ones.
+#include "editor/kit/theme.h"
 #include "editor/trace/figure_pane.h"
 #include "editor/trace/run_recording.h"
 #include "editor/trace/table_recording.h"
@@ -303,6 +304,25 @@ TEST_F(TraceFigure, DraggingTheRulerMeasuresFromSampleToSample) {
     EXPECT_TRUE(plc::plot::rulerText(ruler).contains("Δt")) << plc::plot::rulerText(ruler).toStdString();
     QTest::keyClick(plot, Qt::Key_Escape);
     EXPECT_FALSE(plot->model().ruler);
+}
+
+TEST_F(TraceFigure, EveryKindHasRoomInASmallWindow) {
+    view.resize(1024, 420); // what the dock has in a window of 1024 x 700
+    const QString pictures = qEnvironmentVariable("STEPWISE_PICTURES");
+    for (const bool isDark : {false, true}) {
+        plc::kit::Theme::install(*qApp, isDark ? plc::kit::ThemeChoice::Dark : plc::kit::ThemeChoice::Light);
+        for (const FigureKind kind : {FigureKind::Xy, FigureKind::Spectrum, FigureKind::Response, FigureKind::Runs}) {
+            show({"Main.x", "Main.y"}, kind, "Main.start");
+            QTest::qWait(30);
+            if (!pictures.isEmpty())
+                view.grab().save(QStringLiteral("%1/view_%2_%3.png").arg(pictures).arg(int(kind)).arg(isDark));
+            for (const auto& frame : view.figurePane()->view()->frames()) {
+                EXPECT_GE(frame.area.height(), 24) << int(kind);
+                EXPECT_GE(frame.area.width(), 200) << int(kind);
+            }
+        }
+    }
+    plc::kit::Theme::install(*qApp, plc::kit::ThemeChoice::Light);
 }
 
 TEST(RenderFigure, PicturesShowTheChartsAndTheFigureOrOnlyIt) {

@@ -62,6 +62,9 @@ TEST(PanelCheck, EachRuleHasAProjectThatBreaksIt) {
          "State.0,,Off,Aus\nState.1,,On,Ein\n", ""},
         {"list too long", R"({"id":"a","kind":"combo","rect":[0,0,100,50],"list":"State"})",
          "State.0,,Off,Ausgeschaltet und verriegelt\n", "H1007/de"},
+        {"the head of a table is cut",
+         R"({"id":"t","kind":"table","rect":[0,0,300,200],"columns":[{"title":"@k","width":1},{"title":"","width":5}]})",
+         "k,,n,Betriebsstunden\n", "H1007/de"},
     };
     for (const auto& row : rows)
         EXPECT_EQ(kinds(checkPanels(project(row.elements, header + row.rows))), row.expected) << row.name;

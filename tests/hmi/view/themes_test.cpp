@@ -64,6 +64,23 @@ TEST(PanelThemes, TheBuiltInOnesCanBeReadAndAWeakOneIsFound) {
     EXPECT_EQ(found, 5) << "text on background, surface, raised, inset and button";
 }
 
+TEST(PanelThemes, WhatIsWrongWithAFileIsSaidWithItsLine) {
+    const std::pair<const char*, const char*> wrong[] = {
+        {"{\n \"base\": \"dusk\"}", "f.json:2"},
+        {"{\n \"colors\": [1]}", "f.json:2"},
+        {"{\"colors\": {\n\n \"backgrond\": \"#102030\"}}", "f.json:3"},
+        {"{\"colors\": {\n \"text\": \"black\"}}", "f.json:2"},
+        {"{\"colors\": {\n \"text\": 7}}", "f.json:2"},
+        {"{\"base\": \"dark\",\n \"colors\": {\n", "f.json:3"},
+        {"[]", "f.json"},
+    };
+    for (const auto& [text, place] : wrong) {
+        const auto theme = PanelTheme::parse(text, QStringLiteral("f.json"));
+        ASSERT_FALSE(theme) << text;
+        EXPECT_EQ(theme.error().place, place) << text;
+    }
+}
+
 TEST(PanelThemes, AThemeThatIsNotThereIsAFinding) {
     CheckInput input;
     Panel panel =

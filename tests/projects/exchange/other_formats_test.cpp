@@ -27,6 +27,34 @@ protected:
     }
 };
 
+TEST_F(OtherFormats, ALibraryAndTheProjectThatUsesItBecomeOneProject) {
+    const auto project = [](const std::string& name, const std::string& file) {
+        return "<?xml version=\"1.0\"?><Project xmlns=\"http://schemas.microsoft.com/developer/msbuild/2003\">"
+               "<PropertyGroup><Name>" +
+               name + "</Name><DefaultNamespace>" + name +
+               "</DefaultNamespace></PropertyGroup><ItemGroup><Compile Include=\"" + file +
+               "\"/></ItemGroup></Project>";
+    };
+    write("tree/Core/Core.plcproj", project("Core", "FB_Task.TcPOU"));
+    write("tree/Core/FB_Task.TcPOU",
+          object("<POU Name=\"FB_Task\">" +
+                 cdata("Declaration", "FUNCTION_BLOCK FB_Task\r\nVAR_OUTPUT\r\n\tn : INT;\r\nEND_VAR\r\n") +
+                 st("n := n + 1;") + "</POU>"));
+    write("tree/App/App.plcproj", project("App", "MAIN.TcPOU"));
+    write(
+        "tree/App/MAIN.TcPOU",
+        object("<POU Name=\"MAIN\">" +
+               cdata("Declaration",
+                     "PROGRAM MAIN\r\nVAR\r\n\ttask : Core.FB_Task;\r\n\tn : INT; // of Core.FB_Task\r\nEND_VAR\r\n") +
+               st("task();\r\nn := task.n;") + "</POU>"));
+    const Imported imported = folder("tree");
+    EXPECT_EQ(errorsOf(imported), "");
+    EXPECT_EQ(imported.report.losses(), 0u);
+    EXPECT_NE(fileOf(imported, "src/App/MAIN.st").find("task : FB_Task;\n\tn : INT; // of Core.FB_Task"),
+              std::string::npos)
+        << fileOf(imported, "src/App/MAIN.st");
+}
+
 TEST_F(OtherFormats, ATwinCatTreeBecomesAProjectWithFoldersTasksAndMembers) {
     write("tc/P/P.plcproj",
           "<?xml version=\"1.0\"?><Project "
@@ -240,6 +268,85 @@ TEST_F(OtherFormats, LaddersOfCodesys2BecomeText) {
         << text;
     EXPECT_EQ(imported.report.losses(), 0u) << imported.report.toText();
     EXPECT_EQ(errorsOf(imported), "");
+}
+
+/// Lines of an export: an operand, and an output with what takes it.
+std::string exportOperand(const std::string& text) { return "_OPERAND\n_EXPRESSION\n_POSITIV\n" + text + "\n"; }
+std::string exportOutput(const std::string& text, const char* marks = "_POSITIV\n_NO_SET") {
+    return "_OUTPUT\n" + std::string(marks) + "\n" + text + "\n";
+}
+std::string exportUnit(const std::string& head, const std::string& variables, const std::string& body,
+                       const std::string& end) {
+    return "(* @NESTEDCOMMENTS := 'Yes' *)\n(* @PATH := '' *)\n" + head + "\nVAR\n" + variables +
+           "END_VAR\n(* @END_DECLARATION := '0' *)\n" + body + end + "\n";
+}
+
+TEST_F(OtherFormats, BlocksOfCodesys2AreCalledWithTheNamesOfTheirPins) {
+    const Imported imported = folder(write(
+        "blocks.EXP",
+        exportUnit("PROGRAM Blocks", "\tt : TON; own : Scale;\n\tgo, y, r : BOOL; et : TIME; n, high : INT;\n",
+                   "_FBD_BODY\n_NETWORKS : 3\n_NETWORK\n_COMMENT\n''\n_END_COMMENT\n_ASSIGN\n_FUNCTIONBLOCK\nt\n"
+                   "_BOX_EXPR : 2\n" +
+                       exportOperand("go") + exportOperand("T#2s") + "_EXPRESSION\n_POSITIV\nTON\n_OUTPUTS : 1\n" +
+                       exportOutput("et") + "_EXPRESSION\n_POSITIV\n_OUTPUTS : 2\n" + exportOutput("y") +
+                       exportOutput("r", "_NEGATIV\n_SET") +
+                       "_NETWORK\n_COMMENT\n''\n_END_COMMENT\n_ASSIGN\n_FUNCTIONBLOCK\nown\n_BOX_EXPR : 2\n" +
+                       exportOperand("n") + exportOperand("???") + "_EXPRESSION\n_POSITIV\nScale\n_OUTPUTS : 1\n" +
+                       exportOutput("???") + "_EXPRESSION\n_POSITIV\n_OUTPUTS : 1\n" + exportOutput("high") +
+                       "_NETWORK\n_COMMENT\n''\n_END_COMMENT\n_FUNCTION\n_BOX_EXPR : 1\n" + exportOperand("n") +
+                       "_EXPRESSION\n_POSITIV\nNote\n",
+                   "END_PROGRAM") +
+            "(* @PATH := '' *)\nFUNCTION_BLOCK Scale\nVAR_INPUT\n\tin, factor : INT;\nEND_VAR\nVAR_OUTPUT\n"
+            "\tout : INT; (* scaled *)\n\tbad : BOOL;\nEND_VAR\n(* @END_DECLARATION := '0' *)\nout := in;\n"
+            "END_FUNCTION_BLOCK\n(* @PATH := '' *)\nFUNCTION Note : BOOL\nVAR_INPUT\n\tvalue : INT;\nEND_VAR\n"
+            "(* @END_DECLARATION := '0' *)\nNote := value > 0;\nEND_FUNCTION\n"));
+    EXPECT_EQ(imported.report.losses(), 0u) << imported.report.toText();
+    const std::string text = fileOf(imported, "src/Blocks.st");
+    EXPECT_NE(text.find("t(IN := go, PT := T#2s);\net := t.ET;\ny := t.Q;\nr R= t.Q;\nown(in := n);\n"
+                        "high := own.out;\nNote(n);\n"),
+              std::string::npos)
+        << text;
+    EXPECT_EQ(errorsOf(imported), "");
+}
+
+TEST_F(OtherFormats, ABlockInALadderOfCodesys2TakesThePower) {
+    const Imported imported = folder(write(
+        "timer.EXP",
+        exportUnit("PROGRAM Timer", "\tt : TON; go, y : BOOL;\n",
+                   "_LD_BODY\n_NETWORKS : 1\n_NETWORK\n_COMMENT\n''\n_END_COMMENT\n_LD_ASSIGN\n_LD_AND\n"
+                   "_LD_OPERATOR : 2\n_LD_CONTACT\ngo\n_EXPRESSION\n_POSITIV\n_FUNCTIONBLOCK\nt\n_BOX_EXPR : 2\n"
+                   "_EMPTY\n" +
+                       exportOperand("T#1s") + "_EXPRESSION\n_POSITIV\nTON\n_OUTPUTS : 1\n" + exportOutput("_EMPTY") +
+                       "_EXPRESSION\n_POSITIV\n_EXPRESSION\n_POSITIV\nENABLELIST : 0\nENABLELIST_END\n_OUTPUTS : 1\n" +
+                       exportOutput("y"),
+                   "END_PROGRAM")));
+    EXPECT_EQ(imported.report.losses(), 0u) << imported.report.toText();
+    EXPECT_NE(fileOf(imported, "src/Timer.st").find("t(IN := go, PT := T#1s);\ny := t.Q;\n"), std::string::npos)
+        << fileOf(imported, "src/Timer.st");
+    EXPECT_EQ(errorsOf(imported), "");
+}
+
+TEST_F(OtherFormats, ABlockOfCodesys2WhosePinsNobodyKnowsIsKeptWithItsLine) {
+    const Imported imported = folder(
+        write("foreign.EXP", exportUnit("PROGRAM Foreign", "\tf : Elsewhere; a, y : BOOL;\n",
+                                        "_FBD_BODY\n_NETWORKS : 1\n_NETWORK\n_COMMENT\n''\n_END_COMMENT\n_ASSIGN\n"
+                                        "_FUNCTIONBLOCK\nf\n_BOX_EXPR : 1\n" +
+                                            exportOperand("a") + "_EXPRESSION\n_POSITIV\nElsewhere\n_OUTPUTS : 0\n" +
+                                            "_EXPRESSION\n_POSITIV\n_OUTPUTS : 1\n" + exportOutput("y"),
+                                        "END_PROGRAM")));
+    EXPECT_EQ(imported.report.losses(), 1u) << imported.report.toText();
+    EXPECT_FALSE(imported.side["units"]["Foreign"]["archive"].empty());
+}
+
+TEST_F(OtherFormats, ChartsOfCodesys2AreTextWithTheirActions) {
+    const Imported imported = folder(write(
+        "chart.EXP", exportUnit("PROGRAM Chart", "\tn : INT;\n",
+                                "INITIAL_STEP Init:\n    Count(N);\nEND_STEP\nTRANSITION FROM Init TO Init := n > 3;\n"
+                                "END_TRANSITION\nACTION Count:\nn := n + 1;\nEND_ACTION\n",
+                                "END_PROGRAM")));
+    EXPECT_EQ(errorsOf(imported), "");
+    const std::string text = fileOf(imported, "src/Chart.st");
+    EXPECT_NE(text.find("END_ACTION\nEND_PROGRAM"), std::string::npos) << text;
 }
 
 TEST_F(OtherFormats, AddressesAreCountedAsTheToolDoesAndGoOutInWords) {

@@ -112,6 +112,76 @@ TEST_F(LanguageServer, SurvivesDamagedMessages) {
         << answers.front();
 }
 
+TEST_F(LanguageServer, DiagnosticsComeAlsoWhenQuestionsFollowTheChangeAtOnce) {
+    (void)exchange(R"({"jsonrpc":"2.0","id":1,"method":"initialize","params":{"capabilities":{}}})");
+    (void)exchange(
+        R"({"jsonrpc":"2.0","method":"textDocument/didOpen","params":{"textDocument":{"uri":"file:///typed.st",)"
+        R"("languageId":"st","version":1,"text":"FUNCTION_BLOCK Typed\nEND_FUNCTION_BLOCK\n"}}})");
+    m_sent.clear();
+    // As Kate sends them: the questions have arrived before anybody is idle.
+    server.receive(std::string(R"({"jsonrpc":"2.0","method":"textDocument/didChange","params":{"textDocument":)"
+                               R"({"uri":"file:///typed.st","version":2},"contentChanges":[{"text":"slip := 1;"}]}})"));
+    server.receive(std::string(R"({"jsonrpc":"2.0","id":2,"method":"textDocument/semanticTokens/full",)"
+                               R"("params":{"textDocument":{"uri":"file:///typed.st"}}})"));
+    ASSERT_TRUE(server.hasWork());
+    while (server.hasWork()) server.work();
+    EXPECT_TRUE(std::any_of(m_sent.begin(), m_sent.end(), [](const std::string& each) {
+        return each.find("publishDiagnostics") != std::string::npos && each.find("slip") != std::string::npos;
+    }));
+}
+
+/// A controller of which the values are known.
+struct KnownValues final : LiveValues {
+    void want(std::vector<std::string> expressions) override { wanted = std::move(expressions); }
+    std::optional<std::string> valueOf(const std::string& expression) const override {
+        const auto it = values.find(expression);
+        return it == values.end() ? std::nullopt : std::optional(it->second);
+    }
+    uint64_t revision() const override { return number; }
+    std::vector<std::string> wanted;
+    std::map<std::string, std::string> values;
+    uint64_t number = 0;
+};
+
+TEST_F(LanguageServer, ValuesOfARunningControllerAreBesideTheLines) {
+    const auto known = std::make_shared<KnownValues>();
+    Server live([this](const Json& message) { m_sent.push_back(protocol::toText(message)); }, {{}, known});
+    const auto say = [&](const std::string& message) {
+        m_sent.clear();
+        live.receive(message);
+        while (live.hasWork()) live.work();
+        return m_sent.empty() ? std::string() : m_sent.front();
+    };
+    EXPECT_NE(say(R"({"jsonrpc":"2.0","id":1,"method":"initialize","params":{"capabilities":)"
+                  R"({"workspace":{"inlayHint":{"refreshSupport":true}}}}})")
+                  .find(R"("inlayHintProvider":true)"),
+              std::string::npos);
+    const std::string uri = "file://" + m_root.string() + "/plant/src/main.st";
+    (void)say(R"({"jsonrpc":"2.0","method":"textDocument/didOpen","params":{"textDocument":{"uri":")" + uri +
+              R"(","version":1,"text":"PROGRAM Main\nVAR pump : Pump; level : INT; END_VAR\n)"
+              R"(pump(start := level > 80, speed := level);\nlevel := level + 1; // up\nEND_PROGRAM\n"}}})");
+    const std::string ask = R"({"jsonrpc":"2.0","id":2,"method":"textDocument/inlayHint","params":{"textDocument":)"
+                            R"({"uri":")" +
+                            uri + R"("},"range":{"start":{"line":0,"character":0},"end":{"line":9,"character":0}}}})";
+    EXPECT_NE(say(ask).find(R"("result":[])"), std::string::npos) << "nothing is known yet";
+    EXPECT_TRUE(std::find(known->wanted.begin(), known->wanted.end(), "Main.level") != known->wanted.end());
+    m_sent.clear();
+    live.refreshHints();
+    EXPECT_TRUE(m_sent.empty());
+    known->values["Main.level"] = "81";
+    known->number = 1;
+    live.refreshHints();
+    live.refreshHints();
+    ASSERT_EQ(m_sent.size(), 1u) << "once for a change";
+    EXPECT_NE(m_sent.front().find("workspace/inlayHint/refresh"), std::string::npos);
+    const std::string hints = say(ask);
+    EXPECT_NE(hints.find(R"({"position":{"line":2,"character":42},"label":"level = 81","paddingLeft":true})"),
+              std::string::npos)
+        << hints;
+    EXPECT_NE(hints.find(R"({"position":{"line":3,"character":25},"label":"level = 81")"), std::string::npos) << hints;
+    EXPECT_EQ(hints.find("pump = "), std::string::npos) << "a block has no value of its own";
+}
+
 TEST_F(LanguageServer, KnowsAFileThatIsOpenUnderTwoUris) {
     (void)exchange(R"({"jsonrpc":"2.0","id":1,"method":"initialize","params":{"capabilities":{}}})");
     const std::string plain = "file://" + m_root.string() + "/plant/src/main.st",

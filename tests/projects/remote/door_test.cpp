@@ -4,12 +4,14 @@
 #include "projects/remote/errors.h"
 #include "runtime/compiler/jit/jit.h"
 #include "runtime/controller/controller.h"
+#include "runtime/inside/rerun.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <random>
+#include <set>
 #include <thread>
 
 namespace plc::remote {
@@ -90,18 +92,18 @@ protected:
             session::Mirror(*mirror).programChanged(std::move(built));
         else
             mirror = session::Mirror::open(std::move(built), {}, sink);
-        reader = ScanReader(mirror->program()->layout.dataEnd);
+        reader = ScanReader(mirror->program());
         ASSERT_TRUE(isGood({{"do", "follow"}}));
     }
     /// What has come since, into the mirror.
-    void feed() {
+    void feed(size_t most = 1 << 18) {
         session::Mirror into(*mirror);
         for (const Json& each : door->due()) news.push_back(sent(each));
         for (const Json& each : std::exchange(news, {})) {
             if (textAt(each, "event") == "state") into.told(readState(each["state"], mirror->built()));
             if (textAt(each, "event") == "happened") into.happened(readEvent(each["what"]));
         }
-        const std::string bytes = door->bytes(1 << 18);
+        const std::string bytes = door->bytes(most);
         if (bytes.empty()) return;
         std::string_view view = std::string_view(bytes).substr(1);
         uint64_t of = 0, isHalted = 0;
@@ -111,8 +113,8 @@ protected:
             ASSERT_TRUE(takeNumber(view, isHalted));
             return into.stands(std::as_bytes(std::span(view)), isHalted != 0);
         }
-        ASSERT_TRUE(
-            reader.read(view, [&](const StreamedScan& scan) { into.scanned(scan.image, scan.scan, scan.time); }));
+        ASSERT_TRUE(reader.read(
+            view, [&](const StreamedScan& scan) { into.scanned(scan.image, scan.scan, scan.time, scan.outside); }));
     }
     bool fedUntil(const std::function<bool()>& condition) {
         return eventually([&] {
@@ -180,6 +182,77 @@ TEST_F(DoorTest, TheMirrorRecordsTheSameScansBitForBit) {
     }
     EXPECT_EQ(mirror->status().state, controller::State::Running);
     EXPECT_FALSE(mirror->taskStatistics().empty());
+}
+
+/// Every scan of the mirror can be made again there, with the same notes of who acted as the controller has.
+void expectTheSameJournal(const history::History& mirror, const history::History& plant) {
+    inside::Rerunner again(mirror);
+    const history::Statistics here = mirror.statistics();
+    for (history::Position at = here.first; at < here.end; ++at) {
+        const auto rerun = again.run(at);
+        ASSERT_TRUE(rerun) << at << ": " << rerun.error().english();
+        const uint64_t scan = rerun->input.stamp.scan;
+        EXPECT_TRUE(rerun->input.hasJournal) << "scan " << scan;
+        ASSERT_TRUE(rerun->isExact()) << "scan " << scan << " at " << rerun->differences[0].path;
+        const auto there = plant.positionOfScan(scan);
+        ASSERT_TRUE(there);
+        const auto original = plant.inputOf(*there);
+        ASSERT_TRUE(original) << original.error().english();
+        EXPECT_EQ(original->notes, rerun->input.notes) << "scan " << scan;
+        EXPECT_EQ(original->start.forces, rerun->input.start.forces) << "scan " << scan;
+    }
+}
+
+TEST_F(DoorTest, TheMirrorKnowsWhatActedOnEachScan) {
+    EXPECT_TRUE(isGood({{"do", "force"}, {"values", pairs({{"Main.lamp", "TRUE"}})}})) << "before anybody follows";
+    mirrorIt();
+    const auto more = [&](history::Position scans) {
+        const history::Position end = mirror->history().statistics().end + scans;
+        ASSERT_TRUE(fedUntil([&] { return mirror->history().statistics().end >= end; }));
+    };
+    more(20);
+    EXPECT_TRUE(isGood({{"do", "write"}, {"values", pairs({{"Main.speed", "9"}})}}));
+    EXPECT_TRUE(isGood({{"do", "force"}, {"values", pairs({{"Main.text", "'held'"}})}}));
+    EXPECT_TRUE(isGood({{"do", "unforce"}, {"path", "Main.lamp"}}));
+    more(20);
+    EXPECT_TRUE(isGood({{"do", "stop"}}));
+    EXPECT_TRUE(isGood({{"do", "write"}, {"values", pairs({{"Main.n", "5"}})}}));
+    EXPECT_TRUE(isGood({{"do", "start"}}));
+    more(20);
+    // Somebody reads too slowly: scans are left out, with what acted on them.
+    const uint64_t late = plant->status().scans + 400;
+    EXPECT_TRUE(isGood({{"do", "write"}, {"values", pairs({{"Main.speed", "11"}})}}));
+    ASSERT_TRUE(eventually([&] { return plant->status().scans > late; }));
+    const uint64_t before = mirror->status().scans;
+    feed(40); // one scan, the others are too old by then
+    feed();
+    EXPECT_GT(mirror->status().scans, before + 2);
+    more(20);
+    expectTheSameJournal(mirror->history(), plant->history());
+    const auto& notes = mirror->history();
+    std::set<std::string> origins;
+    std::multiset<image::OutsideKind> kinds;
+    notes.forEachJournal(0, notes.statistics().end, [&](history::Position, const history::JournalEntry& entry) {
+        for (const image::OutsideNote& note : entry.notes) origins.insert(note.origin), kinds.insert(note.kind);
+        return true;
+    });
+    EXPECT_TRUE(origins.contains("test")) << "who it was";
+    for (const auto kind : {image::OutsideKind::Write, image::OutsideKind::Force, image::OutsideKind::Release,
+                            image::OutsideKind::Stopped, image::OutsideKind::Started})
+        EXPECT_TRUE(kinds.contains(kind)) << static_cast<int>(kind);
+}
+
+TEST_F(DoorTest, TheMirrorKnowsWhatActedAtABreakpoint) {
+    mirrorIt();
+    EXPECT_TRUE(isGood({{"do", "breakpoints"}, {"places", Json::array({Json{{"file", "main.st"}, {"line", 5u}}})}}));
+    ASSERT_TRUE(fedUntil([&] { return mirror->status().state == controller::State::Halted; }));
+    EXPECT_TRUE(isGood({{"do", "write"}, {"values", pairs({{"Main.n", "1000"}})}}));
+    EXPECT_TRUE(isGood({{"do", "breakpoints"}, {"places", Json::array()}}));
+    EXPECT_TRUE(isGood({{"do", "go"}, {"how", "on"}}));
+    const history::Position end = mirror->history().statistics().end + 20;
+    ASSERT_TRUE(fedUntil([&] { return mirror->history().statistics().end >= end; }));
+    EXPECT_GT(mirrored("DINT_TO_REAL(Main.n)"), 1000);
+    expectTheSameJournal(mirror->history(), plant->history());
 }
 
 TEST_F(DoorTest, WhatIsWrittenWhileItStandsIsSeen) {
@@ -257,8 +330,56 @@ TEST_F(DoorTest, TheRecordingComesInPiecesAndWhole) {
     EXPECT_EQ(got, size);
 }
 
+std::shared_ptr<const image::CompiledProgram> programOf(uint32_t size) {
+    auto program = std::make_shared<image::CompiledProgram>();
+    program->layout.dataEnd = program->layout.imageSize = size;
+    program->initialImage.resize(size);
+    return program;
+}
+
+/// A journal entry with one of everything.
+history::JournalEntry someEntry() {
+    history::JournalEntry entry;
+    entry.start.emplace();
+    entry.start->forces.push_back({40, 2, -1, "Main.x", {std::byte(1), std::byte(2)}});
+    image::OutsideNote note;
+    note.offset = 96;
+    note.size = 4;
+    note.site = 3;
+    note.bytes.resize(4);
+    note.origin = "studio";
+    entry.notes.push_back(note);
+    entry.patch.push_back({990, std::vector<std::byte>(10)});
+    return entry;
+}
+
+/// Whether a scan with that entry is read.
+bool isRead(const history::JournalEntry& entry) {
+    std::vector<std::byte> image(1000);
+    std::string bytes;
+    ScanWriter().write(bytes, {1, {}, image}, history::toBytes(entry));
+    bool acted = false;
+    return ScanReader(programOf(1000)).read(bytes, [&](const StreamedScan& scan) { acted = scan.outside; }) && acted;
+}
+
+TEST(ScanStream, AJournalThatReachesOutOfTheImageIsRefused) {
+    EXPECT_TRUE(isRead(someEntry()));
+    for (const auto& spoil : std::vector<std::function<void(history::JournalEntry&)>>{
+             [](auto& entry) { entry.patch[0].offset = 991; }, [](auto& entry) { entry.patch[0].offset = ~0u; },
+             [](auto& entry) { entry.start->forces[0].offset = 999; },
+             [](auto& entry) { entry.start->forces[0].bit = 9; },
+             [](auto& entry) { entry.start->forces[0].bytes = {}; }, [](auto& entry) { entry.notes[0].offset = 997; },
+             [](auto& entry) { entry.notes[0].size = 8; }, [](auto& entry) { entry.notes[0].bit = -2; },
+             [](auto& entry) { entry.start.reset(); }}) {
+        history::JournalEntry entry = someEntry();
+        spoil(entry);
+        EXPECT_FALSE(isRead(entry));
+    }
+}
+
 TEST(ScanStream, WhatIsWrittenIsReadAndNonsenseIsRefused) {
     std::mt19937 random(7);
+    const auto program = programOf(1000);
     std::vector<std::byte> image(1000);
     ScanWriter writer;
     std::vector<std::vector<std::byte>> all;
@@ -266,12 +387,15 @@ TEST(ScanStream, WhatIsWrittenIsReadAndNonsenseIsRefused) {
     for (uint64_t scan = 0; scan < 200; ++scan) {
         for (int i = 0; i < 5; ++i) image[random() % image.size()] = std::byte(random());
         all.push_back(image);
-        writer.write(bytes, {scan, std::chrono::nanoseconds(scan * 1000), image});
+        const bool acts = scan % 3 == 1;
+        writer.write(bytes, {scan, std::chrono::nanoseconds(scan * 1000), image},
+                     acts ? history::toBytes(someEntry()) : std::vector<std::byte>());
     }
-    ScanReader reader(image.size());
+    ScanReader reader(program);
     size_t count = 0;
     EXPECT_TRUE(reader.read(bytes, [&](const StreamedScan& scan) {
         EXPECT_EQ(scan.scan, count);
+        EXPECT_EQ(scan.outside != nullptr, count % 3 == 1);
         EXPECT_TRUE(std::equal(scan.image.begin(), scan.image.end(), all[count].begin(), all[count].end()));
         ++count;
     }));
@@ -279,10 +403,10 @@ TEST(ScanStream, WhatIsWrittenIsReadAndNonsenseIsRefused) {
     for (int round = 0; round < 20'000; ++round) { // no byte outside is touched: the sanitizers watch
         std::string bad = bytes.substr(0, random() % 400);
         for (int i = 0; i < 4 && !bad.empty(); ++i) bad[random() % bad.size()] = static_cast<char>(random());
-        ScanReader other(image.size());
+        ScanReader other(program);
         (void)other.read(bad, [](const StreamedScan&) {});
     }
-    ScanReader smaller(100);
+    ScanReader smaller(programOf(100));
     EXPECT_FALSE(smaller.read(bytes, [](const StreamedScan&) {}));
 }
 

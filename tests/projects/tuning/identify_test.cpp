@@ -88,6 +88,75 @@ TEST(Identify, WithFivePerCentOfNoiseWithinTenPerCent) {
         }
 }
 
+namespace {
+
+/// One of the families with parameters by chance; every kind comes in turn.
+Family byChance(unsigned seed) {
+    std::mt19937 random(seed);
+    const auto between = [&](double low, double high) {
+        return low * std::pow(high / low, std::uniform_real_distribution<double>(0, 1)(random));
+    };
+    const double gain = between(0.1, 10) * (random() % 2 ? 1 : -1), scale = between(0.05, 200);
+    Family out{"seed " + std::to_string(seed), {}, 0};
+    switch (seed % 6) {
+    case 0:
+        out.process = equalLags(2 + static_cast<int>(random() % 6), scale, 0, gain);
+        break;
+    case 1: {
+        const double share = between(0.15, 0.6);
+        out.process = lags({scale, scale * share, scale * share * share, scale * share * share * share}, 0, gain);
+        break;
+    }
+    case 2:
+        out.process = equalLags(1, scale, scale * between(0.1, 3), gain);
+        break;
+    case 3:
+        out.process = lags({}, scale * between(0.1, 1), gain);
+        out.process.isIntegrating = true;
+        break;
+    case 4:
+        out.process = equalLags(3, scale, 0, gain);
+        out.process.zero = -scale * between(0.3, 2.5);
+        break;
+    case 5:
+        out.process = lags({}, 0, gain);
+        out.process.oscillation = Oscillation{1 / scale, between(0.1, 0.8)};
+        break;
+    }
+    const double slow = out.process.oscillation ? scale / out.process.oscillation->damping : 0;
+    out.duration = 10 * out.process.timeScale() + 4 * slow;
+    return out;
+}
+
+} // namespace
+
+TEST(Identify, OtherParametersOfTheFamiliesWithoutNoiseWithinOnePerCent) {
+    for (unsigned seed = 0; seed < 36; ++seed) {
+        const Family family = byChance(seed);
+        const auto found = identify({stepOf(family.process, family.duration)});
+        ASSERT_FALSE(found.empty()) << family.name;
+        const ProcessModel &model = found.front().model, &truth = family.process;
+        const std::string what = family.name + ": " + formula(model) + " for " + formula(truth);
+        EXPECT_NEAR(model.gain, truth.gain, 0.01 * std::abs(truth.gain)) << what;
+        EXPECT_NEAR(deadAndLag(model), deadAndLag(truth), 0.01 * truth.timeScale()) << what;
+        EXPECT_NEAR(model.deadTime, truth.deadTime, 0.01 * truth.timeScale()) << what;
+        EXPECT_EQ(model.isIntegrating, truth.isIntegrating) << what;
+    }
+}
+
+TEST(Identify, OtherParametersOfTheFamiliesWithFivePerCentOfNoiseWithinTenPerCent) {
+    for (unsigned seed = 0; seed < 36; ++seed) {
+        const Family family = byChance(seed);
+        const auto found = identify({stepOf(family.process, family.duration, 0.05, seed + 100, 1, 2000)});
+        ASSERT_FALSE(found.empty()) << family.name;
+        const ProcessModel &model = found.front().model, &truth = family.process;
+        const std::string what = family.name + ": " + formula(model) + " for " + formula(truth);
+        EXPECT_EQ(model.isIntegrating, truth.isIntegrating) << what;
+        EXPECT_NEAR(model.gain, truth.gain, 0.1 * std::abs(truth.gain)) << what;
+        EXPECT_NEAR(deadAndLag(model), deadAndLag(truth), 0.1 * truth.timeScale()) << what;
+    }
+}
+
 TEST(Identify, TheBoundsHoldWhatIsTrue) {
     int inside = 0, all = 0;
     for (unsigned seed = 1; seed <= 20; ++seed) {

@@ -60,6 +60,28 @@ TEST(Table, OfAScopeHasATimeBeforeEachChannel) {
     EXPECT_EQ(table.columns[1].value, (std::vector<double>{10, 10, 20, 30}));
 }
 
+TEST(Table, OfAScopeWithItsHeadOfSeveralLines) {
+    // a column of times for each group of channels with one sampling time; the slower ones end earlier
+    const std::string text = "Name\tscope\r\nFile\tC:\\scope.csv\r\nStarttime of export\t132959733843760000\r\n\r\n"
+                             "Name\tquick\tName\tspeed\ttorque\r\nSymbolComment\t\tSymbolComment\t\t\r\n"
+                             "Data-Type\tREAL32\tData-Type\tREAL64\tBIT\r\n"
+                             "SampleTime[ms]\t0,5\tSampleTime[ms]\t1\t1\r\n"
+                             "Unit\t(None)\tUnit\tdV (Voltage)\t(None)\r\n\r\n"
+                             "0\t1,5\t0\t10\t0\r\n0,5\t2\t1\t20\t1\r\n1\t2,5\t \t \t \r\nEOF\r\n";
+    const Table table = read(text);
+    ASSERT_EQ(table.columns.size(), 3U);
+    EXPECT_EQ(table.time, (std::vector<double>{0, 0.0005, 0.001}));
+    EXPECT_EQ(table.columns[0].value, (std::vector<double>{1.5, 2, 2.5}));
+    EXPECT_EQ(table.columns[1].name, "speed");
+    EXPECT_EQ(table.columns[1].unit, "dV");
+    EXPECT_EQ(table.columns[1].value, (std::vector<double>{10, 10, 20}));
+    EXPECT_EQ(table.columns[2].value, (std::vector<double>{0, 0, 1}));
+    const Table dates = read("Name;a;b\nData-Type;REAL32;REAL32\n\n132959733843760000;1;2\n132959733843770000;3;4\n");
+    ASSERT_EQ(dates.columns.size(), 2U);
+    EXPECT_NEAR(dates.time[1] - dates.time[0], 0.001, 1e-5);
+    EXPECT_EQ(dates.columns[1].value, (std::vector<double>{2, 4}));
+}
+
 TEST(Table, WithDatesAndDecimalCommas) {
     const Table table = read("Date;Height;Width;\n2026-03-01 06:00:00;1,5;2\n2026-03-01 06:00:00.250;1,75;2\n");
     ASSERT_EQ(table.columns.size(), 2U);

@@ -111,7 +111,7 @@ bool isAnyInput(const World& world, const Variable& variable) {
     return world.anyInput.isValid() && variable.type == world.anyInput;
 }
 
-TypeId anyInputType(World& world, const Variable& variable) {
+TypeId anyInputType(WorldBuilder& world, const Variable& variable) {
     if (familyOf(variable).empty()) return {};
     if (world.anyInput.isValid()) return world.anyInput;
     world.anyInput = world.types.declare(TypeKind::Struct, "ANY");

@@ -6,7 +6,7 @@
 namespace plc::sema {
 
 /// The type of an input that is declared with the name of a family of types; invalid: any other variable.
-[[nodiscard]] TypeId anyInputType(World& world, const Variable& variable);
+[[nodiscard]] TypeId anyInputType(WorldBuilder& world, const Variable& variable);
 /// What such an input gets for an argument.
 [[nodiscard]] Operand anyArgument(Context& context, const Variable& parameter, const syntax::Expr& argument);
 [[nodiscard]] bool isAnyInput(const World& world, const Variable& variable);

@@ -125,7 +125,7 @@ public:
     void pass(const Match& match) {
         Variable& parameter = *match.parameter;
         const syntax::Argument* argument = match.argument && match.argument->value ? match.argument : nullptr;
-        const TypeId type = typeOf(m_context.world, parameter);
+        const TypeId type = typeOf(m_context, parameter);
         tree::Place* field = fieldOfParameter(parameter, type, argument);
         if (parameter.isInOut()) return bind(parameter, field, argument);
         if (!argument) return; // keeps its last value
@@ -231,7 +231,7 @@ void lookAtArguments(Context& context, const Matched& matched) {
         if (each.argument->kind == ArgumentKind::Output)
             denote(context, *each.argument->value, Access::Write);
         else
-            expression(context, *each.argument->value, typeOf(context.world, *each.parameter));
+            expression(context, *each.argument->value, typeOf(context, *each.parameter));
     }
 }
 
@@ -263,7 +263,7 @@ tree::Stmt* withEnable(Context& context, const Matched& matched, tree::Stmt* blo
 ///   wrong: b();  for VAR_IN_OUT x (P2010); b();  of FUNCTION_BLOCK ABSTRACT B (P2025)
 void instanceCall(Context& context, tree::Place* instance, Unit& unit, const syntax::Expr& e, const Denoted& callee,
                   std::vector<tree::Stmt*>& out, SourceRange range) {
-    completeUnit(context.world, unit, e.range);
+    completeUnit(context, unit, e.range);
     if (unit.isAbstract && callee.isExact) context.emit(e.base->range, findings::AbstractInstance(unit.name));
     const Matched matched = match(context, e, unit.name, unit.parameters);
     if (!matched.isGood) return lookAtArguments(context, matched);

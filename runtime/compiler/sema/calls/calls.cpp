@@ -157,10 +157,11 @@ tree::Expr* held(Context& context, tree::Expr* value, std::vector<tree::Stmt*>& 
 }
 
 tree::Expr* defaultOf(Context& context, Variable& parameter, SourceRange range) {
-    const TypeId type = typeOf(context.world, parameter);
+    const TypeId type = typeOf(context, parameter);
     if (parameter.declaration && parameter.declaration->initial) {
-        Context inner(context.world, parameter.scope, context.sink, context.arena);
+        Context inner(context, parameter.scope, context.sink, context.arena);
         inner.isMuted = true;
+        inner.isExpression = context.isExpression; // which adds no types
         const Operand value = context.types.isAggregate(type)
                                   ? aggregate(inner, *parameter.declaration->initial, type)
                                   : converted(inner, expression(inner, *parameter.declaration->initial, type), type);
@@ -176,7 +177,7 @@ tree::Expr* defaultOf(Context& context, Variable& parameter, SourceRange range) 
 ///   ok:    F(io := x); F(io := w.3);      wrong: F(io := 5);  (P2013)   F(io := c);  with a constant c (P2005)
 tree::Place* inOutTarget(Context& context, Variable& parameter, const syntax::Argument& argument,
                          std::vector<tree::Stmt*>& before, std::vector<tree::Stmt*>& after) {
-    const TypeId type = typeOf(context.world, parameter);
+    const TypeId type = typeOf(context, parameter);
     const SourceRange range = argument.value->range;
     const bool isConstant = (parameter.section && parameter.section->constant) || parameter.isReadOnlyReference;
     const Denoted denoted = denote(context, *argument.value, isConstant ? Access::Read : Access::ReadWrite);
@@ -243,7 +244,7 @@ tree::Place* inOutTarget(Context& context, Variable& parameter, const syntax::Ar
 
 void recordCall(Context& context, tree::FunctionId to, bool isDispatched, SourceRange range) {
     if (context.functionId.isValid() && !context.isMuted)
-        context.world.calls.push_back({context.functionId.value, to.value, isDispatched, range});
+        context.gathered.calls.push_back({context.functionId.value, to.value, isDispatched, range});
 }
 
 void prepareCall(Context& context, tree::Call& call, const Denoted& callee, SourceRange range) {
@@ -269,7 +270,7 @@ void prepareCall(Context& context, tree::Call& call, const Denoted& callee, Sour
 ///   ok:    x := F(1, 2); x := F(a := 1);  where b has an initial value      wrong: x := F(1);  (P2010)
 Operand callUnit(Context& context, const Denoted& callee, const syntax::Expr& e) {
     Unit& unit = *callee.unit;
-    completeUnit(context.world, unit, e.range);
+    completeUnit(context, unit, e.range);
     if (context.isExpression) {
         context.emit(e.range, findings::NotAllowedInExpression(unit.name));
         return unknown(context, e.range);
@@ -291,7 +292,7 @@ Operand callUnit(Context& context, const Denoted& callee, const syntax::Expr& e)
     bool good = matched.isGood;
     for (const Match& each : matched.matches) {
         Variable& parameter = *each.parameter;
-        const TypeId type = typeOf(context.world, parameter);
+        const TypeId type = typeOf(context, parameter);
         const syntax::Argument* argument = each.argument;
         tree::CallArgument made;
         made.local = parameter.local;

@@ -14,6 +14,8 @@
 #include "runtime/compiler/sema/types/type_specs.h"
 #include "runtime/compiler/sema/values/expressions.h"
 
+#include "runtime/base/text.h"
+
 namespace plc::sema {
 namespace {
 
@@ -40,10 +42,10 @@ bool isPossible(Context& context, const syntax::Expr& e, size_t least, size_t mo
 
 /// One of the two functions of the memory, which the driver adds to the standard library.
 Operand callMemory(Context& context, const char* name, Operand argument, SourceRange range) {
-    const Found known = lookup(context.world, context.scope, context.world.key(name));
+    const Found known = lookup(context.world, context.scope, context.key(name));
     Unit* unit = known.entity.unit;
     if (!unit) return unknown(context, range);
-    completeUnit(context.world, *unit, range);
+    completeUnit(context, *unit, range);
     Denoted callee;
     callee.kind = Denoted::Kind::Unit;
     callee.unit = unit;
@@ -60,8 +62,19 @@ Operand callMemory(Context& context, const char* name, Operand argument, SourceR
     return {result, &context.types};
 }
 
+/// T of POINTER TO T, which the parser reads as POINTER(T).
+const syntax::Expr* pointedType(const syntax::Expr& e) {
+    const bool isPointer = e.kind == syntax::ExprKind::Call && e.base && e.base->kind == syntax::ExprKind::NameRef &&
+                           e.base->name.isValid() && equalsIgnoringCase(e.base->name.text, "POINTER");
+    return isPointer && e.arguments.size() == 1 ? e.arguments.front().value : nullptr;
+}
+
 /// The type that __NEW names; invalid: it was reported.
 TypeId namedType(Context& context, const syntax::Expr& e) {
+    if (const syntax::Expr* target = pointedType(e)) {
+        const TypeId type = namedType(context, *target);
+        return type.isValid() ? context.types.pointer(type) : TypeId();
+    }
     const Denoted denoted = denote(context, e, Access::Read);
     if (denoted.kind == Denoted::Kind::Nothing) return {};
     Unit* unit = denoted.kind == Denoted::Kind::Unit ? denoted.unit : nullptr;
@@ -76,7 +89,7 @@ TypeId namedType(Context& context, const syntax::Expr& e) {
         context.emit(e.range, findings::AbstractInstance(unit->name));
         return {};
     }
-    return completeType(context.world, type, e.range) ? type : TypeId();
+    return completeType(context, type, e.range) ? type : TypeId();
 }
 
 tree::Place* behind(Context& context, Operand pointer, TypeId type, SourceRange range) {
@@ -127,7 +140,7 @@ std::vector<tree::Stmt*> initialisation(Context& context, tree::Place* made, tre
         construction.isConstruction = true;
         construction.scope = context.scope;
         emitDynamics(
-            context.world, context, {construction}, [&](const DynamicInit&) { return element(); }, loop->body);
+            context, {construction}, [&](const DynamicInit&) { return element(); }, loop->body);
     }
     return {loop};
 }
@@ -184,9 +197,9 @@ Operand deleteCall(Context& context, const syntax::Expr& e) {
     tree::Stmt* choice = newStmt(context, tree::StmtKind::If, {});
     choice->a = inverted(context, isNull(context, load(context, pointer, e.range), e.range), e.range).expr;
     Unit* unit = context.world.unitOf(type);
-    const Member end = unit ? findMember(context.world, *unit, context.world.key("FB_Exit")) : Member{};
+    const Member end = unit ? findMember(*unit, context.key("FB_Exit")) : Member{};
     if (end.unit && end.unit->kind == UnitKind::Method && end.unit->parameters.size() <= 1) {
-        completeUnit(context.world, *end.unit, e.range);
+        completeUnit(context, *end.unit, e.range);
         Denoted callee;
         callee.kind = Denoted::Kind::Unit;
         callee.unit = end.unit;

@@ -50,6 +50,15 @@ Operand isNull(Context& context, Operand pointer, SourceRange range) {
     return {e, &context.types};
 }
 
+/// A VAR_IN_OUT of a block that no call has connected yet; those of functions always are.
+Operand isUnbound(Context& context, const tree::Place& inOut, SourceRange range) {
+    if (inOut.kind != tree::PlaceKind::InOutSlot)
+        return constant(context, {context.elementary(TypeKind::Bool), int64_t(0)}, range);
+    tree::Place* slot = fieldPlace(context, inOut.base ? inOut.base : thisPlace(context, range), inOut.offset,
+                                   context.elementary(TypeKind::Lword), -1, range);
+    return isNull(context, load(context, slot, range), range);
+}
+
 /// LOWER_BOUND and UPPER_BOUND of ARRAY[*] .
 ///   ok:    UPPER_BOUND(a, 1)      wrong: UPPER_BOUND(x, 1)  with x : INT (P2014)   UPPER_BOUND(a, 3)  of two (P2016)
 Operand boundCall(Context& context, const syntax::Expr& e, bool isUpper) {
@@ -125,7 +134,7 @@ Operand sizeCall(Context& context, const syntax::Expr& e, TypeKind result) {
         context.emit(argument.range, findings::NoValue(context.textOf(argument.range)));
         return unknown(context, e.range);
     }
-    if (!context.isExpression) completeType(context.world, type, argument.range);
+    if (!context.isExpression) completeType(context, type, argument.range);
     (void)result;
     return constant(context, {context.elementary(TypeKind::Lint), int64_t(context.types[type].size)}, e.range, true);
 }
@@ -282,12 +291,23 @@ Operand specialCall(Context& context, const library::Signature& signature, const
     if (name == "__ISVALIDREF") {
         const Denoted denoted = denote(context, first, Access::Read);
         if (denoted.kind == Denoted::Kind::Nothing) return unknown(context, e.range);
+        if (denoted.kind == Denoted::Kind::Place && context.isKind(denoted.place->type, TypeKind::Unknown))
+            return unknown(context, e.range); // its type was reported
+        if (denoted.kind == Denoted::Kind::Property || denoted.kind == Denoted::Kind::Value) {
+            const Operand given = value(context, denoted, first, TypeId());
+            if (given.isUnknown()) return given;
+            for (const TypeKind kind : {TypeKind::Reference, TypeKind::Pointer, TypeKind::Interface})
+                if (context.isKind(given.type(), kind))
+                    return inverted(context, isNull(context, given, e.range), e.range);
+        }
         if (denoted.kind == Denoted::Kind::Place && denoted.place->kind == tree::PlaceKind::Deref &&
             denoted.place->pointer)
             return inverted(context, isNull(context, {denoted.place->pointer, &context.types}, e.range), e.range);
         if (denoted.kind == Denoted::Kind::Place && (context.isKind(denoted.place->type, TypeKind::Pointer) ||
                                                      context.isKind(denoted.place->type, TypeKind::Interface)))
             return inverted(context, isNull(context, load(context, denoted.place, first.range), e.range), e.range);
+        if (denoted.kind == Denoted::Kind::Place && denoted.variable && denoted.variable->isInOut())
+            return inverted(context, isUnbound(context, *denoted.place, e.range), e.range);
         context.emit(first.range, findings::NotAPointer(context.textOf(first.range)));
         return unknown(context, e.range);
     }

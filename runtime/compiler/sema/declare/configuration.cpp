@@ -18,9 +18,10 @@ namespace plc::sema {
 
 using syntax::SectionKind;
 
-static void addAccess(World& world, const syntax::VarDecl& declaration, const image::Place& place, std::string list);
-static void accessAddress(World& world, const syntax::VarDecl& declaration, const Scope& scope);
-static void accessPrograms(World& world);
+static void addAccess(WorldBuilder& world, const syntax::VarDecl& declaration, const image::Place& place,
+                      std::string list);
+static void accessAddress(WorldBuilder& world, const syntax::VarDecl& declaration, const Scope& scope);
+static void accessPrograms(WorldBuilder& world);
 
 void forEachResource(const World& world,
                      const std::function<void(const Configuration&, const syntax::ResourceDecl&)>& visit) {
@@ -30,7 +31,7 @@ void forEachResource(const World& world,
 }
 
 /// The folded names of a RESOURCE's globals, or of its program instances.
-static std::set<NameId> namesOf(World& world, const syntax::ResourceDecl& resource, bool ofPrograms) {
+static std::set<NameId> namesOf(WorldBuilder& world, const syntax::ResourceDecl& resource, bool ofPrograms) {
     std::set<NameId> out;
     if (ofPrograms)
         for (const syntax::ProgramInstance* each : resource.programs) out.insert(world.key(each->name.text));
@@ -43,7 +44,7 @@ static std::set<NameId> namesOf(World& world, const syntax::ResourceDecl& resour
 }
 
 /// Whether another RESOURCE has one of these names: both then belong to their resource, R1.g and R2.g.
-static bool isInAnother(World& world, const Configuration& configuration, const syntax::ResourceDecl& resource,
+static bool isInAnother(WorldBuilder& world, const Configuration& configuration, const syntax::ResourceDecl& resource,
                         bool ofPrograms, const std::set<NameId>& names) {
     for (const syntax::ResourceDecl* other : configuration.declaration->resources) {
         if (other == &resource) continue;
@@ -53,7 +54,7 @@ static bool isInAnother(World& world, const Configuration& configuration, const 
     return false;
 }
 
-Variable* globalOf(World& world, const Variable& external) {
+Variable* globalOf(WorldBuilder& world, const Variable& external) {
     Scope outside = external.scope;
     outside.unit = nullptr;
     const Found found = lookup(world, outside, external.id);
@@ -69,7 +70,7 @@ Variable* globalOf(World& world, const Variable& external) {
     return found.entity.variable;
 }
 
-void declareConfigurations(World& world) {
+void declareConfigurations(WorldBuilder& world) {
     const auto sections = [&](const std::vector<syntax::VarSection*>& list, const Configuration& configuration,
                               std::string_view name) {
         for (syntax::VarSection* section : list) {
@@ -146,7 +147,7 @@ void declareConfigurations(World& world) {
             addInstance(unit, unit.name, nullptr, nullptr, {nullptr, &world.top, unit.file}, {});
 }
 
-void addAccess(World& world, const syntax::VarDecl& declaration, const image::Place& place, std::string list) {
+void addAccess(WorldBuilder& world, const syntax::VarDecl& declaration, const image::Place& place, std::string list) {
     for (const syntax::Name& name : declaration.names) {
         image::Root& root = world.program->layout.roots.emplace_back();
         root.name = std::string(name.text);
@@ -161,7 +162,7 @@ void addAccess(World& world, const syntax::VarDecl& declaration, const image::Pl
 }
 
 /// VAR_ACCESS valve : R1.%QX0.1 : BOOL READ_ONLY;
-void accessAddress(World& world, const syntax::VarDecl& declaration, const Scope& scope) {
+void accessAddress(WorldBuilder& world, const syntax::VarDecl& declaration, const Scope& scope) {
     const auto address = addressIn(world, declaration.address);
     if (!address || address->isOpen) {
         world.emit(declaration.addressRange, findings::AddressOutOfRange(declaration.address, addressAreas()));
@@ -180,7 +181,7 @@ void accessAddress(World& world, const syntax::VarDecl& declaration, const Scope
 }
 
 /// VAR_ACCESS of a PROGRAM: names below each of its instances, `i1.level`.
-void accessPrograms(World& world) {
+void accessPrograms(WorldBuilder& world) {
     for (const Instance& instance : world.instances) {
         const Unit& unit = *instance.variable->program;
         for (const syntax::VarSection* section : unit.pou->sections) {
@@ -202,7 +203,7 @@ void accessPrograms(World& world) {
 /// VAR_CONFIG: addresses and initial values of variables inside instances; VAR_ACCESS: other names for them.
 ///   ok:    VAR_CONFIG I.x : INT := 5; END_VAR      wrong: VAR_CONFIG I.missing : INT := 5; END_VAR  (P3028)
 ///          VAR_CONFIG I.x AT %QW* : INT; END_VAR  (P3029)
-void applyVarConfig(World& world) {
+void applyVarConfig(WorldBuilder& world) {
     const auto apply = [&](const syntax::VarSection& section, const Configuration& configuration,
                            const syntax::ResourceDecl* resource) {
         const Scope scope{nullptr, configuration.space, configuration.file};

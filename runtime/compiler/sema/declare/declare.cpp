@@ -13,13 +13,15 @@ namespace plc::sema {
 
 using syntax::SectionKind;
 
-static Space& childSpace(World& world, Space& parent, std::string_view name);
-static void declare(World& world, const syntax::Decl& decl, Space& space, const syntax::SyntaxFile& file);
-static Unit* declareMethod(World& world, const syntax::Pou& pou, Unit& owner, std::string_view name, UnitKind kind);
-static void declareMembers(World& world, Unit& unit);
-static void declareImplicitEno(World& world, Unit& unit);
-static Variable& addVariable(World& world, Unit& unit, Variable variable, const std::vector<syntax::Pragma>* pragmas);
-static void declareVariables(World& world, Unit& unit, const std::vector<syntax::VarSection*>& sections);
+static Space& childSpace(WorldBuilder& world, Space& parent, std::string_view name);
+static void declare(WorldBuilder& world, const syntax::Decl& decl, Space& space, const syntax::SyntaxFile& file);
+static Unit* declareMethod(WorldBuilder& world, const syntax::Pou& pou, Unit& owner, std::string_view name,
+                           UnitKind kind);
+static void declareMembers(WorldBuilder& world, Unit& unit);
+static void declareImplicitEno(WorldBuilder& world, Unit& unit);
+static Variable& addVariable(WorldBuilder& world, Unit& unit, Variable variable,
+                             const std::vector<syntax::Pragma>* pragmas);
+static void declareVariables(WorldBuilder& world, Unit& unit, const std::vector<syntax::VarSection*>& sections);
 
 namespace {
 
@@ -97,7 +99,7 @@ types::FieldSection sectionOf(SectionKind kind) {
 
 } // namespace
 
-Space& childSpace(World& world, Space& parent, std::string_view name) {
+Space& childSpace(WorldBuilder& world, Space& parent, std::string_view name) {
     Space*& child = parent.spaces[world.key(name)];
     if (!child) {
         child = &world.spaces.emplace_back();
@@ -109,7 +111,7 @@ Space& childSpace(World& world, Space& parent, std::string_view name) {
     return *child;
 }
 
-void declareFile(World& world, const syntax::SyntaxFile& file) {
+void declareFile(WorldBuilder& world, const syntax::SyntaxFile& file) {
     if (file.file.isValid()) {
         if (world.fileOf.size() <= file.file.index()) world.fileOf.resize(file.file.index() + 1);
         world.fileOf[file.file.index()] = &file;
@@ -125,7 +127,7 @@ void declareFile(World& world, const syntax::SyntaxFile& file) {
     for (const syntax::Decl* decl : file.declarations) declare(world, *decl, *space, file);
 }
 
-void declare(World& world, const syntax::Decl& decl, Space& space, const syntax::SyntaxFile& file) {
+void declare(WorldBuilder& world, const syntax::Decl& decl, Space& space, const syntax::SyntaxFile& file) {
     switch (decl.kind) {
     case syntax::DeclKind::Pou:
         if (decl.pou) declareUnit(world, *decl.pou, space, file);
@@ -166,7 +168,7 @@ void declare(World& world, const syntax::Decl& decl, Space& space, const syntax:
 }
 
 ///   ok:    NAMESPACE Here … END_NAMESPACE USING Here;      wrong: USING Nowhere;  (P3026)
-void resolveUsings(World& world) {
+void resolveUsings(WorldBuilder& world) {
     const auto resolve = [&](Space& from, const syntax::Path& path) -> Space* {
         for (Space* start = &from; start; start = start->parent) {
             Space* found = start;
@@ -205,7 +207,7 @@ void resolveUsings(World& world) {
 }
 
 ///   wrong: FUNCTION F … END_FUNCTION FUNCTION f … END_FUNCTION  (P3001)
-Unit* declareUnit(World& world, const syntax::Pou& pou, Space& space, const syntax::SyntaxFile& file) {
+Unit* declareUnit(WorldBuilder& world, const syntax::Pou& pou, Space& space, const syntax::SyntaxFile& file) {
     Unit& unit = world.units.emplace_back();
     switch (pou.kind) {
     case syntax::PouKind::Program:
@@ -259,7 +261,7 @@ Unit* declareUnit(World& world, const syntax::Pou& pou, Space& space, const synt
     return &unit;
 }
 
-Unit* declareMethod(World& world, const syntax::Pou& pou, Unit& owner, std::string_view name, UnitKind kind) {
+Unit* declareMethod(WorldBuilder& world, const syntax::Pou& pou, Unit& owner, std::string_view name, UnitKind kind) {
     Unit& unit = world.units.emplace_back();
     unit.kind = kind;
     unit.name = std::string(name);
@@ -284,7 +286,7 @@ Unit* declareMethod(World& world, const syntax::Pou& pou, Unit& owner, std::stri
 }
 
 ///   wrong: VAR lamp : BOOL; END_VAR … ACTION lamp: … END_ACTION  (P4017, advice: steps and calls mean the ACTION)
-void declareMembers(World& world, Unit& unit) {
+void declareMembers(WorldBuilder& world, Unit& unit) {
     const syntax::Pou& pou = *unit.pou;
     declareVariables(world, unit, pou.sections);
     if (!unit.isInstanced() && unit.kind != UnitKind::Interface && pou.result && unit.kind != UnitKind::PropertyGet) {
@@ -381,7 +383,7 @@ void declareMembers(World& world, Unit& unit) {
 
 /// A unit that writes ENO without declaring it has it as an output, TRUE at the begin of each call (edition
 /// 2, 2.5.1.2).
-void declareImplicitEno(World& world, Unit& unit) {
+void declareImplicitEno(WorldBuilder& world, Unit& unit) {
     const bool canHave =
         unit.kind == UnitKind::Function || unit.kind == UnitKind::Method || unit.kind == UnitKind::Block;
     if (!canHave || !unit.file || !unit.pou->body.range.file.isValid() || unit.members.count(world.key("ENO"))) return;
@@ -423,7 +425,7 @@ void declareImplicitEno(World& world, Unit& unit) {
 }
 
 ///   wrong: VAR x : INT; X : BOOL; END_VAR  (P3001)
-Variable& addVariable(World& world, Unit& unit, Variable variable, const std::vector<syntax::Pragma>* pragmas) {
+Variable& addVariable(WorldBuilder& world, Unit& unit, Variable variable, const std::vector<syntax::Pragma>* pragmas) {
     variable.owner = &unit;
     variable.space = unit.space;
     variable.scope = {&unit, unit.space, unit.file};
@@ -445,7 +447,7 @@ Variable& addVariable(World& world, Unit& unit, Variable variable, const std::ve
     return added;
 }
 
-void declareVariables(World& world, Unit& unit, const std::vector<syntax::VarSection*>& sections) {
+void declareVariables(WorldBuilder& world, Unit& unit, const std::vector<syntax::VarSection*>& sections) {
     const Scope scope{&unit, unit.space, unit.file};
     for (const syntax::VarSection* section : sections) {
         if (section->kind == SectionKind::Access && unit.kind == UnitKind::Program)

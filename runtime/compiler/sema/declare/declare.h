@@ -4,11 +4,11 @@
 
 namespace plc::sema {
 
-void declareFile(World& world, const syntax::SyntaxFile& file);
-void resolveUsings(World& world);
-Unit* declareUnit(World& world, const syntax::Pou& pou, Space& space, const syntax::SyntaxFile& file);
-void declareGlobals(World& world, const syntax::GlobalList& list, Space& space, const syntax::SyntaxFile& file,
+void declareFile(WorldBuilder& world, const syntax::SyntaxFile& file);
+void resolveUsings(WorldBuilder& world);
+Unit* declareUnit(WorldBuilder& world, const syntax::Pou& pou, Space& space, const syntax::SyntaxFile& file);
+void declareGlobals(WorldBuilder& world, const syntax::GlobalList& list, Space& space, const syntax::SyntaxFile& file,
                     std::string_view name);
-TypeId declareStruct(World& world, const syntax::TypeSpec& spec, std::string name, const Scope& scope);
+TypeId declareStruct(WorldBuilder& world, const syntax::TypeSpec& spec, std::string name, const Scope& scope);
 
 } // namespace plc::sema

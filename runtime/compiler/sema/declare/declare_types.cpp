@@ -11,7 +11,7 @@ namespace plc::sema {
 
 using syntax::SectionKind;
 
-static EnumType* declareEnum(World& world, const syntax::TypeSpec& spec, std::string name, const Scope& scope,
+static EnumType* declareEnum(WorldBuilder& world, const syntax::TypeSpec& spec, std::string name, const Scope& scope,
                              std::unordered_map<NameId, std::vector<EnumeratorRef>>& table,
                              const std::vector<syntax::Pragma>* attributes);
 
@@ -20,7 +20,7 @@ bool hasAttribute(const std::vector<syntax::Pragma>& pragmas, std::string_view k
                        [&](const syntax::Pragma& p) { return p.isAttribute && equalsIgnoringCase(p.key, key); });
 }
 
-void declareInlineEnums(World& world, const syntax::TypeSpec* spec, const Scope& scope,
+void declareInlineEnums(WorldBuilder& world, const syntax::TypeSpec* spec, const Scope& scope,
                         std::unordered_map<NameId, std::vector<EnumeratorRef>>& table) {
     for (int depth = 0; spec && depth < 32; spec = spec->element, ++depth) {
         if (spec->kind == syntax::TypeSpecKind::Enum) {
@@ -31,8 +31,8 @@ void declareInlineEnums(World& world, const syntax::TypeSpec* spec, const Scope&
     }
 }
 
-void declareGlobals(World& world, const syntax::GlobalList& declared, Space& space, const syntax::SyntaxFile& file,
-                    std::string_view name) {
+void declareGlobals(WorldBuilder& world, const syntax::GlobalList& declared, Space& space,
+                    const syntax::SyntaxFile& file, std::string_view name) {
     if (!declared.section) return;
     const NameId id = world.key(name);
     GlobalsList*& list = space.lists[id];
@@ -79,7 +79,7 @@ void declareGlobals(World& world, const syntax::GlobalList& declared, Space& spa
 }
 
 ///   ok:    TYPE E : (A, B, C); END_TYPE      wrong: TYPE E : (A, B, A); END_TYPE  (P3001)
-EnumType* declareEnum(World& world, const syntax::TypeSpec& spec, std::string name, const Scope& scope,
+EnumType* declareEnum(WorldBuilder& world, const syntax::TypeSpec& spec, std::string name, const Scope& scope,
                       std::unordered_map<NameId, std::vector<EnumeratorRef>>& table,
                       const std::vector<syntax::Pragma>* attributes) {
     const bool qualifiedOnly = attributes && hasAttribute(*attributes, "qualified_only");
@@ -89,6 +89,7 @@ EnumType* declareEnum(World& world, const syntax::TypeSpec& spec, std::string na
     made.name = name;
     made.type = world.types.declare(TypeKind::Enum, name);
     types::Type& type = world.types.edit(made.type);
+    // Until completeEnum has read the type that is written; its values may need constants declared later.
     type.element = types::TypeTable::of(TypeKind::Int);
     type.size = type.align = 2;
     type.qualifiedOnly = qualifiedOnly;
@@ -110,7 +111,7 @@ EnumType* declareEnum(World& world, const syntax::TypeSpec& spec, std::string na
     return &made;
 }
 
-TypeId declareStruct(World& world, const syntax::TypeSpec& spec, std::string name, const Scope& scope) {
+TypeId declareStruct(WorldBuilder& world, const syntax::TypeSpec& spec, std::string name, const Scope& scope) {
     StructType& made = world.structs.emplace_back();
     made.spec = &spec;
     made.scope = scope;
@@ -122,7 +123,7 @@ TypeId declareStruct(World& world, const syntax::TypeSpec& spec, std::string nam
     return made.type;
 }
 
-void declareType(World& world, const syntax::TypeDecl& declared, Space& space, const syntax::SyntaxFile& file) {
+void declareType(WorldBuilder& world, const syntax::TypeDecl& declared, Space& space, const syntax::SyntaxFile& file) {
     if (!declared.name.isValid() || !declared.spec) return;
     DeclaredType& type = world.declaredTypes.emplace_back();
     type.name = std::string(declared.name.text);

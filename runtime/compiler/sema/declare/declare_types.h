@@ -5,9 +5,9 @@
 namespace plc::sema {
 
 [[nodiscard]] bool hasAttribute(const std::vector<syntax::Pragma>& pragmas, std::string_view key);
-void declareType(World& world, const syntax::TypeDecl& type, Space& space, const syntax::SyntaxFile& file);
+void declareType(WorldBuilder& world, const syntax::TypeDecl& type, Space& space, const syntax::SyntaxFile& file);
 /// Enumerations written in a VAR or a field: their values are seen where the variable is.
-void declareInlineEnums(World& world, const syntax::TypeSpec* spec, const Scope& scope,
+void declareInlineEnums(WorldBuilder& world, const syntax::TypeSpec* spec, const Scope& scope,
                         std::unordered_map<NameId, std::vector<EnumeratorRef>>& table);
 
 } // namespace plc::sema

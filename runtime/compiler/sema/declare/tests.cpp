@@ -16,7 +16,7 @@ namespace plc::sema {
 using syntax::StmtKind;
 
 /// No program holds the block: its variables and statements are checked, nothing is laid out or compiled.
-void declareTest(World& world, const syntax::TestDecl& test, Space& space, const syntax::SyntaxFile& file) {
+void declareTest(WorldBuilder& world, const syntax::TestDecl& test, Space& space, const syntax::SyntaxFile& file) {
     if (!isTestPath(world.sources[file.file].path())) return;
     syntax::Pou* pou = world.arena.make<syntax::Pou>();
     pou->kind = syntax::PouKind::FunctionBlock;
@@ -33,7 +33,7 @@ void declareTest(World& world, const syntax::TestDecl& test, Space& space, const
 }
 
 /// What the tests declare the program does not have.
-void checkTestNames(World& world) {
+void checkTestNames(WorldBuilder& world) {
     const auto isInTests = [&](SourceRange range) {
         return range.file.isValid() && isTestPath(world.sources[range.file].path());
     };

@@ -4,8 +4,8 @@
 
 namespace plc::sema {
 
-void declareTest(World& world, const syntax::TestDecl& test, Space& space, const syntax::SyntaxFile& file);
-void checkTestNames(World& world);
+void declareTest(WorldBuilder& world, const syntax::TestDecl& test, Space& space, const syntax::SyntaxFile& file);
+void checkTestNames(WorldBuilder& world);
 /// of a VAR_ACCESS
 [[nodiscard]] bool isAccessName(const World& world, std::string_view name);
 /// tests.cpp

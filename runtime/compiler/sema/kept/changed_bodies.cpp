@@ -12,16 +12,6 @@ namespace plc::sema {
 
 namespace {
 
-void numberVariables(World& world) {
-    const auto number = [&](Variable& variable) {
-        variable.number = static_cast<uint32_t>(world.numbered.size());
-        world.numbered.push_back(&variable);
-    };
-    for (Variable& variable : world.globals) number(variable);
-    for (Unit& unit : world.units)
-        for (Variable& variable : unit.variables) number(variable);
-}
-
 /// Each use once; false: of a variable that has no number.
 bool makeUnique(std::vector<VariableUse>& uses) {
     const auto order = [](const VariableUse& a, const VariableUse& b) {
@@ -34,7 +24,7 @@ bool makeUnique(std::vector<VariableUse>& uses) {
 
 class ChangedBodies {
 public:
-    ChangedBodies(World& world, const LastCheck* last, StillValid valid)
+    ChangedBodies(WorldBuilder& world, const LastCheck* last, StillValid valid)
         : m_world(world), m_last(last), m_valid(std::move(valid)), m_arena(std::make_shared<Arena>()),
           m_declaredSymbols(static_cast<uint32_t>(world.symbols.size())) {}
 
@@ -70,13 +60,14 @@ private:
     }
 
     std::shared_ptr<const BodyRecord> check(Unit& unit) {
-        World& world = m_world;
+        WorldBuilder& world = m_world;
         auto record = std::make_shared<BodyRecord>();
         const size_t completions = world.completions, types = world.types.count(), found = world.sink.all().size(),
                      references = world.references.size(), symbols = world.symbols.size(), calls = world.calls.size();
         record->suggestionsBefore = world.suggestions;
         world.uses.clear();
-        checkBody(world, unit, *m_arena);
+        checkBody({world, world}, unit, *m_arena);
+        noteUses(world, world.uses);
 
         record->shapes = m_valid.shapes;
         record->arena = m_arena;
@@ -107,7 +98,7 @@ private:
 
     /// As if it had been checked.
     void take(const BodyRecord& record, Unit& unit) {
-        World& world = m_world;
+        WorldBuilder& world = m_world;
         const Moves moved(*record.shapes, *m_valid.shapes);
         for (const auto& [kind, capacity] : record.texts)
             (void)(kind == TypeKind::String ? world.types.string(capacity) : world.types.wstring(capacity));
@@ -127,11 +118,7 @@ private:
             call.range = moved(call.range);
             world.calls.push_back(call);
         }
-        for (const VariableUse& use : record.uses) {
-            Variable& variable = *world.numbered[use.variable];
-            variable.reads += use.isRead;
-            variable.writes += use.isWrite;
-        }
+        noteUses(world, record.uses);
         world.suggestions += record.suggestions;
         tree::Function& function = world.functions[unit.function.index()];
         function.body = record.body;
@@ -150,7 +137,7 @@ private:
         return diagnostic;
     }
 
-    World& m_world;
+    WorldBuilder& m_world;
     const LastCheck* m_last;
     StillValid m_valid;
     std::shared_ptr<Arena> m_arena;
@@ -160,7 +147,7 @@ private:
 
 } // namespace
 
-size_t checkChangedBodies(World& world, const std::vector<std::shared_ptr<const syntax::SyntaxFile>>& files,
+size_t checkChangedBodies(WorldBuilder& world, const std::vector<std::shared_ptr<const syntax::SyntaxFile>>& files,
                           const LastCheck* last) {
     numberVariables(world);
     auto check = std::make_shared<LastCheck>();

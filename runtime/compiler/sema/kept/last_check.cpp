@@ -51,7 +51,7 @@ StillValid stillValid(const LastCheck* last, const World& world,
     return out;
 }
 
-std::vector<uint64_t> summaryOf(const World& world) {
+std::vector<uint64_t> summaryOf(const WorldBuilder& world) {
     std::vector<uint64_t> out{world.types.count(), world.functions.size(), world.symbols.size(), world.units.size(),
                               world.rangeOfInputs, world.rangeOfOutputs,   world.rangeOfMemory,  world.image.size()};
     const auto add = [&](const Variable& variable) {

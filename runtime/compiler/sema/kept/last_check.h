@@ -2,11 +2,11 @@
 // shared by the checks that follow and by whoever still has an Analysis of them.
 #pragma once
 #include "runtime/compiler/sema/kept/shape.h"
-#include "runtime/compiler/sema/world.h"
+#include "runtime/compiler/sema/world_builder.h"
 
 namespace plc::sema {
 
-/// Everything that checking a body adds to the World, and the tree it made. Places are those of `shapes`.
+/// Everything that checking a body gathered, and the tree it made. Places are those of `shapes`.
 struct BodyRecord {
     std::shared_ptr<const Shapes> shapes;
     std::shared_ptr<Arena> arena; // holds the tree
@@ -50,7 +50,7 @@ struct StillValid {
 
 /// Numbers that differ when declarations were understood differently, although their text is the same: a body decides
 /// whether there is an ENO, and how much of %M is used.
-[[nodiscard]] std::vector<uint64_t> summaryOf(const World& world);
+[[nodiscard]] std::vector<uint64_t> summaryOf(const WorldBuilder& world);
 
 /// The tree of a body with its places moved, in `arena`.
 void moveTree(tree::Function& function, const Moves& moves, Arena& arena);

@@ -3,7 +3,7 @@
 #include "runtime/compiler/sema/kept/last_check.h"
 
 #include "runtime/compiler/sema/kept_bodies.h"
-#include "runtime/compiler/sema/kept_world.h"
+#include "runtime/compiler/sema/world.h"
 
 namespace plc::sema {
 
@@ -109,7 +109,7 @@ std::shared_ptr<tree::Program> copyOf(const tree::Program& program) {
 void moveTree(tree::Function& function, const Moves& moves, Arena& arena) { Copying(moves, arena).function(function); }
 
 std::shared_ptr<const Analysis> withTreesInPlace(const std::shared_ptr<const Analysis>& analysis) {
-    const World& world = *static_cast<const KeptWorld*>(analysis->scopes.get())->world;
+    const World& world = *static_cast<const World*>(analysis->scopes.get());
     if (!world.check || !analysis->program) return analysis;
     std::shared_ptr<tree::Program> program;
     for (size_t i = 0; i < world.units.size(); ++i) {

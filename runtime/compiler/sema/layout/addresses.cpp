@@ -16,7 +16,7 @@ uint32_t bytesOf(TypeKind kind) { return std::max(1u, types::bitsOf(kind) / 8); 
 /// What flat addresses use of each area, and the hierarchical ones with their sizes.
 class Measure {
 public:
-    explicit Measure(World& world) : m_world(world) {}
+    explicit Measure(WorldBuilder& world) : m_world(world) {}
 
     void use(std::string_view text, uint32_t bytes) {
         const auto address = image::parseAddress(text, m_world.options.addressing);
@@ -33,6 +33,8 @@ public:
 
     void finish() {
         for (uint64_t& size : m_sizes) size = aligned(size);
+        // %IW3.1 says where it is in a rack, not in an area: such addresses follow what flat ones use, in order of
+        // their names.
         for (auto& [name, place] : m_world.hierarchical) {
             uint64_t& size = of(place.address.area);
             place.address.byte = static_cast<uint32_t>(std::min<uint64_t>(size, kMaximumAddress));
@@ -46,7 +48,7 @@ public:
 private:
     uint64_t& of(Area area) { return m_sizes[area == Area::Input ? 0 : area == Area::Output ? 1 : 2]; }
 
-    World& m_world;
+    WorldBuilder& m_world;
     uint64_t m_sizes[3] = {kMinimumArea, kMinimumArea, kMinimumArea};
 };
 
@@ -59,7 +61,7 @@ std::optional<DirectAddress> addressIn(const World& world, std::string_view text
     return known == world.hierarchical.end() ? std::nullopt : std::optional(known->second.address);
 }
 
-void measureAddresses(World& world) {
+void measureAddresses(WorldBuilder& world) {
     Measure measure(world);
     for (const syntax::SyntaxFile* file : world.fileOf) {
         if (!file) continue;

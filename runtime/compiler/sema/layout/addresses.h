@@ -10,7 +10,7 @@ inline constexpr uint32_t kMaximumAddress = 16 << 20;
 /// A hierarchical address has its place once the areas are measured.
 [[nodiscard]] std::optional<DirectAddress> addressIn(const World& world, std::string_view text);
 /// Sizes the areas by the addresses in use; hierarchical addresses follow the flat ones.
-void measureAddresses(World& world);
+void measureAddresses(WorldBuilder& world);
 [[nodiscard]] std::vector<image::HierarchicalAddress> hierarchicalAddresses(const World& world);
 /// The same address with the letter of another size.
 [[nodiscard]] std::string withLetter(const World& world, std::string_view text, TypeKind kind);

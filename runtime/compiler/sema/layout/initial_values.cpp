@@ -21,27 +21,28 @@ namespace plc::sema {
 
 using syntax::ExprKind;
 
-static tree::FunctionId initialiserOf(World& world, TypeId type);
+static tree::FunctionId initialiserOf(const Check& check, TypeId type);
 
 namespace {
 
-Unit* initMethodOf(World& world, TypeId type) {
+Unit* initMethodOf(const World& world, TypeId type) {
     Unit* unit = world.unitOf(type);
     if (!unit || unit->kind != UnitKind::Block) return nullptr;
-    return findMember(world, *unit, world.names.find("FB_Init")).unit;
+    return findMember(*unit, world.names.find("FB_Init")).unit;
 }
 
 /// Runs an expression without knowing yet whether it is constant; what it says counts only if it is, or is wrong.
 struct Trial {
-    Trial(World& theWorld, const Scope& scope)
-        : world(theWorld), checker(theWorld, scope, sink, theWorld.arena), references(theWorld.references.size()) {
+    Trial(const Check& check, const Scope& scope)
+        : gathered(check.gathered), checker(check, scope, sink, gathered.arena),
+          references(gathered.references.size()) {
         checker.isInitialiser = true;
     }
     void keep() {
-        for (diagnostics::Diagnostic& diagnostic : sink.take()) world.sink.add(std::move(diagnostic));
+        for (diagnostics::Diagnostic& diagnostic : sink.take()) gathered.sink.add(std::move(diagnostic));
     }
-    void drop() { world.references.resize(references); }
-    World& world;
+    void drop() { gathered.references.resize(references); }
+    Gathered& gathered;
     diagnostics::Sink sink;
     Context checker;
     size_t references;
@@ -59,7 +60,7 @@ uint64_t sumWithin(uint64_t before, uint64_t made, int64_t times) {
 }
 } // namespace
 
-bool needsConstruction(World& world, TypeId type) {
+bool needsConstruction(const World& world, TypeId type) {
     const TypeKind kind = world.types.kind(type);
     if (kind == TypeKind::Array) return needsConstruction(world, world.types[type].element);
     if (kind != TypeKind::Block && kind != TypeKind::Struct && kind != TypeKind::Union) return false;
@@ -67,7 +68,7 @@ bool needsConstruction(World& world, TypeId type) {
     return (it != world.typeInitials.end() && !it->second.dynamics.empty()) || initMethodOf(world, type);
 }
 
-void writeConstant(World& world, InitialValue& out, TypeId type, uint32_t offset, int16_t bit,
+void writeConstant(const World& world, InitialValue& out, TypeId type, uint32_t offset, int16_t bit,
                    const types::Value& value) {
     const uint32_t size = bit >= 0 ? 1 : world.types[type].size;
     if (uint64_t(offset) + size > out.bytes.size()) return;
@@ -79,13 +80,14 @@ namespace {
 /// An initial value written at one place of an image, which has a type. What is wrong is reported, the rest is written.
 class Writing {
 public:
-    Writing(World& world, InitialValue& out, TypeId type, uint32_t offset, const Scope& scope)
-        : m_world(world), m_out(out), m_type(type), m_kind(world.types.kind(type)), m_offset(offset), m_scope(scope) {}
+    Writing(const Check& check, InitialValue& out, TypeId type, uint32_t offset, const Scope& scope)
+        : m_check(check), m_out(out), m_type(type), m_kind(check.world.types.kind(type)), m_offset(offset),
+          m_scope(scope) {}
 
     /// FB_Init and what code must do for every instance come before what is written for this one.
     void construct(const std::vector<syntax::Argument>* constructor) {
-        const bool hasInit = constructor && initMethodOf(m_world, m_type);
-        if (hasInit || needsConstruction(m_world, m_type)) {
+        const bool hasInit = constructor && initMethodOf(m_check.world, m_type);
+        if (hasInit || needsConstruction(m_check.world, m_type)) {
             DynamicInit dynamic = dynamicHere();
             dynamic.isConstruction = true;
             dynamic.constructor = hasInit ? constructor : nullptr;
@@ -95,14 +97,14 @@ public:
         if (hasMembers())
             members(*constructor);
         else if (!constructor->empty())
-            m_world.emit(constructor->front().range,
-                         findings::NotAllowedHere(Verbatim("(…)"), phrases::In(m_world.nameOf(m_type))));
+            m_check.emit(constructor->front().range,
+                         findings::NotAllowedHere(Verbatim("(…)"), phrases::In(m_check.world.nameOf(m_type))));
     }
 
     void value(const syntax::Expr& value, int16_t bit) {
         if (value.kind == ExprKind::StructInit) {
             if (hasMembers()) return members(value.arguments);
-            m_world.emit(value.range, findings::TypeMismatch(Verbatim("(… := …)"), m_world.nameOf(m_type)));
+            m_check.emit(value.range, findings::TypeMismatch(Verbatim("(… := …)"), m_check.world.nameOf(m_type)));
         } else if (m_kind == TypeKind::Array && (value.kind == ExprKind::ArrayInit || value.kind == ExprKind::Repeat)) {
             elements(value);
         } else {
@@ -124,45 +126,46 @@ private:
     }
 
     void members(const std::vector<syntax::Argument>& arguments) {
-        if (hasUnknownBase(m_world.unitOf(m_type))) return; // its members are not known
+        if (hasUnknownBase(m_check.world.unitOf(m_type))) return; // its members are not known
         for (const syntax::Argument& argument : arguments)
             if (argument.value) member(argument);
     }
 
     void member(const syntax::Argument& argument) {
         if (!argument.name.isValid()) {
-            m_world.emit(argument.range,
-                         findings::Expected(phrases::AMembersName(), m_world.textOf(argument.value->range)));
+            m_check.emit(argument.range,
+                         findings::Expected(phrases::AMembersName(), m_check.world.textOf(argument.value->range)));
             return;
         }
         const SourceRange range = argument.name.range;
-        const types::Field* known = fieldOf(m_world, m_type, argument.name.text);
+        const types::Field* known = fieldOf(m_check.world, m_type, argument.name.text);
         if (!known) {
-            auto& diagnostic = m_world.emit(range, findings::UnknownMember(m_world.nameOf(m_type), argument.name.text));
-            return suggest(m_world, diagnostic, range, argument.name.text, memberNames(m_world, m_type));
+            auto& diagnostic =
+                m_check.emit(range, findings::UnknownMember(m_check.world.nameOf(m_type), argument.name.text));
+            return suggest(m_check.gathered, diagnostic, range, argument.name.text, memberNames(m_check.world, m_type));
         }
-        if (Unit* unit = m_world.unitOf(m_type))
-            if (const Member found = findMember(m_world, *unit, m_world.key(argument.name.text)); found.variable)
-                refer(m_world, range, found.variable->symbol, false, true);
+        if (Unit* unit = m_check.world.unitOf(m_type))
+            if (const Member found = findMember(*unit, m_check.world.names.find(argument.name.text)); found.variable)
+                refer(m_check, range, found.variable->symbol, false, true);
         const types::Field field = *known; // the table of types may grow meanwhile
         if (field.section == types::FieldSection::InOut) {
-            m_world.emit(range, findings::NotAllowedHere(phrases::AnInOut(field.name), phrases::InAnInitialValue()));
+            m_check.emit(range, findings::NotAllowedHere(phrases::AnInOut(field.name), phrases::InAnInitialValue()));
             return;
         }
-        initialise(m_world, m_out, field.bit >= 0 ? types::TypeTable::of(TypeKind::Bool) : field.type,
+        initialise(m_check, m_out, field.bit >= 0 ? types::TypeTable::of(TypeKind::Bool) : field.type,
                    m_offset + field.offset, field.bit, argument.value, m_scope, nullptr);
     }
 
     void elements(const syntax::Expr& value) {
-        m_element = m_world.types[m_type].element;
-        m_size = m_world.types[m_element].size;
-        m_count = m_size ? m_world.types[m_type].size / m_size : 0;
+        m_element = m_check.world.types[m_type].element;
+        m_size = m_check.world.types[m_element].size;
+        m_count = m_size ? m_check.world.types[m_type].size / m_size : 0;
         fill(value.arguments, value.range);
-        if (m_index > m_count) m_world.emit(value.range, findings::TooManyInitialValues(m_index, m_count));
+        if (m_index > m_count) m_check.emit(value.range, findings::TooManyInitialValues(m_index, m_count));
     }
 
     void fill(const std::vector<syntax::Argument>& arguments, SourceRange whole) {
-        const bool isNested = m_world.types.kind(m_element) == TypeKind::Array;
+        const bool isNested = m_check.world.types.kind(m_element) == TypeKind::Array;
         for (const syntax::Argument& argument : arguments) {
             const syntax::Expr* item = argument.value;
             if (!item) {
@@ -173,7 +176,7 @@ private:
                 fill(item->arguments, whole);
             } else {
                 if (m_index < m_count)
-                    initialise(m_world, m_out, m_element, m_offset + static_cast<uint32_t>(m_index * m_size), -1, item,
+                    initialise(m_check, m_out, m_element, m_offset + static_cast<uint32_t>(m_index * m_size), -1, item,
                                m_scope, nullptr);
                 ++m_index;
             }
@@ -185,7 +188,7 @@ private:
         if (item.kind != ExprKind::Call || !item.base ||
             (item.base->kind != ExprKind::NameRef && item.base->kind != ExprKind::Member))
             return false;
-        Trial trial(m_world, m_scope);
+        Trial trial(m_check, m_scope);
         trial.checker.isMuted = true;
         const Denoted denoted = denote(trial.checker, *item.base, Access::Read);
         trial.drop();
@@ -195,7 +198,7 @@ private:
 
     /// False: more needs code than can be.
     bool repeat(const syntax::Expr& item, SourceRange whole) {
-        const auto times = constantInteger(m_world, item.base, m_scope);
+        const auto times = constantInteger(m_check, item.base, m_scope);
         if (!times || *times < 0) return true;
         if (item.arguments.empty() || (item.arguments.size() == 1 && !item.arguments[0].value)) { // 5(): the default
             m_index = sumWithin(m_index, 1, *times);
@@ -208,7 +211,7 @@ private:
             const uint64_t made = m_index - before;
             if (made == 0) return true;
             if (m_out.dynamics.size() > kMaximumInitialisedByCode) {
-                m_world.emit(whole, findings::NotConstant());
+                m_check.emit(whole, findings::NotConstant());
                 return false;
             }
             if (i == 0 && m_out.dynamics.size() == dynamics && before + made <= m_count) {
@@ -235,7 +238,7 @@ private:
     }
 
     void expressionHere(const syntax::Expr& value, int16_t bit) {
-        Trial trial(m_world, m_scope);
+        Trial trial(m_check, m_scope);
         DynamicInit dynamic = dynamicHere();
         dynamic.bit = bit;
         dynamic.value = &value;
@@ -248,14 +251,14 @@ private:
         const Operand operand = converted(trial.checker, expression(trial.checker, value, m_type), m_type);
         if (operand.isUnknown() || operand.isConstant()) {
             trial.keep();
-            if (operand.isConstant()) writeConstant(m_world, m_out, m_type, m_offset, bit, operand.expr->value);
+            if (operand.isConstant()) writeConstant(m_check.world, m_out, m_type, m_offset, bit, operand.expr->value);
             return;
         }
         trial.drop(); // it is checked again where its code is made
         m_out.dynamics.push_back(dynamic);
     }
 
-    World& m_world;
+    const Check& m_check;
     InitialValue& m_out;
     TypeId m_type;
     TypeKind m_kind;
@@ -273,10 +276,10 @@ private:
 /// An initial value at a place of its type.
 ///   ok:    a : ARRAY[1..3] OF INT := [1, 2(0)]; p : Point := (x := 1);
 ///   wrong: a : ARRAY[1..2] OF INT := [1, 2, 3];  (P3031)   p : Point := (z := 1);  (P2002)
-void initialise(World& world, InitialValue& out, TypeId type, uint32_t offset, int16_t bit, const syntax::Expr* value,
-                const Scope& scope, const std::vector<syntax::Argument>* constructor) {
-    if (world.types.kind(type) == TypeKind::Unknown) return;
-    Writing writing(world, out, type, offset, scope);
+void initialise(const Check& check, InitialValue& out, TypeId type, uint32_t offset, int16_t bit,
+                const syntax::Expr* value, const Scope& scope, const std::vector<syntax::Argument>* constructor) {
+    if (check.world.types.kind(type) == TypeKind::Unknown) return;
+    Writing writing(check, out, type, offset, scope);
     writing.construct(constructor);
     if (value) writing.value(*value, bit);
 }
@@ -305,22 +308,22 @@ void repeatBytes(InitialValue& out, uint32_t offset, uint32_t size, uint32_t cou
 
 /// With what is written behind the type: `m : Motor(number := 1)`, for every element of an array of them, or for each
 /// its own.
-void initialiseDeclared(World& world, InitialValue& out, TypeId type, uint32_t offset, int16_t bit,
+void initialiseDeclared(const Check& check, InitialValue& out, TypeId type, uint32_t offset, int16_t bit,
                         const syntax::Expr* value, const Scope& scope, const syntax::TypeSpec* spec) {
-    if (!hasConstructor(spec)) return initialise(world, out, type, offset, bit, value, scope, nullptr);
+    if (!hasConstructor(spec)) return initialise(check, out, type, offset, bit, value, scope, nullptr);
     const syntax::TypeSpec* inner = innermost(spec);
-    if (world.types.kind(type) != TypeKind::Array) {
+    if (check.world.types.kind(type) != TypeKind::Array) {
         if (!inner->constructors.empty())
-            world.emit(spec->range, findings::NotAllowedHere(Verbatim("[(…)]"), phrases::In(world.nameOf(type))));
-        return initialise(world, out, type, offset, bit, value, scope,
+            check.emit(spec->range, findings::NotAllowedHere(Verbatim("[(…)]"), phrases::In(check.world.nameOf(type))));
+        return initialise(check, out, type, offset, bit, value, scope,
                           inner->constructor.empty() ? nullptr : &inner->constructor);
     }
     TypeId element = type;
-    while (world.types.kind(element) == TypeKind::Array) element = world.types[element].element;
-    const uint32_t size = world.types[element].size, count = size ? world.types[type].size / size : 0;
+    while (check.world.types.kind(element) == TypeKind::Array) element = check.world.types[element].element;
+    const uint32_t size = check.world.types[element].size, count = size ? check.world.types[type].size / size : 0;
     if (inner->constructors.size() > count)
-        world.emit(spec->range, findings::TooManyInitialValues(inner->constructors.size(), count));
-    if (initMethodOf(world, element) && inner->constructors.empty()) { // one loop for all of them
+        check.emit(spec->range, findings::TooManyInitialValues(inner->constructors.size(), count));
+    if (initMethodOf(check.world, element) && inner->constructors.empty()) { // one loop for all of them
         DynamicInit dynamic;
         dynamic.offset = offset;
         dynamic.type = type;
@@ -334,10 +337,10 @@ void initialiseDeclared(World& world, InitialValue& out, TypeId type, uint32_t o
                                       : i < inner->constructors.size() ? &inner->constructors[i]
                                                                        : nullptr;
             const size_t dynamics = out.dynamics.size();
-            initialise(world, out, element, offset + i * size, -1, nullptr, scope, constructor);
+            initialise(check, out, element, offset + i * size, -1, nullptr, scope, constructor);
             const bool areEqual = inner->constructors.empty() && out.dynamics.size() == dynamics;
             if (out.dynamics.size() > kMaximumInitialisedByCode) {
-                world.emit(spec->range, findings::NotConstant());
+                check.emit(spec->range, findings::NotConstant());
                 break;
             }
             if (!areEqual) continue;
@@ -346,25 +349,25 @@ void initialiseDeclared(World& world, InitialValue& out, TypeId type, uint32_t o
         }
     }
     if (value)
-        world.emit(value->range,
+        check.emit(value->range,
                    findings::NotAllowedHere(phrases::AnInitialValue(), phrases::InADeclarationWithFbInit()));
 }
 
 /// The initial value of a declared variable at `offset` of `out`.
-void setInitial(World& world, InitialValue& out, Variable& variable, uint32_t offset) {
+void setInitial(WorldBuilder& world, InitialValue& out, Variable& variable, uint32_t offset) {
     const syntax::Expr* initial = variable.declaration ? variable.declaration->initial : nullptr;
     initialiseDeclared(world, out, variable.type, offset, -1, initial, variable.scope, variable.spec);
 }
 
 namespace {
 
-void construct(World& world, Context& checker, tree::Place* place, const std::vector<syntax::Argument>* constructor,
+void construct(Context& checker, tree::Place* place, const std::vector<syntax::Argument>* constructor,
                std::vector<tree::Stmt*>& out);
 
 /// A loop for each dimension instead of a call for each element: the code does not grow with the array.
-void constructArray(World& world, Context& checker, tree::Place* place,
-                    const std::vector<syntax::Argument>* constructor, std::vector<tree::Stmt*>& out) {
-    const types::Type& type = world.types[place->type];
+void constructArray(Context& checker, tree::Place* place, const std::vector<syntax::Argument>* constructor,
+                    std::vector<tree::Stmt*>& out) {
+    const types::Type& type = checker.world.types[place->type];
     const TypeId lint = types::TypeTable::of(TypeKind::Lint);
     tree::Place* element = checker.arena.make<tree::Place>();
     element->kind = tree::PlaceKind::Index;
@@ -384,16 +387,16 @@ void constructArray(World& world, Context& checker, tree::Place* place,
         into->push_back(loop);
         into = &loop->body;
     }
-    construct(world, checker, element, constructor, *into);
+    construct(checker, element, constructor, *into);
 }
 
-void callInit(World& world, Context& checker, tree::Place* place, Unit& method,
-              const std::vector<syntax::Argument>* constructor, bool isLast, std::vector<tree::Stmt*>& out) {
+void callInit(Context& checker, tree::Place* place, Unit& method, const std::vector<syntax::Argument>* constructor,
+              bool isLast, std::vector<tree::Stmt*>& out) {
     syntax::Expr call;
     call.kind = syntax::ExprKind::Call;
     call.range = place->range;
     static constexpr std::string_view kImplicit[] = {"bInitRetains", "bInCopyCode"};
-    completeUnit(world, method, place->range);
+    completeUnit(checker, method, place->range);
     std::vector<const Variable*> own;
     syntax::Expr yes, no;
     yes.kind = no.kind = syntax::ExprKind::Literal;
@@ -449,12 +452,12 @@ void callInit(World& world, Context& checker, tree::Place* place, Unit& method,
     out.push_back(evaluate);
 }
 
-void construct(World& world, Context& checker, tree::Place* place, const std::vector<syntax::Argument>* constructor,
+void construct(Context& checker, tree::Place* place, const std::vector<syntax::Argument>* constructor,
                std::vector<tree::Stmt*>& out) {
-    if (world.types.kind(place->type) == TypeKind::Array)
-        return constructArray(world, checker, place, constructor, out);
+    if (checker.world.types.kind(place->type) == TypeKind::Array)
+        return constructArray(checker, place, constructor, out);
     takeAddress(checker, place);
-    if (const tree::FunctionId init = initialiserOf(world, place->type); init.isValid()) {
+    if (const tree::FunctionId init = initialiserOf(checker, place->type); init.isValid()) {
         tree::Expr* call = checker.arena.make<tree::Expr>();
         call->kind = tree::ExprKind::Call;
         call->type = types::TypeTable::of(TypeKind::Void);
@@ -467,16 +470,16 @@ void construct(World& world, Context& checker, tree::Place* place, const std::ve
         out.push_back(evaluate);
     }
     std::vector<Unit*> chain; // FB_Init of the bases first
-    const NameId id = world.names.find("FB_Init");
-    for (Unit* unit = world.unitOf(place->type); unit; unit = unit->base)
+    const NameId id = checker.world.names.find("FB_Init");
+    for (Unit* unit = checker.world.unitOf(place->type); unit; unit = unit->base)
         if (const auto it = unit->members.find(id); it != unit->members.end() && it->second.unit)
             chain.push_back(it->second.unit);
-    for (size_t i = chain.size(); i-- > 0;) callInit(world, checker, place, *chain[i], constructor, i == 0, out);
+    for (size_t i = chain.size(); i-- > 0;) callInit(checker, place, *chain[i], constructor, i == 0, out);
 }
 
 } // namespace
 
-void emitDynamics(World& world, Context& checker, const std::vector<DynamicInit>& dynamics,
+void emitDynamics(Context& checker, const std::vector<DynamicInit>& dynamics,
                   const std::function<tree::Place*(const DynamicInit&)>& placeOf, std::vector<tree::Stmt*>& out) {
     const Scope outer = checker.scope;
     for (const DynamicInit& dynamic : dynamics) {
@@ -484,7 +487,7 @@ void emitDynamics(World& world, Context& checker, const std::vector<DynamicInit>
         checker.scope = dynamic.scope;
         if (dynamic.value) place->range = dynamic.value->range;
         if (dynamic.isConstruction) {
-            construct(world, checker, place, dynamic.constructor, out);
+            construct(checker, place, dynamic.constructor, out);
         } else if (dynamic.isReference) {
             bindReference(checker, place, *dynamic.value, {}, out);
         } else {
@@ -496,23 +499,25 @@ void emitDynamics(World& world, Context& checker, const std::vector<DynamicInit>
 }
 
 /// Made when it is first needed, and once for a type: most types have nothing that bytes cannot say.
-tree::FunctionId initialiserOf(World& world, TypeId type) {
-    if (const auto it = world.initialisers.find(type); it != world.initialisers.end()) return it->second;
-    const auto initial = world.typeInitials.find(type);
-    if (initial == world.typeInitials.end() || initial->second.dynamics.empty()) return world.initialisers[type] = {};
-    const tree::FunctionId id = newFunction(world, world.nameOf(type) + ".INIT", world.unitOf(type));
-    world.initialisers[type] = id;
-    tree::Function& function = world.functions[id.index()];
+tree::FunctionId initialiserOf(const Check& check, TypeId type) {
+    Gathered& gathered = check.gathered;
+    if (const auto it = gathered.initialisers.find(type); it != gathered.initialisers.end()) return it->second;
+    const auto initial = check.world.typeInitials.find(type);
+    if (initial == check.world.typeInitials.end() || initial->second.dynamics.empty())
+        return gathered.initialisers[type] = {};
+    const tree::FunctionId id = newFunction(gathered, check.world.nameOf(type) + ".INIT", check.world.unitOf(type));
+    gathered.initialisers[type] = id;
+    tree::Function& function = gathered.functions[id.index()];
     function.instanceType = type;
-    Context checker(world, {world.unitOf(type), nullptr, nullptr}, world.sink, world.arena);
+    Context checker(check, {check.world.unitOf(type), nullptr, nullptr}, gathered.sink, gathered.arena);
     checker.function = &function;
     checker.functionId = id;
     const std::vector<DynamicInit> dynamics = initial->second.dynamics;
     emitDynamics(
-        world, checker, dynamics,
+        checker, dynamics,
         [&](const DynamicInit& dynamic) {
             tree::Place* place =
-                absolutePlace(checker, dynamic.offset, dynamic.type, dynamic.bit, world.types[type].declaration);
+                absolutePlace(checker, dynamic.offset, dynamic.type, dynamic.bit, check.world.types[type].declaration);
             place->kind = tree::PlaceKind::Instance;
             return place;
         },
@@ -520,7 +525,7 @@ tree::FunctionId initialiserOf(World& world, TypeId type) {
     return id;
 }
 
-void buildInitialiser(World& world) {
+void buildInitialiser(WorldBuilder& world) {
     if (world.programInits.empty()) return;
     const tree::FunctionId id = newFunction(world, "INIT", nullptr);
     tree::Function& function = world.functions[id.index()];
@@ -528,7 +533,7 @@ void buildInitialiser(World& world) {
     checker.function = &function;
     checker.functionId = id;
     emitDynamics(
-        world, checker, world.programInits,
+        checker, world.programInits,
         [&](const DynamicInit& dynamic) {
             return absolutePlace(checker, dynamic.offset, dynamic.type, dynamic.bit,
                                  world.types[dynamic.type].declaration);

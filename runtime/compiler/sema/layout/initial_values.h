@@ -5,17 +5,17 @@
 
 namespace plc::sema {
 
-bool needsConstruction(World& world, TypeId type);
-void writeConstant(World& world, InitialValue& out, TypeId type, uint32_t offset, int16_t bit,
+bool needsConstruction(const World& world, TypeId type);
+void writeConstant(const World& world, InitialValue& out, TypeId type, uint32_t offset, int16_t bit,
                    const types::Value& value);
-void initialise(World& world, InitialValue& out, TypeId type, uint32_t offset, int16_t bit, const syntax::Expr* value,
-                const Scope& scope, const std::vector<syntax::Argument>* constructor);
+void initialise(const Check& check, InitialValue& out, TypeId type, uint32_t offset, int16_t bit,
+                const syntax::Expr* value, const Scope& scope, const std::vector<syntax::Argument>* constructor);
 bool hasConstructor(const syntax::TypeSpec* spec);
-void initialiseDeclared(World& world, InitialValue& out, TypeId type, uint32_t offset, int16_t bit,
+void initialiseDeclared(const Check& check, InitialValue& out, TypeId type, uint32_t offset, int16_t bit,
                         const syntax::Expr* value, const Scope& scope, const syntax::TypeSpec* spec);
-void setInitial(World& world, InitialValue& out, Variable& variable, uint32_t offset);
-void emitDynamics(World& world, Context& checker, const std::vector<DynamicInit>& dynamics,
+void setInitial(WorldBuilder& world, InitialValue& out, Variable& variable, uint32_t offset);
+void emitDynamics(Context& checker, const std::vector<DynamicInit>& dynamics,
                   const std::function<tree::Place*(const DynamicInit&)>& place, std::vector<tree::Stmt*>& out);
-void buildInitialiser(World& world);
+void buildInitialiser(WorldBuilder& world);
 
 } // namespace plc::sema

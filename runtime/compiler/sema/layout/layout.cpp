@@ -16,8 +16,8 @@ namespace plc::sema {
 
 using image::Area;
 
-static void checkAddressSize(World& world, const Variable& variable, std::string_view text, SourceRange range);
-static void checkOverlaps(World& world);
+static void checkAddressSize(WorldBuilder& world, const Variable& variable, std::string_view text, SourceRange range);
+static void checkOverlaps(WorldBuilder& world);
 
 namespace {
 constexpr uint32_t kHeader = sizeof(image::ImageHeader);
@@ -43,7 +43,7 @@ image::AreaRange areaOf(const World& world, Area area) {
 
 /// Gives a variable with a complete address its place (again once the areas are measured).
 ///   wrong: x AT %IX99999999.0 : BOOL;  (P2034)
-void locate(World& world, Variable& variable, std::string_view text) {
+void locate(WorldBuilder& world, Variable& variable, std::string_view text) {
     const auto address = addressIn(world, text);
     const SourceRange range = variable.declaration && variable.declaration->addressRange.file.isValid()
                                   ? variable.declaration->addressRange
@@ -68,7 +68,7 @@ void locate(World& world, Variable& variable, std::string_view text) {
 
 /// The letter of an address and the type say the same size.
 ///   ok:    a AT %IW4 : INT; b AT %QX0.1 : BOOL;      wrong: a AT %IX4.0 : INT; b AT %QW0 : BOOL;  (P3037)
-void checkAddressSize(World& world, const Variable& variable, std::string_view text, SourceRange range) {
+void checkAddressSize(WorldBuilder& world, const Variable& variable, std::string_view text, SourceRange range) {
     const auto address = addressIn(world, text);
     const types::Family family = world.types.family(variable.type);
     const bool isNumber = types::isInteger(family) || family == types::Family::Real || family == types::Family::Bool;
@@ -90,7 +90,7 @@ namespace {
 /// offset is fixed here once for all; what runs, records and shows knows nothing but these.
 class GlobalLayout {
 public:
-    explicit GlobalLayout(World& world) : m_world(world), m_layout(world.program->layout) {}
+    explicit GlobalLayout(WorldBuilder& world) : m_world(world), m_layout(world.program->layout) {}
 
     void run() {
         areas();
@@ -258,7 +258,7 @@ private:
         }
     }
 
-    World& m_world;
+    WorldBuilder& m_world;
     image::Layout& m_layout;
     uint64_t m_next = 0; // the first free byte
     bool m_isTooLarge = false;
@@ -267,7 +267,7 @@ private:
 
 } // namespace
 
-void layoutGlobals(World& world) {
+void layoutGlobals(WorldBuilder& world) {
     measureAddresses(world);
     GlobalLayout(world).run();
     checkOverlaps(world);
@@ -301,7 +301,7 @@ private:
 } // namespace
 
 ///   ok:    a AT %MW0 : WORD; b AT %MB2 : BYTE;      advice: a AT %MW0 : WORD; b AT %MB1 : BYTE;  (P3011)
-void checkOverlaps(World& world) {
+void checkOverlaps(WorldBuilder& world) {
     struct Used {
         const Variable* variable;
         uint64_t begin, end; // in bits
@@ -367,7 +367,7 @@ void checkOverlaps(World& world) {
     }
 }
 
-void finishLayout(World& world) {
+void finishLayout(WorldBuilder& world) {
     image::Layout& layout = world.program->layout;
     layout.frameBegin = aligned(layout.dataEnd, 64);
     uint64_t frames = kMinimumFrames;

@@ -5,8 +5,8 @@
 namespace plc::sema {
 
 [[nodiscard]] image::AreaRange areaOf(const World& world, image::Area area);
-void locate(World& world, Variable& variable, std::string_view path);
-void layoutGlobals(World& world);
-void finishLayout(World& world);
+void locate(WorldBuilder& world, Variable& variable, std::string_view path);
+void layoutGlobals(WorldBuilder& world);
+void finishLayout(WorldBuilder& world);
 
 } // namespace plc::sema

@@ -8,8 +8,8 @@
 #include <algorithm>
 
 namespace plc::sema {
-static bool locateMember(World& world, types::Field& field, const syntax::VarDecl& declaration);
-static void checkMemberOverlaps(World& world, const StructType& type, const std::vector<types::Field>& fields,
+static bool locateMember(WorldBuilder& world, types::Field& field, const syntax::VarDecl& declaration);
+static void checkMemberOverlaps(WorldBuilder& world, const StructType& type, const std::vector<types::Field>& fields,
                                 size_t inherited, const std::vector<const syntax::VarDecl*>& declarations);
 
 namespace {
@@ -21,12 +21,17 @@ std::optional<DirectAddress> parseRelative(std::string_view text) {
     return address && !address->isHierarchical ? address : std::nullopt;
 }
 
+/// AT %I* of a member: each variable of the structure gets its channel from the devices, it has no place in the image.
+bool isOpenChannel(std::string_view text) {
+    return text.size() == 3 && text[2] == '*' && std::string_view("IQMiqm").find(text[1]) != std::string_view::npos;
+}
+
 constexpr uint32_t kMaximumByte = 1u << 24;
 
 } // namespace
 
 /// Gives the members with an address their place; those of the base keep theirs when one has.
-void locateMembers(World& world, const StructType& made, std::vector<types::Field>& fields, size_t inherited,
+void locateMembers(WorldBuilder& world, const StructType& made, std::vector<types::Field>& fields, size_t inherited,
                    const std::vector<const syntax::VarDecl*>& declarations) {
     bool any = false;
     for (size_t i = inherited; i < fields.size(); ++i) {
@@ -44,8 +49,9 @@ void locateMembers(World& world, const StructType& made, std::vector<types::Fiel
 /// The size letter agrees with the type; B is the byte a member of any type begins at.
 ///   ok:    a AT %B0 : INT; b AT %W2 : INT; c AT %X4.1 : BOOL;      wrong: a AT %IB0 : INT; (P2043) b AT %D0 : INT;
 ///   (P3037)
-bool locateMember(World& world, types::Field& field, const syntax::VarDecl& declaration) {
+bool locateMember(WorldBuilder& world, types::Field& field, const syntax::VarDecl& declaration) {
     const std::string_view text = declaration.address;
+    if (isOpenChannel(text)) return false;
     const auto address = parseRelative(text);
     if (!address || (!address->isOpen && address->byte > kMaximumByte)) {
         if (!hasSyntaxErrorAt(world, declaration.addressRange))
@@ -77,7 +83,7 @@ bool locateMember(World& world, types::Field& field, const syntax::VarDecl& decl
 }
 
 ///   wrong: a AT %B0 : INT; b AT %B1 : INT; (P2042)      ok: the same in STRUCT OVERLAP
-void checkMemberOverlaps(World& world, const StructType& made, const std::vector<types::Field>& fields,
+void checkMemberOverlaps(WorldBuilder& world, const StructType& made, const std::vector<types::Field>& fields,
                          size_t inherited, const std::vector<const syntax::VarDecl*>& declarations) {
     struct Used {
         size_t field;

@@ -5,7 +5,7 @@
 
 namespace plc::sema {
 
-void locateMembers(World& world, const StructType& type, std::vector<types::Field>& fields, size_t inherited,
+void locateMembers(WorldBuilder& world, const StructType& type, std::vector<types::Field>& fields, size_t inherited,
                    const std::vector<const syntax::VarDecl*>& declarations);
 
 } // namespace plc::sema

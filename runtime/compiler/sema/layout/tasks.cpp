@@ -28,7 +28,7 @@ bool hasSimulation(const std::vector<syntax::Pragma>& pragmas) {
 /// Reads one TASK of a resource. Lives for that.
 class TaskReader {
 public:
-    TaskReader(World& world, const Configuration& configuration, const syntax::TaskDecl& declared)
+    TaskReader(WorldBuilder& world, const Configuration& configuration, const syntax::TaskDecl& declared)
         : m_world(world), m_scope{nullptr, configuration.space, configuration.file}, m_declared(declared) {}
 
     image::Task read() {
@@ -128,7 +128,7 @@ private:
 
     void tellFreewheeling();
 
-    World& m_world;
+    WorldBuilder& m_world;
     const Scope m_scope;
     const syntax::TaskDecl& m_declared;
     image::Task m_task;
@@ -156,7 +156,7 @@ void TaskReader::tellFreewheeling() {
 }
 
 /// Assigns inputs before a program's body, outputs behind it.
-void connect(World& world, Instance& instance, image::TaskProgram& entry) {
+void connect(WorldBuilder& world, Instance& instance, image::TaskProgram& entry) {
     Unit& unit = *instance.variable->program;
     const Scope scope = instance.scope;
     const auto build = [&](bool isInput) -> uint32_t {
@@ -181,7 +181,7 @@ void connect(World& world, Instance& instance, image::TaskProgram& entry) {
             if (!argument.name.isValid() || !argument.value) continue;
             const bool isOutput = argument.kind == syntax::ArgumentKind::Output;
             if (isOutput == isInput) continue;
-            const Member member = findMember(world, unit, world.key(argument.name.text));
+            const Member member = findMember(unit, world.key(argument.name.text));
             if (!member.variable) {
                 suggest(world,
                         world.emit(argument.name.range, findings::UnknownParameter(unit.name, argument.name.text)),
@@ -249,7 +249,7 @@ struct DeclaredTask {
 
 /// Task names are unique within a resource (edition 2, 2.7.2).
 ///   wrong: TASK Fast(INTERVAL := T#10ms); TASK Fast(INTERVAL := T#20ms);  (P3012)
-std::vector<DeclaredTask> declaredTasks(World& world) {
+std::vector<DeclaredTask> declaredTasks(WorldBuilder& world) {
     std::vector<DeclaredTask> tasks;
     forEachResource(world, [&](const Configuration& configuration, const syntax::ResourceDecl& resource) {
         for (const syntax::TaskDecl* declared : resource.tasks) {
@@ -267,7 +267,7 @@ std::vector<DeclaredTask> declaredTasks(World& world) {
 }
 
 /// What a task calls for an instance.
-image::TaskProgram entryOf(World& world, Instance& instance) {
+image::TaskProgram entryOf(WorldBuilder& world, Instance& instance) {
     image::TaskProgram entry;
     entry.root = instance.root;
     entry.function = instance.variable->program->function.value;
@@ -278,7 +278,7 @@ image::TaskProgram entryOf(World& world, Instance& instance) {
 /// The tasks of the program while its instances are dealt out to them.
 class TaskBook {
 public:
-    explicit TaskBook(World& world)
+    explicit TaskBook(WorldBuilder& world)
         : m_world(world), m_declared(declaredTasks(world)), m_simulations(m_declared.size()) {
         m_free.name = "Free";
         m_simulation.name = "Simulation";
@@ -360,7 +360,7 @@ private:
     /// PROGRAM A WITH T : P(fb WITH T2): the body of that block runs in a task of its own (edition 2, 2.7.2).
     ///   wrong: P(x WITH T2)  with x : INT (P3038)
     void addBlock(const Instance& instance, const syntax::Argument& block, bool simulates) {
-        const Member member = findMember(m_world, *instance.variable->program, m_world.key(block.name.text));
+        const Member member = findMember(*instance.variable->program, m_world.key(block.name.text));
         Variable* variable = member.variable;
         Unit* unit = variable ? m_world.unitOf(typeOf(m_world, *variable)) : nullptr;
         if (!unit || unit->kind != UnitKind::Block || variable->storage != Storage::Instance || variable->isInOut())
@@ -400,7 +400,7 @@ private:
         m_main->programs.push_back(entryOf(m_world, *chosen));
     }
 
-    World& m_world;
+    WorldBuilder& m_world;
     std::vector<DeclaredTask> m_declared;
     std::vector<image::Task> m_simulations; // of the declared tasks, for programs that simulate
     image::Task m_free, m_simulation;       // without a task
@@ -410,7 +410,7 @@ private:
 
 } // namespace
 
-void buildTasks(World& world) {
+void buildTasks(WorldBuilder& world) {
     TaskBook book(world);
     book.addConfigured();
     book.addDefault();

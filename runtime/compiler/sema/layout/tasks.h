@@ -5,6 +5,6 @@
 
 namespace plc::sema {
 
-void buildTasks(World& world);
+void buildTasks(WorldBuilder& world);
 
 } // namespace plc::sema

@@ -20,9 +20,9 @@ using types::FieldSection;
 using types::TypeTable;
 
 static void makeStatic(Variable& variable);
-static void placeVariables(World& world, Unit& unit, std::vector<std::pair<Variable*, uint32_t>>& fields);
-static void noteBlockNesting(World& world, const Unit& unit);
-static void completeFunction(World& world, Unit& unit);
+static void placeVariables(WorldBuilder& world, Unit& unit, std::vector<std::pair<Variable*, uint32_t>>& fields);
+static void noteBlockNesting(WorldBuilder& world, const Unit& unit);
+static void completeFunction(WorldBuilder& world, Unit& unit);
 
 namespace {
 
@@ -51,7 +51,7 @@ bool isFoldable(const types::TypeTable& types, TypeId type) {
     return types::isElementary(kind) || kind == TypeKind::String || kind == TypeKind::Wstring;
 }
 
-void collectParameters(World& world, Unit& unit) {
+void collectParameters(WorldBuilder& world, Unit& unit) {
     if (unit.memberProgress == Progress::Done) return;
     unit.memberProgress = Progress::Done;
     resolveBases(world, unit);
@@ -85,7 +85,7 @@ void addAliases(types::Field& field, std::string_view list) {
 /// Decides for each variable of a block or program where it is stored; what lies in the instance becomes a field.
 class FieldPlacing {
 public:
-    FieldPlacing(World& world, Unit& unit, std::vector<std::pair<Variable*, uint32_t>>& fields)
+    FieldPlacing(WorldBuilder& world, Unit& unit, std::vector<std::pair<Variable*, uint32_t>>& fields)
         : m_world(world), m_unit(unit), m_fields(fields) {}
 
     void own(Variable& variable) {
@@ -188,7 +188,7 @@ private:
         all.push_back(std::move(field));
     }
 
-    World& m_world;
+    WorldBuilder& m_world;
     Unit& m_unit;
     std::vector<std::pair<Variable*, uint32_t>>& m_fields;
 };
@@ -197,14 +197,14 @@ private:
 
 /// Where the variables of a block or program live.
 ///   wrong: FUNCTION_BLOCK B VAR_GLOBAL x : INT; END_VAR  (P3018)
-void placeVariables(World& world, Unit& unit, std::vector<std::pair<Variable*, uint32_t>>& fields) {
+void placeVariables(WorldBuilder& world, Unit& unit, std::vector<std::pair<Variable*, uint32_t>>& fields) {
     FieldPlacing placing(world, unit, fields);
     for (Variable& variable : unit.variables) placing.own(variable);
     for (Unit* method : unit.methods)
         for (Variable& variable : method->variables) placing.ofMethod(*method, variable);
 }
 
-void noteBlockNesting(World& world, const Unit& unit) {
+void noteBlockNesting(WorldBuilder& world, const Unit& unit) {
     uint32_t nesting = 0;
     for (const types::Field& field : world.types[unit.type].fields)
         if (field.section != FieldSection::InOut) nesting = std::max(nesting, 1 + nestingOf(world, field.type));
@@ -213,7 +213,7 @@ void noteBlockNesting(World& world, const Unit& unit) {
 
 /// Gives a unit its parameters and its variables their places; of a block or program also the type with its initial
 /// bytes. A base lies at the beginning of what extends it, so that a pointer to the one is a pointer to the other.
-void completeUnit(World& world, Unit& unit, SourceRange usedAt) {
+void completeUnit(WorldBuilder& world, Unit& unit, SourceRange usedAt) {
     if (unit.layoutProgress != Progress::Open) return;
     unit.layoutProgress = Progress::Working;
     resolveBases(world, unit);
@@ -287,9 +287,13 @@ void completeUnit(World& world, Unit& unit, SourceRange usedAt) {
     world.types.edit(unit.type).base = unit.base ? unit.base->type : TypeId();
 }
 
+void completeUnit(const Check& check, Unit& unit, SourceRange usedAt) {
+    if (check.builder) completeUnit(*check.builder, unit, usedAt);
+}
+
 /// A function keeps nothing between its calls (edition 3, 6.6.2).
 ///   wrong: FUNCTION F VAR RETAIN x : INT; END_VAR  (P3018)      advice: FUNCTION F VAR t : TON; END_VAR  (P3030)
-void completeFunction(World& world, Unit& unit) {
+void completeFunction(WorldBuilder& world, Unit& unit) {
     const auto addLocal = [&](Variable& variable, tree::LocalKind kind) {
         tree::Function& function = world.functions[unit.function.index()];
         tree::Local local;
@@ -363,7 +367,7 @@ void completeFunction(World& world, Unit& unit) {
 }
 
 /// Blocks with methods, interfaces or relatives carry their number at offset 0 of each instance.
-void markHeaders(World& world) {
+void markHeaders(WorldBuilder& world) {
     uint32_t number = 0;
     for (Unit& unit : world.units) {
         if (!unit.isInstanced()) continue;

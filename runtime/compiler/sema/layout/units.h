@@ -4,8 +4,9 @@
 
 namespace plc::sema {
 
-void collectParameters(World& world, Unit& unit);
-void completeUnit(World& world, Unit& unit, SourceRange usedAt);
-void markHeaders(World& world);
+void collectParameters(WorldBuilder& world, Unit& unit);
+void completeUnit(WorldBuilder& world, Unit& unit, SourceRange usedAt);
+void completeUnit(const Check& check, Unit& unit, SourceRange usedAt);
+void markHeaders(WorldBuilder& world);
 
 } // namespace plc::sema

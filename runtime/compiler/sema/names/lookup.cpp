@@ -2,25 +2,21 @@
 #include "runtime/compiler/sema/names/lookup.h"
 
 #include "runtime/compiler/sema/context.h"
-#include "runtime/compiler/sema/program/oop.h"
 
 #include "runtime/base/text.h"
 
 namespace plc::sema {
-static Member findInInterfaces(World& world, Unit& first, NameId id);
+static Member findInInterfaces(Unit& first, NameId id);
 static bool hasWanted(const Found& found, bool wantsType);
 static Found lookupUsed(const std::vector<Space*>& used, NameId id, bool wantsType);
 
-namespace {}
-
 /// Interfaces may be reached on many ways; each is searched once.
-Member findInInterfaces(World& world, Unit& first, NameId id) {
+Member findInInterfaces(Unit& first, NameId id) {
     std::vector<Unit*> open{&first}, seen{&first};
     while (!open.empty()) {
         Unit& unit = *open.back();
         open.pop_back();
         if (const auto it = unit.members.find(id); it != unit.members.end()) return it->second;
-        resolveBases(world, unit);
         for (auto at = unit.interfaces.rbegin(); at != unit.interfaces.rend(); ++at) {
             if (std::find(seen.begin(), seen.end(), *at) != seen.end()) continue;
             seen.push_back(*at);
@@ -30,12 +26,11 @@ Member findInInterfaces(World& world, Unit& first, NameId id) {
     return {};
 }
 
-Member findMember(World& world, Unit& unit, NameId id) {
-    if (unit.kind == UnitKind::Interface) return findInInterfaces(world, unit, id);
+Member findMember(Unit& unit, NameId id) {
+    if (unit.kind == UnitKind::Interface) return findInInterfaces(unit, id);
     for (Unit* at = &unit; at; at = at->base) {
         if (const auto it = at->members.find(id); it != at->members.end()) return it->second;
         if (!at->isInstanced()) break;
-        resolveBases(world, *at);
     }
     return {};
 }
@@ -90,7 +85,7 @@ Found lookupUsed(const std::vector<Space*>& used, NameId id, bool wantsType) {
 
 /// What a name means, from the inside out: the unit, the blocks around it, what it uses (USING), its namespaces, the
 /// file's USINGs, the top, and last the libraries, so that a new name in a library never changes what a program means.
-Found lookup(World& world, const Scope& scope, NameId id, bool wantsType) {
+Found lookup(const World& world, const Scope& scope, NameId id, bool wantsType) {
     if (!id.isValid()) return {};
     Found found;
     const auto isEnough = [&](const Found& f) { return hasWanted(f, wantsType); };
@@ -99,11 +94,11 @@ Found lookup(World& world, const Scope& scope, NameId id, bool wantsType) {
         if (it != unit.enumerators.end() && found.enumerators.empty()) found.enumerators = it->second;
     };
     if (scope.unit && !wantsType) {
-        found.member = findMember(world, *scope.unit, id);
+        found.member = findMember(*scope.unit, id);
         enumeratorsIn(*scope.unit);
         Unit* self = scope.unit->self();
         for (Unit* owner = scope.unit->owner; owner && !found.member; owner = owner->owner) {
-            found.member = findMember(world, *owner, id);
+            found.member = findMember(*owner, id);
             enumeratorsIn(*owner);
         }
         for (Unit* base = self; base && found.enumerators.empty(); base = base->base) enumeratorsIn(*base);
@@ -143,7 +138,7 @@ Found lookup(World& world, const Scope& scope, NameId id, bool wantsType) {
     return first;
 }
 
-Found lookupPath(World& world, const Scope& scope, const syntax::Path& path) {
+Found lookupPath(const World& world, const Scope& scope, const syntax::Path& path) {
     if (path.empty()) return {};
     Found found = lookup(world, scope, world.names.find(path.front().text), true);
     for (size_t i = 1; i < path.size(); ++i) {
@@ -197,7 +192,7 @@ std::vector<std::string> visibleNames(const World& world, const Scope& scope) {
     return out;
 }
 
-std::vector<std::string> memberNames(World& world, TypeId type) {
+std::vector<std::string> memberNames(const World& world, TypeId type) {
     std::vector<std::string> out;
     for (const types::Field& field : world.types[type].fields)
         if (!field.isPrivate) out.push_back(field.name);
@@ -223,19 +218,19 @@ static void offerNearest(diagnostics::Diagnostic& diagnostic, SourceRange range,
 }
 
 bool maySuggest(const Context& context) {
-    return context.isExpression || context.world.suggestions <= kMaximumSuggestions;
+    return context.isExpression || context.gathered.suggestions <= kMaximumSuggestions;
 }
 
 /// The near name costs a look at every name in sight: a text full of unknown names stops asking for it.
-void suggest(World& world, diagnostics::Diagnostic& diagnostic, SourceRange range, std::string_view name,
+void suggest(Gathered& gathered, diagnostics::Diagnostic& diagnostic, SourceRange range, std::string_view name,
              const std::vector<std::string>& candidates) {
     if (name.size() < 3) return; // everything is near to it
-    if (++world.suggestions <= kMaximumSuggestions) offerNearest(diagnostic, range, name, candidates);
+    if (++gathered.suggestions <= kMaximumSuggestions) offerNearest(diagnostic, range, name, candidates);
 }
 
 void suggest(Context& context, diagnostics::Diagnostic& diagnostic, SourceRange range, std::string_view name,
              const std::vector<std::string>& candidates) {
-    if (!context.isExpression) return suggest(context.world, diagnostic, range, name, candidates);
+    if (!context.isExpression) return suggest(context.gathered, diagnostic, range, name, candidates);
     if (name.size() >= 3) offerNearest(diagnostic, range, name, candidates);
 }
 

@@ -91,7 +91,7 @@ Denoted memberOfBlock(Context& context, tree::Place* base, const Denoted& from, 
                       SourceRange range, Access access) {
     Unit* unit = context.world.unitOf(base->type);
     if (!unit) return unknownMember(context, base->type, name);
-    Member member = findMember(context.world, *unit, context.key(name.text));
+    Member member = findMember(*unit, context.key(name.text));
     const bool fromInside = isSeenFromInside(context, *base);
     // a local of the block does not hide its method or property of that name from outside
     if (member.variable && (member.unit || member.property) && !fromInside && !isParameterKind(member.variable->kind))
@@ -120,7 +120,7 @@ Denoted memberOfInterface(Context& context, tree::Place* base, const syntax::Nam
                           Access access) {
     Unit* unit = context.world.unitOf(base->type);
     if (!unit) return unknownMember(context, base->type, name);
-    const Member member = findMember(context.world, *unit, context.key(name.text));
+    const Member member = findMember(*unit, context.key(name.text));
     Denoted out;
     if (member.unit) {
         refer(context, name.range, member.unit->symbol, Access::Read);
@@ -168,7 +168,7 @@ Denoted memberOf(Context& context, tree::Place* base, const Denoted& from, const
 
 /// Whether a variable of this type could have such a member; scalars have none.
 bool hasMembers(Context& context, Variable& variable, std::string_view name) {
-    const TypeId type = typeOf(context.world, variable);
+    const TypeId type = typeOf(context, variable);
     const TypeKind kind = context.types.kind(type);
     if (kind == TypeKind::Struct || kind == TypeKind::Union) return fieldOf(context.world, type, name) != nullptr;
     return kind == TypeKind::Block || kind == TypeKind::Interface || kind == TypeKind::Pointer ||
@@ -238,9 +238,9 @@ Denoted memberOfUnit(Context& context, const Denoted& from, const syntax::Expr& 
     const syntax::Expr& base = *e.base;
     const NameId id = context.key(e.name.text);
     Unit& unit = *from.unit;
-    const Member member = unit.isInstanced() ? findMember(context.world, unit, id) : Member{};
+    const Member member = unit.isInstanced() ? findMember(unit, id) : Member{};
     if (member.variable &&
-        ((member.variable->isConstant && isFoldable(context.types, typeOf(context.world, *member.variable))) ||
+        ((member.variable->isConstant && isFoldable(context.types, typeOf(context, *member.variable))) ||
          member.variable->storage == Storage::Absolute))
         return ofVariable(context, *member.variable, nullptr, e.range, access);
     if (unit.kind == UnitKind::Program) {
@@ -271,7 +271,7 @@ Denoted memberOfUnit(Context& context, const Denoted& from, const syntax::Expr& 
 }
 
 /// R1.A: the instance of a program that several resources have under one name.
-Variable* instanceIn(World& world, const GlobalsList& list, NameId id) {
+Variable* instanceIn(const World& world, const GlobalsList& list, NameId id) {
     for (const Instance& instance : world.instances)
         if (instance.variable->id == id && equalsIgnoringCase(instance.resourceName, list.name))
             return instance.variable;
@@ -320,13 +320,13 @@ Denoted denoteBase(Context& context, const syntax::Expr& e, Access access, TypeI
                     : result.ambiguous.empty() ? result.entity.variable
                                                : nullptr;
     if (context.isExpression && own && own->isProgramInstance && own->program &&
-        !findMember(context.world, *own->program, id)) // a name only the image has: VAR_ACCESS of a program
+        !findMember(*own->program, id)) // a name only the image has: VAR_ACCESS of a program
         if (const auto place =
                 context.world.program->layout.find(std::string(base.name.text) + "." + std::string(e.name.text)))
             return placeOf(absolutePlace(context, place->offset, place->type, place->bit, e.range));
     if (own && !hasMembers(context, *own, e.name.text)) { // a variable may have the name of its type: Light.Red
         const Found outer = lookup(context.world, context.scope, context.key(base.name.text), true);
-        if (outer.entity.type && context.world.enumsByType.count(resolveDeclared(context.world, *outer.entity.type))) {
+        if (outer.entity.type && context.world.enumsByType.count(resolveDeclared(context, *outer.entity.type))) {
             Found typeOnly;
             typeOnly.entity.type = outer.entity.type;
             from = found(context, typeOnly, base.name, Access::Read, {});

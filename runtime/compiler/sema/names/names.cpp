@@ -9,6 +9,7 @@
 #include "runtime/compiler/sema/names/members.h"
 #include "runtime/compiler/sema/names/places.h"
 #include "runtime/compiler/sema/names/unknown_base.h"
+#include "runtime/compiler/sema/program/analyze.h"
 #include "runtime/compiler/sema/program/oop.h"
 #include "runtime/compiler/sema/types/type_specs.h"
 #include "runtime/compiler/sema/values/constants.h"
@@ -213,7 +214,7 @@ Denoted found(Context& context, const Found& result, const syntax::Name& name, A
         Denoted out;
         out.kind = DK::Type;
         out.declaredType = result.entity.type;
-        out.type = resolveDeclared(context.world, *result.entity.type);
+        out.type = resolveDeclared(context, *result.entity.type);
         refer(context, name.range, result.entity.type->symbol, Access::Read);
         return out;
     }
@@ -255,7 +256,7 @@ Denoted found(Context& context, const Found& result, const syntax::Name& name, A
 
 /// The value of a constant; Nothing when it was reported, or is written to.
 static Denoted ofConstant(Context& context, Variable& variable, SourceRange range, bool isRead) {
-    const types::Value* value = constantOf(context.world, variable);
+    const types::Value* value = constantOf(context, variable);
     if (!value) return {};
     if (!isRead) {
         context.emit(range, findings::NotAssignable(phrases::ConstantVariable(variable.name)));
@@ -336,12 +337,12 @@ static void noteReadOnly(Context& context, Denoted& out, const Variable& variabl
 /// `instance`: the block it is a variable of; null: seen from inside, or a global.
 ///   wrong: c := 6;  with VAR CONSTANT c (P2005)   x := b.temp;  with VAR_TEMP temp (P2026)
 Denoted ofVariable(Context& context, Variable& declared, tree::Place* instance, SourceRange range, Access access) {
-    const TypeId type = typeOf(context.world, declared);
+    const TypeId type = typeOf(context, declared);
     refer(context, range, declared.symbol, access);
     Variable& variable = declared.target ? *declared.target : declared;
     if (!context.isMuted && !context.isExpression) {
         for (Variable* counted : {&declared, &variable})
-            context.world.count(*counted, access != Access::Write, access != Access::Read);
+            count(context, *counted, access != Access::Write, access != Access::Read);
     }
     if (declared.isResult && access != Access::Read && access != Access::Call) context.flow.isResultSet = true;
     const bool isRead = access == Access::Read || access == Access::Call;

@@ -29,6 +29,7 @@ tree::Place* localPlace(Context& context, uint32_t local, TypeId type, SourceRan
 tree::Place* thisPlace(Context& context, SourceRange range) {
     Unit* self = context.scope.unit ? context.scope.unit->self() : nullptr;
     const TypeId type = self ? self->type : context.elementary(TypeKind::Unknown);
+    // A watch expression has no THIS; it is seen from an instance whose place is known.
     if (context.instanceBase) return absolutePlace(context, *context.instanceBase, type, -1, range);
     tree::Place* place = absolutePlace(context, 0, type, -1, range);
     place->kind = tree::PlaceKind::Instance;
@@ -41,6 +42,7 @@ tree::Place* fieldPlace(Context& context, tree::Place* base, uint32_t offset, Ty
     place->type = type;
     place->range = range;
     place->bit = bit;
+    // One place for a.b.c instead of three: code and debugger see a constant offset.
     if (base->bit < 0 && (base->kind == tree::PlaceKind::Absolute || base->kind == tree::PlaceKind::Instance ||
                           base->kind == tree::PlaceKind::Field)) {
         place->kind = base->kind;
@@ -78,6 +80,7 @@ tree::Place* rootOf(tree::Place* place) {
 }
 
 void takeAddress(Context& context, tree::Place* place) {
+    // It is then kept in the frame, in the image; others may be registers, which nothing can point to.
     tree::Place* root = rootOf(place);
     if (root->kind == tree::PlaceKind::Local && context.function && root->local < context.function->locals.size() &&
         !context.function->locals[root->local].isInOut)
@@ -110,6 +113,7 @@ uint32_t temporaryOf(Context& context, Variable& variable) {
     tree::Local& made = context.function->locals[local];
     made.isHidden = false;
     made.declaration = variable.range;
+    // Before its initial value is checked, which may name it.
     context.temporaries.emplace(&variable, local);
     if (variable.declaration && variable.declaration->initial && !context.types.isAggregate(variable.type)) {
         const Operand initial =

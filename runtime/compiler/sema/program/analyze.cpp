@@ -7,7 +7,6 @@
 #include "runtime/compiler/sema/declare/tests.h"
 #include "runtime/compiler/sema/kept/last_check.h"
 #include "runtime/compiler/sema/kept_bodies.h"
-#include "runtime/compiler/sema/kept_world.h"
 #include "runtime/compiler/sema/layout/initial_values.h"
 #include "runtime/compiler/sema/layout/layout.h"
 #include "runtime/compiler/sema/layout/tasks.h"
@@ -26,12 +25,12 @@ namespace plc::sema {
 using diagnostics::Kind;
 
 using Files = std::vector<std::shared_ptr<const syntax::SyntaxFile>>;
-static size_t build(World& world, const Files& files, const LastCheck* last, bool isKept);
-static void useNamesIn(World& world, SourceRange range);
+static size_t build(WorldBuilder& world, const Files& files, const LastCheck* last, bool isKept);
+static void useNamesIn(WorldBuilder& world, SourceRange range);
 
-World::World(const SourceSet& theSources, const Options& theOptions)
-    : sources(theSources), options(theOptions), program(std::make_shared<tree::Program>()),
-      types(*(program->types = std::make_shared<types::TypeTable>())), arena(program->arena) {
+WorldBuilder::WorldBuilder(const SourceSet& theSources, const Options& theOptions,
+                           const std::shared_ptr<tree::Program>& theProgram)
+    : World(theSources, theOptions, theProgram), Gathered(*theProgram->types, theProgram->arena), program(theProgram) {
     functions.emplace_back(); // 0 is reserved
     for (const uint32_t capacity : {80u, 255u}) {
         types.string(capacity);
@@ -41,15 +40,15 @@ World::World(const SourceSet& theSources, const Options& theOptions)
     types.wstring(1);
 }
 
-SymbolId addSymbol(World& world, SymbolKind kind, std::string_view name, std::string_view owner, SourceRange range,
-                   std::string_view comment) {
-    Symbol& symbol = world.symbols.emplace_back();
+SymbolId addSymbol(Gathered& gathered, SymbolKind kind, std::string_view name, std::string_view owner,
+                   SourceRange range, std::string_view comment) {
+    Symbol& symbol = gathered.symbols.emplace_back();
     symbol.kind = kind;
     symbol.name = std::string(name);
     symbol.owner = std::string(owner);
     symbol.declaration = range;
     symbol.comment = std::string(comment);
-    return SymbolId(world.symbols.size() - 1);
+    return SymbolId(gathered.symbols.size() - 1);
 }
 
 bool isLibraryFile(const World& world, FileId file) {
@@ -63,27 +62,33 @@ bool hasSyntaxErrorAt(const World& world, SourceRange range) {
     });
 }
 
-void refer(World& world, SourceRange range, SymbolId symbol, bool isRead, bool isWrite) {
-    if (!symbol.isValid() || !range.file.isValid() || isLibraryFile(world, range.file)) return;
-    world.references.push_back({range, symbol, isWrite, isRead});
+void refer(const Check& check, SourceRange range, SymbolId symbol, bool isRead, bool isWrite) {
+    if (!symbol.isValid() || !range.file.isValid() || isLibraryFile(check.world, range.file)) return;
+    check.gathered.references.push_back({range, symbol, isWrite, isRead});
 }
 
-tree::FunctionId newFunction(World& world, std::string name, const Unit* unit) {
-    ++world.completions;
-    tree::Function& function = world.functions.emplace_back();
+void count(const Check& check, Variable& variable, bool isRead, bool isWrite) {
+    if (!check.builder) return (void)check.gathered.uses.push_back({variable.number, isRead, isWrite});
+    variable.reads += isRead;
+    variable.writes += isWrite;
+}
+
+tree::FunctionId newFunction(Gathered& gathered, std::string name, const Unit* unit) {
+    ++gathered.completions;
+    tree::Function& function = gathered.functions.emplace_back();
     function.name = std::move(name);
     function.result = types::TypeTable::of(TypeKind::Void);
     if (unit) {
         function.library = unit->file ? unit->file->library : std::string();
         function.declaration = unit->range;
     }
-    return tree::FunctionId(world.functions.size() - 1);
+    return tree::FunctionId(gathered.functions.size() - 1);
 }
 
 /// The order of the phases. Names first, then types and units, each completed when something asks for it; then
 /// addresses, which bodies refer to; then bodies; and what needs all of them last: tasks, dispatch, use, recursion.
 /// Returns how many bodies it had to check.
-size_t build(World& world, const Files& files, const LastCheck* last, bool isKept) {
+size_t build(WorldBuilder& world, const Files& files, const LastCheck* last, bool isKept) {
     for (const auto& file : files) declareFile(world, *file);
     resolveUsings(world);
     for (size_t i = 0; i < world.units.size(); ++i) resolveBases(world, world.units[i]);
@@ -124,7 +129,7 @@ size_t build(World& world, const Files& files, const LastCheck* last, bool isKep
 }
 
 /// What stands where nothing is analysed counts as used.
-void useNamesIn(World& world, SourceRange range) {
+void useNamesIn(WorldBuilder& world, SourceRange range) {
     diagnostics::Sink ignored;
     const std::string_view text = world.textOf(range);
     for (const lex::Token& token : lex::tokenize(range.file, text, ignored).tokens)
@@ -141,43 +146,45 @@ std::shared_ptr<const Analysis> analyze(const SourceSet& sources, Files files,
 std::shared_ptr<const Analysis> analyze(const SourceSet& sources, Files files,
                                         std::vector<diagnostics::Diagnostic> syntaxDiagnostics, const Options& options,
                                         KeptBodies* kept) {
-    auto world = std::make_shared<World>(sources, options);
+    auto program = std::make_shared<tree::Program>();
+    program->types = std::make_shared<types::TypeTable>();
+    WorldBuilder world(sources, options, program);
     for (diagnostics::Diagnostic& diagnostic : syntaxDiagnostics) {
         const Kind kind = diagnostic.kind;
-        if (diagnostic.severity == diagnostics::Severity::Error) world->syntaxErrors.push_back(diagnostic.range);
-        if (kind == Kind::StatementInStep) useNamesIn(*world, diagnostic.range);
-        world->sink.add(std::move(diagnostic));
+        if (diagnostic.severity == diagnostics::Severity::Error) world.syntaxErrors.push_back(diagnostic.range);
+        if (kind == Kind::StatementInStep) useNamesIn(world, diagnostic.range);
+        world.sink.add(std::move(diagnostic));
     }
-    const size_t checked = build(*world, files, kept ? kept->m_last.get() : nullptr, kept);
+    const size_t checked = build(world, files, kept ? kept->m_last.get() : nullptr, kept);
     if (kept) {
-        kept->m_last = world->check;
+        kept->m_last = world.check;
         kept->m_checkedLast = checked;
     }
     auto analysis = std::make_shared<Analysis>();
     analysis->files = std::move(files);
-    analysis->program = world->program;
+    analysis->program = world.program;
     if (!options.wantProgram)
         for (tree::Function& function : analysis->program->functions) function.body.clear();
-    analysis->symbols = std::move(world->symbols);
+    analysis->symbols = std::move(world.symbols);
     // Of "a.b.c" the reference to c is the name alone.
-    for (Reference& reference : world->references) {
+    for (Reference& reference : world.references) {
         const std::string_view text = sources[reference.range.file].slice(reference.range);
         const std::string& name = analysis->symbols[reference.symbol.index()].name;
         if (text.size() <= name.size() || text[text.size() - name.size() - 1] != '.') continue;
         if (equalsIgnoringCase(text.substr(text.size() - name.size()), name))
             reference.range.begin = reference.range.end - static_cast<uint32_t>(name.size());
     }
-    std::stable_sort(world->references.begin(), world->references.end(), [](const Reference& a, const Reference& b) {
+    std::stable_sort(world.references.begin(), world.references.end(), [](const Reference& a, const Reference& b) {
         return std::tuple(a.range.file, a.range.begin, a.range.end) <
                std::tuple(b.range.file, b.range.begin, b.range.end);
     });
-    analysis->references = std::move(world->references);
-    world->sink.sort();
-    analysis->diagnostics = world->sink.take();
+    analysis->references = std::move(world.references);
+    world.sink.sort();
+    analysis->diagnostics = world.sink.take();
     analysis->hasErrors =
         std::any_of(analysis->diagnostics.begin(), analysis->diagnostics.end(),
                     [](const diagnostics::Diagnostic& d) { return d.severity == diagnostics::Severity::Error; });
-    analysis->scopes = std::make_shared<const KeptWorld>(KeptWorld{std::move(world)});
+    analysis->scopes = std::make_shared<const World>(std::move(static_cast<World&>(world)));
     return analysis;
 }
 

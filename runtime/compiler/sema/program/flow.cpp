@@ -11,14 +11,14 @@ namespace plc::sema {
 
 using syntax::SectionKind;
 
-static void checkUnusedGlobals(World& world);
-static void gatherConfigured(World& world);
-static void checkUnusedActions(World& world);
-static void checkFrames(World& world, const std::vector<std::vector<uint32_t>>& edges,
+static void checkUnusedGlobals(WorldBuilder& world);
+static void gatherConfigured(WorldBuilder& world);
+static void checkUnusedActions(WorldBuilder& world);
+static void checkFrames(WorldBuilder& world, const std::vector<std::vector<uint32_t>>& edges,
                         const std::vector<std::vector<uint32_t>>& components);
 
 /// Globals nobody reads or writes. Located ones are what the machine has, constants what a list offers.
-void checkUnusedGlobals(World& world) {
+void checkUnusedGlobals(WorldBuilder& world) {
     for (Variable& variable : world.globals) {
         if (variable.kind != SectionKind::Global || variable.isProgramInstance || variable.isConstant ||
             variable.isLocated || !variable.declaration || !variable.range.file.isValid())
@@ -35,7 +35,7 @@ void checkUnusedGlobals(World& world) {
 }
 
 /// Variables that a VAR_CONFIG or VAR_ACCESS names.
-void gatherConfigured(World& world) {
+void gatherConfigured(WorldBuilder& world) {
     const auto gather = [&](const std::vector<syntax::VarSection*>& sections) {
         for (const syntax::VarSection* section : sections) {
             if (section->kind != SectionKind::Config && section->kind != SectionKind::Access) continue;
@@ -55,7 +55,7 @@ void gatherConfigured(World& world) {
 }
 
 /// ACTIONs that no step, call or panel names.
-void checkUnusedActions(World& world) {
+void checkUnusedActions(WorldBuilder& world) {
     std::vector<bool> used(world.symbols.size(), false);
     for (const Reference& reference : world.references)
         if (reference.symbol.isValid() && reference.range != world.symbols[reference.symbol.index()].declaration)
@@ -70,7 +70,7 @@ void checkUnusedActions(World& world) {
 
 ///   ok:    VAR x : INT := 1; y : INT; END_VAR y := x;
 ///   advice: VAR x : INT; END_VAR  that nothing names (P3005)   y := x;  where nothing writes x (P3006)
-void checkUsage(World& world) {
+void checkUsage(WorldBuilder& world) {
     gatherConfigured(world);
     checkUnusedGlobals(world);
     checkUnusedActions(world);
@@ -170,7 +170,7 @@ private:
 
 /// The locals of one path of calls must fit into the frames' area together.
 ///   wrong: FUNCTION F … VAR a, b : ARRAY[0..200000000] OF BYTE; END_VAR  (P3023)
-void checkFrames(World& world, const std::vector<std::vector<uint32_t>>& edges,
+void checkFrames(WorldBuilder& world, const std::vector<std::vector<uint32_t>>& edges,
                  const std::vector<std::vector<uint32_t>>& components) {
     std::vector<uint64_t> needed(world.functions.size(), 0); // with what is called
     std::vector<bool> isReported(world.functions.size(), false);
@@ -201,7 +201,7 @@ namespace {
 /// Who may call whom, by function. A call that is dispatched may reach every method in the slot.
 class CallGraph {
 public:
-    explicit CallGraph(World& world)
+    explicit CallGraph(WorldBuilder& world)
         : m_world(world), m_edges(world.functions.size()), m_units(world.functions.size(), nullptr),
           m_callsFrom(world.functions.size()) {
         std::vector<std::vector<uint32_t>> bySlot(world.slotNames.size());
@@ -305,14 +305,14 @@ private:
         return m_units[callee]->range;
     }
 
-    World& m_world;
+    WorldBuilder& m_world;
     std::vector<std::vector<uint32_t>> m_edges;
     std::vector<Unit*> m_units;
     std::vector<std::vector<const Call*>> m_callsFrom;
 };
 
 /// What is called through an interface may be any method of the slot, in blocks that are made later as well.
-void guardInterfaceMethods(World& world) {
+void guardInterfaceMethods(WorldBuilder& world) {
     std::unordered_set<uint32_t> slots;
     for (const Call& call : world.calls)
         if (call.isDispatched && world.functions[call.to].isAbstract) slots.insert(world.functions[call.to].methodSlot);
@@ -325,7 +325,7 @@ void guardInterfaceMethods(World& world) {
 /// Recursion of functions is not allowed (edition 2, 2.5); that of methods is guarded while it runs.
 ///   wrong: FUNCTION F … F := F(n - 1); END_FUNCTION  (P3004)
 ///   advice: METHOD M … M := M(n - 1); END_METHOD  (P3032)
-void checkRecursion(World& world) {
+void checkRecursion(WorldBuilder& world) {
     CallGraph graph(world);
     const std::vector<std::vector<uint32_t>> components = Components(graph.edges()).found;
     checkFrames(world, graph.edges(), components);

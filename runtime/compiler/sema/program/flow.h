@@ -4,7 +4,7 @@
 
 namespace plc::sema {
 
-void checkUsage(World& world);
-void checkRecursion(World& world);
+void checkUsage(WorldBuilder& world);
+void checkRecursion(WorldBuilder& world);
 
 } // namespace plc::sema

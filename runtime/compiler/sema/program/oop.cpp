@@ -11,9 +11,19 @@
 
 namespace plc::sema {
 
+/// A property that a block overrides by one accessor has the other one of its base.
+static void inheritAccessors(Unit& unit) {
+    for (Property* own : unit.properties)
+        for (const Property* inherited : unit.base->properties) {
+            if (inherited->id != own->id) continue;
+            if (!own->get) own->get = inherited->get;
+            if (!own->set) own->set = inherited->set;
+        }
+}
+
 /// EXTENDS and IMPLEMENTS of a unit, its bases first: whoever asks for a member may rely on the whole chain.
 ///   ok:    FUNCTION_BLOCK B EXTENDS A      wrong: FUNCTION_BLOCK A EXTENDS A  (P3003)
-void resolveBases(World& world, Unit& unit) {
+void resolveBases(WorldBuilder& world, Unit& unit) {
     if (unit.baseProgress != Progress::Open) return;
     unit.baseProgress = Progress::Working;
     const Waiting wait(world.waiting, kMaximumWaiting / kMaximumBases);
@@ -68,7 +78,10 @@ void resolveBases(World& world, Unit& unit) {
                 else
                     unit.base = base;
             }
-            if (unit.base) unit.base->isExtended = true;
+            if (unit.base) {
+                unit.base->isExtended = true;
+                inheritAccessors(unit);
+            }
         } else if (!unit.pou->extends.empty() && !unit.pou->extends.front().empty()) {
             world.emit(unit.pou->extends.front().front().range,
                        findings::NotAllowedHere(Verbatim("EXTENDS"), unit.kind == UnitKind::Program
@@ -105,14 +118,14 @@ bool isAccessible(syntax::Access access, const Unit* owner, const Scope& from) {
 
 namespace {
 
-std::vector<std::pair<types::TypeId, syntax::SectionKind>> shapeOf(World& world, Unit& unit) {
+std::vector<std::pair<types::TypeId, syntax::SectionKind>> shapeOf(WorldBuilder& world, Unit& unit) {
     std::vector<std::pair<types::TypeId, syntax::SectionKind>> out;
     collectParameters(world, unit);
     for (Variable* parameter : unit.parameters) out.emplace_back(typeOf(world, *parameter), parameter->kind);
     return out;
 }
 
-bool sameShape(World& world, Unit& a, Unit& b) {
+bool sameShape(WorldBuilder& world, Unit& a, Unit& b) {
     const auto x = shapeOf(world, a), y = shapeOf(world, b);
     if (x.size() != y.size()) return false;
     for (size_t i = 0; i < x.size(); ++i)
@@ -123,7 +136,7 @@ bool sameShape(World& world, Unit& a, Unit& b) {
     return sameType(world, result(a), result(b));
 }
 
-void collectInterfaces(World& world, Unit& unit, std::vector<Unit*>& out) {
+void collectInterfaces(WorldBuilder& world, Unit& unit, std::vector<Unit*>& out) {
     resolveBases(world, unit);
     for (Unit* interface : unit.interfaces) {
         if (std::find(out.begin(), out.end(), interface) != out.end()) continue;
@@ -131,6 +144,9 @@ void collectInterfaces(World& world, Unit& unit, std::vector<Unit*>& out) {
         collectInterfaces(world, *interface, out);
     }
 }
+
+/// FB_init is called for its own block with its own parameters, never in place of its base's.
+bool isInitializer(const Unit& method) { return equalsIgnoringCase(method.name, "FB_init"); }
 
 /// Methods by name, the unit's own before its bases'.
 Unit* methodNamed(Unit& unit, NameId id) {
@@ -182,14 +198,14 @@ void addProperty(const World& world, const Unit& unit, const Property& property,
 /// What a block takes over is kept (edition 3, 6.6.5 to 6.6.7).
 ///   wrong: FUNCTION_BLOCK B IMPLEMENTS I  without the METHOD M of I (P3014)
 ///          METHOD M : REAL  where the base has METHOD M : INT (P3015)   METHOD OVERRIDE N  where no base has N (P3034)
-void checkInheritance(World& world, Unit& unit) {
+void checkInheritance(WorldBuilder& world, Unit& unit) {
     for (Unit* method : unit.methods) {
         Unit* overridden = unit.base ? methodNamed(*unit.base, method->id) : nullptr;
         if (overridden) {
             overridden->isOverridden = true;
             if (overridden->isFinal)
                 world.emit(method->range, findings::FinalExtended(overridden->qualified));
-            else if (!sameShape(world, *method, *overridden))
+            else if (!isInitializer(*method) && !sameShape(world, *method, *overridden))
                 world.emit(method->range, findings::OverrideDiffers(method->name))
                     .related.push_back({overridden->range, notes::OverriddenHere()});
         } else if (method->isOverride) {
@@ -250,7 +266,7 @@ void checkInheritance(World& world, Unit& unit) {
                 world.emit(unit.range, findings::NotInterfaceImplemented(unit.name, wanted->name, at->name));
 }
 
-void assignSlots(World& world) {
+void assignSlots(WorldBuilder& world) {
     std::unordered_map<NameId, uint32_t> slots;
     const NameId body = world.key("()");
     const auto slotOf = [&](NameId id) {
@@ -271,7 +287,7 @@ void assignSlots(World& world) {
     }
 }
 
-void buildDispatch(World& world) {
+void buildDispatch(WorldBuilder& world) {
     uint32_t blocks = 0;
     for (const Unit& unit : world.units)
         if (unit.isInstanced()) blocks = std::max(blocks, world.types[unit.type].blockNumber);

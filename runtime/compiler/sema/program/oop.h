@@ -4,10 +4,10 @@
 
 namespace plc::sema {
 
-void resolveBases(World& world, Unit& unit);
+void resolveBases(WorldBuilder& world, Unit& unit);
 [[nodiscard]] bool isAccessible(syntax::Access access, const Unit* owner, const Scope& from);
-void checkInheritance(World& world, Unit& unit);
-void assignSlots(World& world);
-void buildDispatch(World& world);
+void checkInheritance(WorldBuilder& world, Unit& unit);
+void assignSlots(WorldBuilder& world);
+void buildDispatch(WorldBuilder& world);
 
 } // namespace plc::sema

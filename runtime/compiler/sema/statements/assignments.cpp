@@ -46,6 +46,21 @@ static Denoted placeTarget(Context& context, const syntax::Expr& e, Denoted deno
     return denoted;
 }
 
+/// The variable that a property without SET refers to, when it is a REFERENCE TO; else null.
+static tree::Place* behindProperty(Context& context, const Denoted& denoted, SourceRange range) {
+    const Property& property = *denoted.property;
+    if (property.set || !property.get || !property.get->resultVariable) return nullptr;
+    if (!context.isKind(typeOf(context, *property.get->resultVariable), TypeKind::Reference)) return nullptr;
+    const Operand reference = propertyValue(context, denoted, range);
+    if (reference.isUnknown()) return nullptr;
+    tree::Place* place = context.arena.make<tree::Place>();
+    place->kind = tree::PlaceKind::Deref;
+    place->type = context.types[reference.type()].element;
+    place->range = range;
+    place->pointer = reference.expr;
+    return place;
+}
+
 /// Where a value goes: a place or a property. Reports what cannot be written.
 ///   ok:    x := 5;      wrong: t.Q := TRUE;  (P2005)      advice: FOR i := 1 TO 5 DO i := i + 1; END_FOR  (P3021)
 Denoted target(Context& context, const syntax::Expr& e, TypeId* type) {
@@ -58,11 +73,15 @@ Denoted target(Context& context, const syntax::Expr& e, TypeId* type) {
         if (type && denoted.place) *type = denoted.place->type;
         return denoted;
     case Denoted::Kind::Property:
+        if (tree::Place* behind = behindProperty(context, denoted, e.range)) {
+            if (type) *type = behind->type;
+            return placeOf(behind);
+        }
         if (!denoted.property->set) {
             context.emit(e.range, findings::NotAssignable(phrases::PropertyWithoutSet(denoted.property->name)));
             return {};
         }
-        if (type) *type = typeOf(context.world, denoted.property->set->variables.front());
+        if (type) *type = typeOf(context, denoted.property->set->variables.front());
         return denoted;
     default:
         context.emit(e.range, findings::NotAssignable(context.textOf(e.range)));
@@ -74,9 +93,9 @@ Denoted target(Context& context, const syntax::Expr& e, TypeId* type) {
 static void assignProperty(Context& context, const Denoted& target, Operand value, SourceRange range,
                            std::vector<tree::Stmt*>& out) {
     Unit& set = *target.property->set;
-    completeUnit(context.world, set, range);
+    completeUnit(context, set, range);
     checkAccess(context, set.access, target.property->owner, target.property->name, value.expr->range);
-    const Operand fitting = converted(context, value, typeOf(context.world, set.variables.front()));
+    const Operand fitting = converted(context, value, typeOf(context, set.variables.front()));
     if (fitting.isUnknown()) return;
     tree::Expr* e = context.arena.make<tree::Expr>();
     e->kind = tree::ExprKind::Call;
@@ -161,7 +180,7 @@ void assignAggregate(Context& context, tree::Place* place, const syntax::Expr& v
     InitialValue initial;
     initial.bytes = context.types[place->type].initial;
     initial.bytes.resize(context.types[place->type].size);
-    initialise(context.world, initial, place->type, 0, -1, &value, context.scope, nullptr);
+    initialise(context, initial, place->type, 0, -1, &value, context.scope, nullptr);
     const Operand whole = constant(context, types::readValue(context.types, place->type, initial.bytes), value.range);
     out.push_back(assignStmt(context, place, whole.expr, range));
     for (const DynamicInit& dynamic : initial.dynamics) {
@@ -182,7 +201,7 @@ bool isAssociable(Context& context, const syntax::Stmt& stmt) {
     if (!name.name.isValid()) return true;
     const Found found = lookup(context.world, context.scope, context.key(name.name.text));
     Variable* variable = found.member.variable ? found.member.variable : found.entity.variable;
-    const TypeId type = variable ? typeOf(context.world, *variable) : TypeId();
+    const TypeId type = variable ? typeOf(context, *variable) : TypeId();
     if (variable ? context.isKind(type, TypeKind::Unknown) || context.types.storageKind(type) == TypeKind::Bool
                  : found.member.property != nullptr || !found.ambiguous.empty())
         return true;
@@ -191,7 +210,7 @@ bool isAssociable(Context& context, const syntax::Stmt& stmt) {
     for (Unit* unit = context.scope.unit ? context.scope.unit->self() : nullptr; unit; unit = unit->base) {
         for (const Unit* action : unit->actions) candidates.push_back(action->name);
         for (Variable& own : unit->variables)
-            if (!own.name.starts_with("__") && context.types.storageKind(typeOf(context.world, own)) == TypeKind::Bool)
+            if (!own.name.starts_with("__") && context.types.storageKind(typeOf(context, own)) == TypeKind::Bool)
                 candidates.push_back(own.name);
     }
     suggest(context, context.emit(name.range, findings::UnknownAction(name.name.text)), name.range, name.name.text,
@@ -247,6 +266,11 @@ static void tryAssign(Context& context, const syntax::Stmt& stmt, const Denoted&
     if (context.isKind(from.type(), TypeKind::Block) && from.expr->kind == tree::ExprKind::Load)
         from = addressOf(context, from.expr->place, context.types.pointer(from.type()), stmt.value->range);
     if (!canPoint(type) || !canPoint(from.type())) return mismatch(context, stmt.value->range, from.type(), type);
+    const auto pointsToBlock = [&](TypeId id) {
+        return context.isKind(id, TypeKind::Interface) || context.isKind(context.types[id].element, TypeKind::Block);
+    };
+    if (!pointsToBlock(type) && sameType(context.world, type, from.type())) // known before it runs
+        return out.push_back(assignStmt(context, to.place, from.expr, stmt.range));
     tree::Expr* cast = context.arena.make<tree::Expr>();
     cast->kind = tree::ExprKind::TryCast;
     cast->type = type;

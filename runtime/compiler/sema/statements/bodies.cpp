@@ -3,6 +3,7 @@
 
 #include "runtime/compiler/sema/context.h"
 #include "runtime/compiler/sema/layout/initial_values.h"
+#include "runtime/compiler/sema/names/lookup.h"
 #include "runtime/compiler/sema/names/names.h"
 #include "runtime/compiler/sema/names/places.h"
 #include "runtime/compiler/sema/operators/operators.h"
@@ -16,21 +17,43 @@ namespace plc::sema {
 
 using library::BinaryOp;
 
-size_t checkBodies(World& world) {
+void numberVariables(WorldBuilder& world) {
+    const auto number = [&](Variable& variable) {
+        variable.number = static_cast<uint32_t>(world.numbered.size());
+        world.numbered.push_back(&variable);
+    };
+    for (Variable& variable : world.globals) number(variable);
+    for (Unit& unit : world.units)
+        for (Variable& variable : unit.variables) number(variable);
+}
+
+void noteUses(WorldBuilder& world, const std::vector<VariableUse>& uses) {
+    for (const VariableUse& use : uses) {
+        if (use.variable >= world.numbered.size()) continue;
+        Variable& variable = *world.numbered[use.variable];
+        variable.reads += use.isRead;
+        variable.writes += use.isWrite;
+    }
+}
+
+size_t checkBodies(WorldBuilder& world) {
+    numberVariables(world);
     size_t checked = 0;
-    for (size_t i = 0; i < world.units.size(); ++i) {
-        if (!beginBody(world, world.units[i])) continue;
-        checkBody(world, world.units[i], world.arena);
+    for (Unit& unit : world.units) {
+        if (!beginBody(world, unit)) continue;
+        world.uses.clear();
+        checkBody({world, world}, unit, world.arena);
+        noteUses(world, world.uses);
         ++checked;
     }
     return checked;
 }
 
-bool beginBody(World& world, Unit& unit) {
+bool beginBody(Gathered& gathered, const Unit& unit) {
     if (!unit.isCode()) return false;
-    tree::Function& function = world.functions[unit.function.index()];
+    tree::Function& function = gathered.functions[unit.function.index()];
     const syntax::Body* body = unit.action ? &unit.action->body : &unit.pou->body;
-    if (Unit* self = unit.self()) function.instanceType = self->type;
+    if (const Unit* self = unit.self()) function.instanceType = self->type;
     function.isAbstract = unit.isAbstract && unit.kind != UnitKind::Block;
     if (unit.owner && unit.owner->kind == UnitKind::Interface) return false;
     return !function.isAbstract || !body->statements.empty();
@@ -66,8 +89,8 @@ void emitEdges(Context& checker, Unit& unit, std::vector<tree::Stmt*>& out) {
 }
 
 /// Initial values of a function's own locals.
-void emitLocals(World& world, Context& checker, Unit& unit, std::vector<tree::Stmt*>& out) {
-    types::TypeTable& types = world.types;
+void emitLocals(Context& checker, Unit& unit, std::vector<tree::Stmt*>& out) {
+    const types::TypeTable& types = checker.types;
     for (Variable& variable : unit.variables) {
         if (variable.storage != Storage::Local || variable.isInOut() || variable.kind == syntax::SectionKind::Input)
             continue;
@@ -75,12 +98,12 @@ void emitLocals(World& world, Context& checker, Unit& unit, std::vector<tree::St
         const syntax::Expr* initial = variable.declaration ? variable.declaration->initial : nullptr;
         if (types.isAggregate(type)) {
             const syntax::TypeSpec* spec = variable.isResult ? nullptr : variable.spec;
-            if (!initial && !hasConstructor(spec) && !needsConstruction(world, type)) continue;
+            if (!initial && !hasConstructor(spec) && !needsConstruction(checker.world, type)) continue;
             if (!fitsIntoCode(checker, type, initial ? initial->range : variable.range)) continue;
             InitialValue value;
             value.bytes = types[type].initial;
             value.bytes.resize(types[type].size);
-            initialiseDeclared(world, value, type, 0, -1, initial, variable.scope, spec);
+            initialiseDeclared(checker, value, type, 0, -1, initial, variable.scope, spec);
             if (value.bytes != types[type].initial &&
                 std::any_of(value.bytes.begin(), value.bytes.end(), [](std::byte b) { return b != std::byte{}; }))
                 checker.function->locals[variable.local].initial =
@@ -88,7 +111,7 @@ void emitLocals(World& world, Context& checker, Unit& unit, std::vector<tree::St
             if (value.dynamics.empty()) continue;
             checker.function->locals[variable.local].isAddressTaken = true;
             emitDynamics(
-                world, checker, value.dynamics,
+                checker, value.dynamics,
                 [&](const DynamicInit& dynamic) {
                     return fieldPlace(checker, localPlace(checker, variable.local, type, variable.range),
                                       dynamic.offset, dynamic.type, dynamic.bit, variable.range);
@@ -108,23 +131,31 @@ void emitLocals(World& world, Context& checker, Unit& unit, std::vector<tree::St
     }
 }
 
+/// By this body, or where something was declared.
+bool isRead(const Check& check, const Variable& variable) {
+    const auto& uses = check.gathered.uses;
+    return variable.reads != 0 || std::any_of(uses.begin(), uses.end(), [&](const VariableUse& use) {
+               return use.variable == variable.number && use.isRead;
+           });
+}
+
 } // namespace
 
 ///   ok:    IF a > 0 THEN F := 1; ELSE F := 2; END_IF      advice: IF a > 0 THEN F := 1; END_IF  in FUNCTION F (P3008)
-void checkBody(World& world, Unit& unit, Arena& arena) {
-    tree::Function& function = world.functions[unit.function.index()];
+void checkBody(const Check& check, Unit& unit, Arena& arena) {
+    tree::Function& function = check.gathered.functions[unit.function.index()];
     const syntax::Body* body = unit.action ? &unit.action->body : &unit.pou->body;
-    Context checker(world, {&unit, unit.space, unit.file}, world.sink, arena);
+    Context checker(check, {&unit, unit.space, unit.file}, check.gathered.sink, arena);
     checker.function = &function;
     checker.functionId = unit.function;
     checker.isTest = unit.isTest;
     if (unit.isInstanced())
         emitEdges(checker, unit, function.body);
     else
-        emitLocals(world, checker, unit, function.body);
+        emitLocals(checker, unit, function.body);
     if (unit.hasImplicitEno && unit.isInstanced()) {
         const Denoted eno =
-            ofVariable(checker, *unit.members[world.key("ENO")].variable, nullptr, unit.range, Access::Write);
+            ofVariable(checker, *findMember(unit, checker.key("ENO")).variable, nullptr, unit.range, Access::Write);
         if (eno.place)
             function.body.push_back(
                 assignStmt(checker, eno.place,
@@ -133,14 +164,14 @@ void checkBody(World& world, Unit& unit, Arena& arena) {
     declareLabels(checker, body->statements);
     statements(checker, body->statements, function.body);
     if (unit.isTest) function.body.clear();
-    if (unit.resultVariable && world.types.kind(unit.result) != TypeKind::Void &&
-        world.types.kind(unit.result) != TypeKind::Unknown && !unit.isLibrary()) {
+    if (unit.resultVariable && checker.types.kind(unit.result) != TypeKind::Void &&
+        checker.types.kind(unit.result) != TypeKind::Unknown && !unit.isLibrary()) {
         const bool atEnd = !checker.flow.isReachable || checker.flow.isResultSet;
         // the methods the controller calls need no result, and who adds to the result relies on its beginning
         const bool isCallback = equalsIgnoringCase(unit.name, "FB_Init") ||
                                 equalsIgnoringCase(unit.name, "FB_Reinit") || equalsIgnoringCase(unit.name, "FB_Exit");
-        if ((!atEnd || !checker.returnsSet) && !isCallback && unit.resultVariable->reads == 0)
-            world.emit(unit.range, findings::ResultNotSet(unit.name));
+        if ((!atEnd || !checker.returnsSet) && !isCallback && !isRead(check, *unit.resultVariable))
+            check.emit(unit.range, findings::ResultNotSet(unit.name));
     }
 }
 

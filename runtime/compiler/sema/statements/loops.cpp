@@ -2,6 +2,7 @@
 #include "runtime/compiler/sema/statements/loops.h"
 
 #include "runtime/compiler/sema/context.h"
+#include "runtime/compiler/sema/program/analyze.h"
 #include "runtime/compiler/sema/statements/statements.h"
 #include "runtime/compiler/sema/types/conversions.h"
 #include "runtime/compiler/sema/values/expressions.h"
@@ -97,8 +98,7 @@ SourceRange headOf(const syntax::Stmt& stmt, const syntax::Expr* last) {
 void forStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out) {
     if (!stmt.target) return;
     const Denoted variable = target(context, *stmt.target);
-    if (variable.kind == Denoted::Kind::Place && variable.variable)
-        context.world.count(*variable.variable, true, false);
+    if (variable.kind == Denoted::Kind::Place && variable.variable) count(context, *variable.variable, true, false);
     const Count count = countOf(context, stmt, typeOfLoopVariable(context, stmt, variable));
     tree::Stmt* made = newStmt(context, tree::StmtKind::For, headOf(stmt, stmt.to && stmt.by ? stmt.by : stmt.to));
     if (count.isGood) {

@@ -22,6 +22,8 @@
 
 #include "runtime/types/conversion.h"
 
+#include "runtime/base/text.h"
+
 namespace plc::sema {
 
 using lex::TokenKind;
@@ -54,6 +56,7 @@ void statements(Context& context, const syntax::Block& block, std::vector<tree::
     bool reported = false;
     for (size_t i = 0; i < block.size(); ++i) {
         const syntax::Stmt& stmt = *block[i];
+        // A JMP may lead to a label, also from below.
         if (!context.flow.isReachable && stmt.kind == StmtKind::Label) context.flow.isReachable = true;
         if (!context.flow.isReachable && !reported && !context.insideUnreachable && stmt.kind != StmtKind::Empty &&
             stmt.range.file.isValid() && block.back()->range.file == stmt.range.file && !stmt.origin) {
@@ -159,6 +162,7 @@ void ifStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree::S
         joined.isReachable = joined.isReachable || context.flow.isReachable;
     }
     if (!hasElse) {
+        // Without ELSE the way past all branches joins them as well.
         joined.isResultSet = (joined.isReachable ? joined.isResultSet : true) && before.isResultSet;
         joined.isReachable = joined.isReachable || before.isReachable;
     }
@@ -166,10 +170,21 @@ void ifStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree::S
     if (!before.isReachable) context.flow.isReachable = false;
 }
 
+/// RETURN(condition); of CODESYS in a unit without a result: leaves it when the condition is TRUE.
+static void returnWhen(Context& context, const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out) {
+    tree::Stmt* choice = newStmt(context, tree::StmtKind::If, stmt.range);
+    choice->a = condition(context, *stmt.value);
+    if (context.flow.isReachable) context.returnsSet = context.returnsSet && context.flow.isResultSet;
+    choice->body.push_back(newStmt(context, tree::StmtKind::Return, stmt.range));
+    choice->body.back()->isHidden = true;
+    out.push_back(choice);
+}
+
 void returnStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out) {
     for (Loop& loop : context.loops) loop.isLeft = true;
     if (stmt.value) {
         Unit* unit = context.scope.unit;
+        if (unit && !unit->resultVariable && stmt.value->parenthesised) return returnWhen(context, stmt, out);
         if (!unit || !unit->resultVariable) {
             expression(context, *stmt.value);
             context.emit(stmt.value->range, findings::NotAllowedHere(phrases::ReturnWithValue(),
@@ -196,12 +211,12 @@ void declareLabels(Context& context, const syntax::Block& block) {
             Label label;
             label.id = tree::LabelId(context.function->labelCount++);
             label.range = stmt->name.range;
-            const NameId id = context.key(stmt->name.text);
+            const std::string id = foldCase(stmt->name.text);
             if (context.labels.count(id))
                 context.emit(stmt->name.range, findings::DuplicateName(stmt->name.text));
             else {
                 label.symbol =
-                    addSymbol(context.world, SymbolKind::Label, stmt->name.text,
+                    addSymbol(context.gathered, SymbolKind::Label, stmt->name.text,
                               context.scope.unit ? context.scope.unit->qualified : std::string(), stmt->name.range);
                 context.labels.emplace(id, label);
             }
@@ -214,7 +229,7 @@ void declareLabels(Context& context, const syntax::Block& block) {
 }
 
 void labelStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out) {
-    const auto it = context.labels.find(context.key(stmt.name.text));
+    const auto it = context.labels.find(foldCase(stmt.name.text));
     if (it == context.labels.end()) return;
     tree::Stmt* made = newStmt(context, tree::StmtKind::Label, {});
     made->label = it->second.id;
@@ -225,7 +240,7 @@ void labelStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree
 ///   ok:    JMP here; … here: x := 2;      wrong: JMP there;  (P3019)
 void jumpStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out) {
     for (Loop& loop : context.loops) loop.isLeft = true;
-    const auto it = context.labels.find(context.key(stmt.name.text));
+    const auto it = context.labels.find(foldCase(stmt.name.text));
     tree::Expr* when = stmt.value ? condition(context, *stmt.value) : nullptr;
     if (it == context.labels.end()) {
         std::vector<std::string> candidates;

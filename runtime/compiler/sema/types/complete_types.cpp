@@ -19,18 +19,18 @@ namespace plc::sema {
 using syntax::TypeSpecKind;
 using types::TypeTable;
 
-static bool completeArray(World& world, TypeId type, SourceRange usedAt);
-static void completeAlias(World& world, DeclaredType& type, SourceRange usedAt);
+static bool completeArray(WorldBuilder& world, TypeId type, SourceRange usedAt);
+static void completeAlias(WorldBuilder& world, DeclaredType& type, SourceRange usedAt);
 
 ///   ok:    A : STRUCT b : REF_TO A; END_STRUCT      wrong: A : STRUCT b : A; END_STRUCT  (P3003)
-void reportCycle(World& world, TypeId type, SourceRange usedAt) {
+void reportCycle(WorldBuilder& world, TypeId type, SourceRange usedAt) {
     const types::Type& t = world.types[type];
     world.emit(usedAt.file.isValid() ? usedAt : t.declaration, findings::TypeCycle(t.name));
 }
 
 /// What is being completed already needs itself; so deep a chain of others is reported before it ends the stack.
 template <class Complete>
-static bool completeOnce(World& world, TypeId type, Progress progress, SourceRange usedAt, Complete complete) {
+static bool completeOnce(WorldBuilder& world, TypeId type, Progress progress, SourceRange usedAt, Complete complete) {
     if (progress == Progress::Working) {
         reportCycle(world, type, usedAt);
         return false;
@@ -44,7 +44,7 @@ static bool completeOnce(World& world, TypeId type, Progress progress, SourceRan
     return !world.tooLarge.contains(type);
 }
 
-bool completeType(World& world, TypeId type, SourceRange usedAt) {
+bool completeType(WorldBuilder& world, TypeId type, SourceRange usedAt) {
     const TypeKind kind = world.types.kind(type);
     if (types::isElementary(kind)) return true;
     if (world.tooLarge.contains(type)) return false;
@@ -77,7 +77,11 @@ bool completeType(World& world, TypeId type, SourceRange usedAt) {
     }
 }
 
-bool completeArray(World& world, TypeId type, SourceRange usedAt) {
+bool completeType(const Check& check, TypeId type, SourceRange usedAt) {
+    return check.builder ? completeType(*check.builder, type, usedAt) : !check.world.tooLarge.contains(type);
+}
+
+bool completeArray(WorldBuilder& world, TypeId type, SourceRange usedAt) {
     const bool good = completeType(world, world.types[type].element, usedAt);
     const types::Type& element = world.types[world.types[type].element];
     noteNesting(world, type, 1 + nestingOf(world, world.types[type].element));
@@ -86,13 +90,11 @@ bool completeArray(World& world, TypeId type, SourceRange usedAt) {
         return false;
     }
     if (world.types[type].size != 0 && world.types[type].initial.empty() == element.initial.empty()) return good;
-    ++world.completions;
     world.types.layoutArray(type);
     return checkSize(world, type, usedAt) && good;
 }
 
-void completeAlias(World& world, DeclaredType& declared, SourceRange usedAt) {
-    ++world.completions;
+void completeAlias(WorldBuilder& world, DeclaredType& declared, SourceRange usedAt) {
     const TypeId behind = world.aliasOf[declared.type];
     world.aliasesByType.erase(declared.type);
     completeType(world, behind, usedAt);
@@ -122,7 +124,7 @@ void completeAlias(World& world, DeclaredType& declared, SourceRange usedAt) {
 }
 
 /// The integer that is written for an enumeration, else INT.
-static TypeId baseOfEnum(World& world, const EnumType& enumeration) {
+static TypeId baseOfEnum(WorldBuilder& world, const EnumType& enumeration) {
     const syntax::TypeSpec& spec = *enumeration.spec;
     const TypeId usual = TypeTable::of(TypeKind::Int);
     if (!spec.element && spec.path.empty()) return usual;
@@ -136,7 +138,7 @@ static TypeId baseOfEnum(World& world, const EnumType& enumeration) {
 }
 
 /// The values: as written, else one more than the one before.
-static void numberEnumerators(World& world, const EnumType& enumeration, TypeId base) {
+static void numberEnumerators(WorldBuilder& world, const EnumType& enumeration, TypeId base) {
     const syntax::TypeSpec& spec = *enumeration.spec;
     const auto [least, greatest] = TypeTable::integerRange(world.types.kind(base));
     int64_t next = 0;
@@ -154,7 +156,7 @@ static void numberEnumerators(World& world, const EnumType& enumeration, TypeId 
 }
 
 /// What a variable of the type has at first: the initial value of the type, else the first of its values.
-static int64_t initialOfEnum(World& world, const EnumType& enumeration) {
+static int64_t initialOfEnum(WorldBuilder& world, const EnumType& enumeration) {
     const std::vector<types::Enumerator>& all = world.types[enumeration.type].enumerators;
     const int64_t first = all.empty() ? 0 : all.front().value;
     if (!enumeration.initial) return first;
@@ -167,7 +169,7 @@ static int64_t initialOfEnum(World& world, const EnumType& enumeration) {
     return first;
 }
 
-void completeEnum(World& world, EnumType& enumeration) {
+void completeEnum(WorldBuilder& world, EnumType& enumeration) {
     if (enumeration.progress != Progress::Open) return;
     const Waiting wait(world.waiting, 8);
     if (wait.isTooDeep) return (void)world.emit(enumeration.spec->range, findings::NestedTooDeep());
@@ -183,6 +185,10 @@ void completeEnum(World& world, EnumType& enumeration) {
     types::Type& type = world.types.edit(enumeration.type);
     type.initial.resize(type.size);
     std::memcpy(type.initial.data(), &first, type.size);
+}
+
+void completeEnum(const Check& check, EnumType& enumeration) {
+    if (check.builder) completeEnum(*check.builder, enumeration);
 }
 
 /// A field by its name; of a structure without a search, because a machine's whole data may be one.
@@ -205,7 +211,7 @@ struct Fields {
 };
 
 /// EXTENDS: the base's fields lie at the beginning. Invalid: none.
-TypeId inheritFields(World& world, StructType& made, Fields& fields) {
+TypeId inheritFields(WorldBuilder& world, StructType& made, Fields& fields) {
     if (!made.spec->extends) return {};
     const TypeId base = resolveSpec(world, made.spec->extends, made.scope);
     if (world.types.kind(base) != TypeKind::Struct) {
@@ -224,7 +230,7 @@ TypeId inheritFields(World& world, StructType& made, Fields& fields) {
 }
 
 /// The type of a field, complete; Unknown after an error.
-TypeId fieldType(World& world, const StructType& made, const syntax::VarDecl& declaration) {
+TypeId fieldType(WorldBuilder& world, const StructType& made, const syntax::VarDecl& declaration) {
     const TypeId type = resolveSpec(world, declaration.type, made.scope);
     const SourceRange at = declaration.type ? declaration.type->range : declaration.range;
     if (!completeType(world, type, at)) return TypeTable::of(TypeKind::Unknown);
@@ -241,7 +247,7 @@ bool isBitField(const World& world, const syntax::VarDecl& declaration, TypeId t
 }
 
 ///   wrong: STRUCT a : INT; a : REAL; END_STRUCT  (P3001)
-void addFields(World& world, StructType& made, const syntax::VarDecl& declaration, Fields& fields) {
+void addFields(WorldBuilder& world, StructType& made, const syntax::VarDecl& declaration, Fields& fields) {
     const TypeId type = fieldType(world, made, declaration);
     fields.nesting = std::max(fields.nesting, 1 + nestingOf(world, type));
     for (const syntax::Name& name : declaration.names) {
@@ -266,7 +272,7 @@ void addFields(World& world, StructType& made, const syntax::VarDecl& declaratio
 }
 
 /// The initial bytes: the base's, then each field's own.
-InitialValue initialOfFields(World& world, const StructType& made, TypeId base, const Fields& fields) {
+InitialValue initialOfFields(WorldBuilder& world, const StructType& made, TypeId base, const Fields& fields) {
     InitialValue initial;
     initial.bytes = world.types[made.type].initial;
     initial.bytes.resize(world.types[made.type].size);
@@ -284,7 +290,7 @@ InitialValue initialOfFields(World& world, const StructType& made, TypeId base, 
     return initial;
 }
 
-void initialiseStruct(World& world, StructType& made, TypeId base, const Fields& fields) {
+void initialiseStruct(WorldBuilder& world, StructType& made, TypeId base, const Fields& fields) {
     InitialValue initial = initialOfFields(world, made, base, fields);
     const bool isZero =
         std::all_of(initial.bytes.begin(), initial.bytes.end(), [](std::byte b) { return b == std::byte{}; });
@@ -301,7 +307,7 @@ void initialiseStruct(World& world, StructType& made, TypeId base, const Fields&
 
 } // namespace
 
-void completeStruct(World& world, StructType& made) {
+void completeStruct(WorldBuilder& world, StructType& made) {
     if (made.progress != Progress::Open) return;
     made.progress = Progress::Working;
     Fields fields;

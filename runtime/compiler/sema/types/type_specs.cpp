@@ -23,10 +23,10 @@ namespace plc::sema {
 using syntax::TypeSpecKind;
 using types::TypeTable;
 
-static TypeId resolveArray(World& world, const syntax::TypeSpec& spec, const Scope& scope);
-static TypeId nested(World& world, TypeId type, SourceRange range);
+static TypeId resolveArray(WorldBuilder& world, const syntax::TypeSpec& spec, const Scope& scope);
+static TypeId nested(WorldBuilder& world, TypeId type, SourceRange range);
 static uint64_t neededBytes(const World& world, TypeId type);
-static TypeId resolveSubrange(World& world, const syntax::TypeSpec& spec, const Scope& scope);
+static TypeId resolveSubrange(WorldBuilder& world, const syntax::TypeSpec& spec, const Scope& scope);
 
 namespace {
 
@@ -51,18 +51,19 @@ std::optional<TypeKind> elementaryNamed(std::string_view name) {
 }
 
 ///   ok:    ARRAY[1..3] OF INT      wrong: ARRAY[1..x] OF INT  with a variable x (P2019)
-std::optional<int64_t> constantInteger(World& world, const syntax::Expr* expr, const Scope& scope) {
+std::optional<int64_t> constantInteger(const Check& check, const syntax::Expr* expr, const Scope& scope) {
     if (!expr) return std::nullopt;
-    const Waiting wait(world.waiting, expr->height);
+    uint32_t none = 0;
+    const Waiting wait(check.builder ? check.builder->waiting : none, expr->height);
     if (wait.isTooDeep) {
-        world.emit(expr->range, findings::NestedTooDeep());
+        check.emit(expr->range, findings::NestedTooDeep());
         return std::nullopt;
     }
-    Context checker(world, scope, world.sink, world.arena);
+    Context checker(check, scope, check.gathered.sink, check.gathered.arena);
     const Operand operand = expression(checker, *expr);
     if (operand.isUnknown()) return std::nullopt;
     if (!operand.isConstant() || !std::holds_alternative<int64_t>(operand.expr->value.data)) {
-        world.emit(expr->range, findings::NotConstant());
+        check.emit(expr->range, findings::NotConstant());
         return std::nullopt;
     }
     return operand.expr->value.integer();
@@ -86,17 +87,17 @@ std::string_view ownNameOf(std::string_view foreign) {
 } // namespace
 
 ///   wrong: x : Motr;  where nothing is called so (P3002)
-TypeId resolveNamed(World& world, const syntax::Path& path, const Scope& scope, SourceRange range) {
+TypeId resolveNamed(const Check& check, const syntax::Path& path, const Scope& scope, SourceRange range) {
     const TypeId unknown = TypeTable::of(TypeKind::Unknown);
     if (path.empty()) return unknown;
-    const Found found = lookupPath(world, scope, path);
+    const Found found = lookupPath(check.world, scope, path);
     if (path.size() == 1) {
         const std::string_view name = path.front().text;
         const bool hidden = found.entity.type || (found.entity.unit && found.entity.unit->type.isValid());
         if (!hidden) {
             if (const auto kind = elementaryNamed(name)) return TypeTable::of(*kind);
-            if (equalsIgnoringCase(name, "STRING")) return world.types.string(80);
-            if (equalsIgnoringCase(name, "WSTRING")) return world.types.wstring(80);
+            if (equalsIgnoringCase(name, "STRING")) return check.gathered.types.string(80);
+            if (equalsIgnoringCase(name, "WSTRING")) return check.gathered.types.wstring(80);
         }
     }
     std::string text;
@@ -104,28 +105,28 @@ TypeId resolveNamed(World& world, const syntax::Path& path, const Scope& scope, 
     if (!found.ambiguous.empty() && (found.entity.type || found.entity.unit)) {
         std::vector<std::string> all;
         for (const std::string& where : found.ambiguous) all.push_back(where + "." + text);
-        auto& diagnostic = world.emit(range, findings::AmbiguousName(text, all));
+        auto& diagnostic = check.emit(range, findings::AmbiguousName(text, all));
         for (const std::string& where : found.ambiguous)
             diagnostic.fixes.push_back({fixes::Write(where + "." + text), {{range, where + "." + text}}});
         return unknown;
     }
     if (found.entity.type) {
-        refer(world, path.back().range, found.entity.type->symbol, true, false);
-        return resolveDeclared(world, *found.entity.type);
+        refer(check, path.back().range, found.entity.type->symbol, true, false);
+        return resolveDeclared(check, *found.entity.type);
     }
     if (found.entity.unit && found.entity.unit->type.isValid()) {
-        refer(world, path.back().range, found.entity.unit->symbol, true, false);
+        refer(check, path.back().range, found.entity.unit->symbol, true, false);
         return found.entity.unit->type;
     }
     if (const std::string own(ownNameOf(text)); !own.empty()) {
-        world.emit(range, findings::UnknownType(text)).fixes.push_back({fixes::Write(own), {{range, own}}});
+        check.emit(range, findings::UnknownType(text)).fixes.push_back({fixes::Write(own), {{range, own}}});
         return unknown;
     }
     if (path.size() > 1) { // a name of a namespace that has no such type
-        const Found around = lookupPath(world, scope, {path.begin(), path.end() - 1});
+        const Found around = lookupPath(check.world, scope, {path.begin(), path.end() - 1});
         std::vector<std::string> names;
-        if (around.space) addNames(world, *around.space, names);
-        suggest(world, world.emit(around.space ? path.back().range : range, findings::UnknownType(text)),
+        if (around.space) addNames(check.world, *around.space, names);
+        suggest(check.gathered, check.emit(around.space ? path.back().range : range, findings::UnknownType(text)),
                 path.back().range, path.back().text, names);
         return unknown;
     }
@@ -138,17 +139,17 @@ TypeId resolveNamed(World& world, const syntax::Path& path, const Scope& scope, 
             }
     };
     for (Space* space = scope.space; space; space = space->parent) collect(*space);
-    for (Space* library : world.libraries) collect(*library);
+    for (Space* library : check.world.libraries) collect(*library);
     for (const ElementaryName& entry : kElementaryNames) candidates.emplace_back(entry.name);
     candidates.insert(candidates.end(), {"STRING", "WSTRING"});
-    suggest(world, world.emit(range, findings::UnknownType(text)), range, text, candidates);
+    suggest(check.gathered, check.emit(range, findings::UnknownType(text)), range, text, candidates);
     return unknown;
 }
 
 /// TYPE Name : … ; a name for a type is that type. With an initial value of its own it is a copy of it, completed
 /// later, because the value may need types that are not complete yet.
 ///   ok:    TYPE Percent : INT := 50; END_TYPE      wrong: TYPE A : B; B : A; END_TYPE  (P3003)
-TypeId resolveDeclared(World& world, DeclaredType& declared) {
+TypeId resolveDeclared(WorldBuilder& world, DeclaredType& declared) {
     if (declared.progress == Progress::Done) return declared.type;
     if (declared.progress == Progress::Working) {
         world.emit(declared.declaration->name.range, findings::TypeCycle(declared.name));
@@ -195,9 +196,14 @@ TypeId resolveDeclared(World& world, DeclaredType& declared) {
     return behind;
 }
 
+TypeId resolveDeclared(const Check& check, DeclaredType& declared) {
+    return check.builder ? resolveDeclared(*check.builder, declared) : declared.type;
+}
+
 /// What is written behind a colon. Only names are followed, no sizes: a pointer may name a type that holds it.
 ///   ok:    STRING(20)      wrong: STRING(70000)  (P2018)
-TypeId resolveSpec(World& world, const syntax::TypeSpec* spec, const Scope& scope, std::string_view anonymousName) {
+TypeId resolveSpec(WorldBuilder& world, const syntax::TypeSpec* spec, const Scope& scope,
+                   std::string_view anonymousName) {
     const TypeId unknown = TypeTable::of(TypeKind::Unknown);
     if (!spec) return unknown;
     switch (spec->kind) {
@@ -272,7 +278,7 @@ TypeId resolveSpec(World& world, const syntax::TypeSpec* spec, const Scope& scop
 }
 
 ///   ok:    ARRAY[1..3] OF INT      wrong: ARRAY[3..1] OF INT  (P3027)
-TypeId resolveArray(World& world, const syntax::TypeSpec& spec, const Scope& scope) {
+TypeId resolveArray(WorldBuilder& world, const syntax::TypeSpec& spec, const Scope& scope) {
     const TypeId unknown = TypeTable::of(TypeKind::Unknown);
     const TypeId element = resolveSpec(world, spec.element, scope);
     std::vector<types::Dimension> dimensions;
@@ -305,7 +311,7 @@ uint32_t nestingOf(const World& world, TypeId type) {
     return type.index() < world.nestings.size() ? world.nestings[type.index()] : 0;
 }
 
-void noteNesting(World& world, TypeId type, uint32_t nesting) {
+void noteNesting(WorldBuilder& world, TypeId type, uint32_t nesting) {
     if (world.nestings.size() <= type.index())
         world.nestings.resize(std::max<size_t>(world.types.count(), type.index() + 1), 0);
     world.nestings[type.index()] = nesting;
@@ -313,7 +319,7 @@ void noteNesting(World& world, TypeId type, uint32_t nesting) {
 
 /// An array, pointer or reference that was just made, unless it is nested too deeply.
 ///   wrong: POINTER TO POINTER TO … INT, more than 60 of them  (P1019)
-TypeId nested(World& world, TypeId type, SourceRange range) {
+TypeId nested(WorldBuilder& world, TypeId type, SourceRange range) {
     const TypeId element = world.types[type].element;
     const TypeKind inner = world.types.kind(element);
     const bool isDirect = world.types.kind(type) != TypeKind::Pointer && world.types.kind(type) != TypeKind::Reference;
@@ -340,7 +346,7 @@ uint64_t neededBytes(const World& world, TypeId id) {
 /// A type that takes more memory than there is, or whose initial value does, is reported where it is laid out: what
 /// doubles with each line is never made.
 ///   wrong: T1 : STRUCT a, b : T0; END_STRUCT … T40 : STRUCT a, b : T39; END_STRUCT  (P3023)
-bool checkSize(World& world, TypeId type, SourceRange range) {
+bool checkSize(WorldBuilder& world, TypeId type, SourceRange range) {
     if (world.tooLarge.contains(type)) return false;
     const uint64_t needed = neededBytes(world, type);
     world.initialBytes += world.types[type].initial.size();
@@ -355,7 +361,7 @@ bool checkSize(World& world, TypeId type, SourceRange range) {
     return false;
 }
 
-TypeId resolveSubrange(World& world, const syntax::TypeSpec& spec, const Scope& scope) {
+TypeId resolveSubrange(WorldBuilder& world, const syntax::TypeSpec& spec, const Scope& scope) {
     const TypeId base =
         spec.element ? resolveSpec(world, spec.element, scope) : resolveNamed(world, spec.path, scope, spec.range);
     if (world.types.kind(base) == TypeKind::Unknown || spec.bounds.empty()) return base;
@@ -387,10 +393,9 @@ static bool isPassedAsArray(const Variable& variable) {
 
 ///   ok:    VAR_GLOBAL g : INT; END_VAR … VAR_EXTERNAL g : INT; END_VAR      wrong: without the VAR_GLOBAL (P3022)
 ///          VAR a : ARRAY[*] OF INT; END_VAR  (P3018)
-TypeId typeOf(World& world, Variable& variable) {
+TypeId typeOf(WorldBuilder& world, Variable& variable) {
     if (variable.typeProgress == Progress::Done) return variable.type;
     if (variable.typeProgress == Progress::Working) return TypeTable::of(TypeKind::Unknown);
-    ++world.completions;
     const Waiting wait(world.waiting, 4);
     if (wait.isTooDeep) {
         world.emit(variable.range, findings::NestedTooDeep());
@@ -423,6 +428,10 @@ TypeId typeOf(World& world, Variable& variable) {
     if (variable.symbol.isValid() && !variable.isResult && variable.declaration && variable.section)
         world.symbols[variable.symbol.index()].type = variable.type;
     return variable.type;
+}
+
+TypeId typeOf(const Check& check, Variable& variable) {
+    return check.builder ? typeOf(*check.builder, variable) : variable.type;
 }
 
 bool sameType(const World& world, TypeId a, TypeId b) {

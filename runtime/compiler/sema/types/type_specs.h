@@ -5,19 +5,24 @@
 
 namespace plc::sema {
 
-[[nodiscard]] std::optional<int64_t> constantInteger(World& world, const syntax::Expr* expr, const Scope& scope);
-TypeId resolveNamed(World& world, const syntax::Path& path, const Scope& scope, SourceRange range);
-TypeId resolveDeclared(World& world, DeclaredType& type);
-TypeId resolveSpec(World& world, const syntax::TypeSpec* spec, const Scope& scope, std::string_view anonymousName = {});
+[[nodiscard]] std::optional<int64_t> constantInteger(const Check& check, const syntax::Expr* expr, const Scope& scope);
+TypeId resolveNamed(const Check& check, const syntax::Path& path, const Scope& scope, SourceRange range);
+TypeId resolveDeclared(WorldBuilder& world, DeclaredType& type);
+[[nodiscard]] TypeId resolveDeclared(const Check& check, DeclaredType& type);
+TypeId resolveSpec(WorldBuilder& world, const syntax::TypeSpec* spec, const Scope& scope,
+                   std::string_view anonymousName = {});
 [[nodiscard]] uint32_t nestingOf(const World& world, TypeId type);
-void noteNesting(World& world, TypeId type, uint32_t nesting);
-bool checkSize(World& world, TypeId type, SourceRange range);
-TypeId typeOf(World& world, Variable& variable);
+void noteNesting(WorldBuilder& world, TypeId type, uint32_t nesting);
+bool checkSize(WorldBuilder& world, TypeId type, SourceRange range);
+TypeId typeOf(WorldBuilder& world, Variable& variable);
+[[nodiscard]] TypeId typeOf(const Check& check, Variable& variable);
 [[nodiscard]] bool sameType(const World& world, TypeId a, TypeId b);
-void reportCycle(World& world, TypeId type, SourceRange usedAt);
-bool completeType(World& world, TypeId type, SourceRange usedAt);
-void completeEnum(World& world, EnumType& type);
+void reportCycle(WorldBuilder& world, TypeId type, SourceRange usedAt);
+bool completeType(WorldBuilder& world, TypeId type, SourceRange usedAt);
+bool completeType(const Check& check, TypeId type, SourceRange usedAt);
+void completeEnum(WorldBuilder& world, EnumType& type);
+void completeEnum(const Check& check, EnumType& type);
 [[nodiscard]] const types::Field* fieldOf(const World& world, TypeId type, std::string_view name);
-void completeStruct(World& world, StructType& type);
+void completeStruct(WorldBuilder& world, StructType& type);
 
 } // namespace plc::sema

@@ -10,14 +10,15 @@
 #include <algorithm>
 
 namespace plc::sema {
-static Variable* constantNamed(World& world, const syntax::Expr& e, const Scope& scope);
-static void gatherConstants(World& world, const syntax::Expr* root, const Scope& scope, std::vector<Variable*>& out);
-static bool planFolding(World& world, Variable& variable, std::vector<Variable*>& waiting);
-static void foldNeeded(World& world, Variable& first);
-static const types::Value* fold(World& world, Variable& variable);
+static Variable* constantNamed(const World& world, const syntax::Expr& e, const Scope& scope);
+static void gatherConstants(const World& world, const syntax::Expr* root, const Scope& scope,
+                            std::vector<Variable*>& out);
+static bool planFolding(WorldBuilder& world, Variable& variable, std::vector<Variable*>& waiting);
+static void foldNeeded(WorldBuilder& world, Variable& first);
+static const types::Value* fold(WorldBuilder& world, Variable& variable);
 
 /// The constant that a name or a qualified name means and that is not folded yet.
-Variable* constantNamed(World& world, const syntax::Expr& e, const Scope& scope) {
+Variable* constantNamed(const World& world, const syntax::Expr& e, const Scope& scope) {
     Variable* variable = nullptr;
     if (e.kind == syntax::ExprKind::NameRef) {
         const Found found = lookup(world, scope, world.names.find(e.name.text));
@@ -31,13 +32,13 @@ Variable* constantNamed(World& world, const syntax::Expr& e, const Scope& scope)
         } else if (found.space) {
             variable = lookupIn(*found.space, id).entity.variable;
         } else if (found.entity.unit) {
-            variable = findMember(world, *found.entity.unit, id).variable;
+            variable = findMember(*found.entity.unit, id).variable;
         }
     }
     return variable && variable->isConstant && variable->folding == Folding::Open ? variable : nullptr;
 }
 
-void gatherConstants(World& world, const syntax::Expr* root, const Scope& scope, std::vector<Variable*>& out) {
+void gatherConstants(const World& world, const syntax::Expr* root, const Scope& scope, std::vector<Variable*>& out) {
     std::vector<const syntax::Expr*> open;
     if (root) open.push_back(root);
     while (!open.empty()) {
@@ -52,7 +53,7 @@ void gatherConstants(World& world, const syntax::Expr* root, const Scope& scope,
 }
 
 /// Adds what the initial value of a constant needs. False: it needs itself.
-bool planFolding(World& world, Variable& variable, std::vector<Variable*>& waiting) {
+bool planFolding(WorldBuilder& world, Variable& variable, std::vector<Variable*>& waiting) {
     variable.isFoldingPlanned = true;
     if (!variable.declaration) return true;
     std::vector<Variable*> needed;
@@ -67,7 +68,7 @@ bool planFolding(World& world, Variable& variable, std::vector<Variable*>& waiti
 
 /// Constants may be declared in any order. Those that one needs are folded before it without recursion, because a list
 /// in reverse order is a chain as long as the list. A cycle is left to the recursion, which reports it where it began.
-void foldNeeded(World& world, Variable& first) {
+void foldNeeded(WorldBuilder& world, Variable& first) {
     std::vector<Variable*> waiting{&first};
     while (!waiting.empty()) {
         Variable& variable = *waiting.back();
@@ -80,13 +81,18 @@ void foldNeeded(World& world, Variable& first) {
     }
 }
 
-const types::Value* constantOf(World& world, Variable& variable) {
+const types::Value* constantOf(WorldBuilder& world, Variable& variable) {
     if (variable.folding == Folding::Open && !variable.isFoldingPlanned) foldNeeded(world, variable);
     return fold(world, variable);
 }
 
+const types::Value* constantOf(const Check& check, Variable& variable) {
+    if (check.builder) return constantOf(*check.builder, variable);
+    return variable.folding == Folding::Constant ? &variable.value : nullptr;
+}
+
 ///   ok:    a : INT := b; b : INT := 5;  (CONSTANT)      wrong: a : INT := b; b : INT := a;  (P3003)
-const types::Value* fold(World& world, Variable& variable) {
+const types::Value* fold(WorldBuilder& world, Variable& variable) {
     switch (variable.folding) {
     case Folding::Constant:
         return &variable.value;
@@ -99,7 +105,6 @@ const types::Value* fold(World& world, Variable& variable) {
     case Folding::Open:
         break;
     }
-    ++world.completions;
     const syntax::Expr* initial = variable.declaration ? variable.declaration->initial : nullptr;
     const Waiting wait(world.waiting, 4 + (initial ? initial->height : 0));
     if (wait.isTooDeep) {
@@ -142,7 +147,7 @@ const types::Value* fold(World& world, Variable& variable) {
     return &variable.value;
 }
 
-void checkConstants(World& world) {
+void checkConstants(WorldBuilder& world) {
     const auto check = [&](Variable& variable) {
         if (variable.isConstant && variable.kind != syntax::SectionKind::External &&
             isFoldable(world.types, typeOf(world, variable)))
@@ -150,9 +155,7 @@ void checkConstants(World& world) {
     };
     for (Variable& variable : world.globals) check(variable);
     for (Unit& unit : world.units)
-        for (Variable& variable : unit.variables)
-            if (variable.kind == syntax::SectionKind::Var || variable.kind == syntax::SectionKind::Stat)
-                check(variable);
+        for (Variable& variable : unit.variables) check(variable);
 }
 
 } // namespace plc::sema

@@ -4,7 +4,9 @@
 
 namespace plc::sema {
 
-const types::Value* constantOf(World& world, Variable& variable);
-void checkConstants(World& world);
+const types::Value* constantOf(WorldBuilder& world, Variable& variable);
+/// Null, where it has none or it was reported.
+[[nodiscard]] const types::Value* constantOf(const Check& check, Variable& variable);
+void checkConstants(WorldBuilder& world);
 
 } // namespace plc::sema

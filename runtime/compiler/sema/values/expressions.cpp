@@ -23,8 +23,8 @@ using types::TypeTable;
 static Operand durationExpression(Context& context, const syntax::Expr& e);
 static Operand anyExpression(Context& context, const syntax::Expr& e, TypeId hint);
 
-Context::Context(World& theWorld, Scope theScope, diagnostics::Sink& theSink, Arena& theArena)
-    : world(theWorld), types(theWorld.types), scope(theScope), sink(theSink), arena(theArena) {}
+Context::Context(const Check& check, Scope theScope, diagnostics::Sink& theSink, Arena& theArena)
+    : Check(check), types(check.gathered.types), scope(theScope), sink(theSink), arena(theArena) {}
 
 Operand unknown(Context& context, SourceRange range) {
     tree::Expr* e = context.arena.make<tree::Expr>();
@@ -59,7 +59,7 @@ bool isNumeric(const Context& context, TypeId type) {
 void refer(Context& context, SourceRange range, SymbolId symbol, Access access) {
     if (context.isMuted || context.isExpression) return;
     const bool isWrite = access == Access::Write || access == Access::ReadWrite || access == Access::Address;
-    refer(context.world, range, symbol, access != Access::Write, isWrite);
+    refer(static_cast<const Check&>(context), range, symbol, access != Access::Write, isWrite);
 }
 
 TypeId textType(Context& context, size_t length, bool isWide) {
@@ -211,7 +211,7 @@ Operand aggregate(Context& context, const syntax::Expr& e, TypeId hint) {
     InitialValue initial;
     initial.bytes = context.types[hint].initial;
     initial.bytes.resize(context.types[hint].size);
-    initialise(context.world, initial, hint, 0, -1, &e, context.scope, nullptr);
+    initialise(context, initial, hint, 0, -1, &e, context.scope, nullptr);
     if (!initial.dynamics.empty()) {
         context.emit(e.range, findings::NotConstant());
         return unknown(context, e.range);

@@ -259,7 +259,7 @@ Operand textLiteral(Context& context, const Written& written) {
 Operand literal(Context& context, const syntax::Expr& e, TypeId hint) {
     Written written{e, {}, hint};
     if (e.prefix.isValid()) {
-        written.typed = resolveNamed(context.world, {e.prefix}, context.scope, e.prefix.range);
+        written.typed = resolveNamed(context, {e.prefix}, context.scope, e.prefix.range);
         if (context.isKind(written.typed, TypeKind::Unknown)) return unknown(context, e.range);
     }
     switch (e.op) {
@@ -303,14 +303,14 @@ std::optional<Operand> quotedName(Context& context, const syntax::Expr& e, TypeI
 }
 
 Operand enumerator(Context& context, const EnumeratorRef& ref, SourceRange range) {
-    completeEnum(context.world, *ref.type);
+    completeEnum(context, *ref.type);
     refer(context, range, ref.type->symbols[ref.index], Access::Read);
     return constant(context, {ref.type->type, context.types[ref.type->type].enumerators[ref.index].value}, range);
 }
 
 /// Color#Red, and what reads like it.
 Operand typedName(Context& context, const syntax::Expr& e) {
-    const TypeId type = resolveNamed(context.world, {e.prefix}, context.scope, e.prefix.range);
+    const TypeId type = resolveNamed(context, {e.prefix}, context.scope, e.prefix.range);
     if (context.isKind(type, TypeKind::Unknown)) return unknown(context, e.range);
     const auto it = context.world.enumsByType.find(type);
     if (it == context.world.enumsByType.end()) {

@@ -4,7 +4,9 @@
 #include "runtime/types/conversion.h"
 
 #include <cmath>
+#include <cstring>
 #include <limits>
+#include <random>
 
 namespace plc::test {
 
@@ -156,6 +158,90 @@ private:
 
 bool isInteger(TypeKind kind) { return types::isInteger(types::familyOf(kind)); }
 
+/// Any bits of the type, often with a small exponent or few digits: what programs compute with.
+class RandomValues {
+public:
+    explicit RandomValues(unsigned seed) : m_dice(seed) {}
+
+    Value of(TypeKind kind) {
+        const TypeId type = test::of(kind);
+        const uint64_t bits = m_dice();
+        if (familyOf(kind) != Family::Real) {
+            const auto number = static_cast<int64_t>(bits >> (m_dice() % 64));
+            const int64_t value = types::wrapInteger(kind, m_dice() % 2 ? number : -number);
+            return {type, kind == TypeKind::Bool ? int64_t(value != 0) : value};
+        }
+        double number = 0;
+        if (m_dice() % 4 == 0)
+            std::memcpy(&number, &bits, sizeof number);
+        else
+            number = std::ldexp(static_cast<double>(static_cast<int64_t>(bits)), -58 - static_cast<int>(m_dice() % 8));
+        return {type, kind == TypeKind::Real ? static_cast<double>(static_cast<float>(number)) : number};
+    }
+
+private:
+    std::mt19937_64 m_dice;
+};
+
+std::string_view nameOf(Intrinsic intrinsic) {
+    switch (intrinsic) {
+#define PLC_INTRINSIC(Name)                                                                                            \
+    case Intrinsic::Name:                                                                                              \
+        return #Name;
+#include "runtime/library/intrinsics.def"
+    }
+    return {};
+}
+
+/// What the intrinsics take and give, where that is more than their names say.
+struct Shape {
+    Intrinsic intrinsic;
+    std::vector<TypeKind> operands;
+    TypeKind result;
+};
+
+void addReal(std::vector<Shape>& out, TypeKind kind) {
+#define PLC_MATH1(Name, function) out.push_back({Intrinsic::Name, {kind}, kind});
+#define PLC_MATH2(Name, function) out.push_back({Intrinsic::Name, {kind, kind}, kind});
+#include "runtime/library/intrinsic_meanings.def"
+    for (const Intrinsic f : {Intrinsic::Abs, Intrinsic::Sqrt, Intrinsic::Square, Intrinsic::DegToRad,
+                              Intrinsic::RadToDeg, Intrinsic::TruncReal, Intrinsic::Floor, Intrinsic::Ceil,
+                              Intrinsic::RoundReal, Intrinsic::Frac, Intrinsic::Move})
+        out.push_back({f, {kind}, kind});
+    out.push_back({Intrinsic::IsValid, {kind}, TypeKind::Bool});
+    for (const TypeKind whole : {TypeKind::Sint, TypeKind::Uint, TypeKind::Dint, TypeKind::Lint, TypeKind::Ulint})
+        for (const Intrinsic f : {Intrinsic::Trunc, Intrinsic::Floor, Intrinsic::Ceil})
+            out.push_back({f, {kind}, whole});
+    for (const Intrinsic f : {Intrinsic::MulDuration, Intrinsic::DivDuration})
+        out.push_back({f, {TypeKind::Time, kind}, TypeKind::Time});
+}
+
+void addWhole(std::vector<Shape>& out, TypeKind kind) {
+    for (const Intrinsic f : {Intrinsic::Abs, Intrinsic::Square, Intrinsic::SwapBytes, Intrinsic::Move})
+        out.push_back({f, {kind}, kind});
+    for (const Intrinsic f : {Intrinsic::Shl, Intrinsic::Shr, Intrinsic::Rol, Intrinsic::Ror, Intrinsic::ExptInt})
+        for (const TypeKind count : {TypeKind::Sint, TypeKind::Dint, TypeKind::Ulint})
+            out.push_back({f, {kind, count}, kind});
+    for (const TypeKind bits : {TypeKind::Byte, TypeKind::Dword, TypeKind::Lword}) {
+        out.push_back({Intrinsic::ToBcd, {kind}, bits});
+        out.push_back({Intrinsic::BcdTo, {bits}, kind});
+    }
+    out.push_back({Intrinsic::MulDuration, {TypeKind::Time, kind}, TypeKind::Time});
+    out.push_back({Intrinsic::DivDuration, {TypeKind::Ltime, kind}, TypeKind::Ltime});
+}
+
+void addAny(std::vector<Shape>& out, TypeKind kind) {
+    out.push_back({Intrinsic::Sel, {TypeKind::Bool, kind, kind}, kind});
+    out.push_back({Intrinsic::Mux, {TypeKind::Sint, kind, kind, kind}, kind});
+    for (const Intrinsic f : {Intrinsic::Max, Intrinsic::Min, Intrinsic::Limit})
+        out.push_back({f, {kind, kind, kind}, kind});
+}
+
+unsigned seedOfRun() {
+    const char* given = std::getenv("STEPWISE_SEED");
+    return given ? static_cast<unsigned>(std::atoi(given)) : 20;
+}
+
 } // namespace
 
 TEST(Agreement, ConversionsBetweenAllElementaryTypes) {
@@ -301,6 +387,35 @@ TEST(Agreement, ShiftsSelectionsAndExtremes) {
                          library::evaluateIntrinsic(c.t.types, Intrinsic::Mux, of(kind), mux, nullptr).value, "mux");
             }
         }
+        c.check();
+    }
+}
+
+TEST(Agreement, IntrinsicsOnRandomArguments) {
+    const unsigned seed = seedOfRun();
+    SCOPED_TRACE("seed " + std::to_string(seed) + " (STEPWISE_SEED sets it)");
+    RandomValues random(seed);
+    for (const TypeKind kind : kNumbers) {
+        std::vector<Shape> shapes;
+        if (familyOf(kind) == Family::Real) addReal(shapes, kind);
+        if (isInteger(kind)) addWhole(shapes, kind);
+        addAny(shapes, kind);
+        Comparison c;
+        for (const Shape& shape : shapes)
+            for (int round = 0; round < 25; ++round) {
+                std::vector<Value> operands;
+                for (const TypeKind operand : shape.operands) operands.push_back(random.of(operand));
+                const library::Evaluated e =
+                    library::evaluateIntrinsic(c.t.types, shape.intrinsic, of(shape.result), operands, nullptr);
+                if (e.error != library::EvaluationError::None) continue; // a division by zero faults instead
+                std::vector<Expr*> inputs;
+                std::string what(nameOf(shape.intrinsic));
+                for (const Value& operand : operands) {
+                    inputs.push_back(c.input(operand));
+                    what += " " + c.text(operand);
+                }
+                c.expect(c.t.intrinsic(shape.intrinsic, of(shape.result), inputs), e.value, what);
+            }
         c.check();
     }
 }

@@ -91,6 +91,14 @@ TEST(Format, KnowsChartsTypesAndConfigurations) {
               "'m';\nEND_TEST\n");
 }
 
+TEST(Format, IndentsTheThreePartsOfACaughtFault) {
+    EXPECT_EQ(tidy("program p\n__try\na:=b/c; // may fault\nif a>3 then\n__try\nd:=1;\n__catch(code)\nd:=2;\n__endtry\n"
+                   "end_if\n__catch( code )\na:=0;\n__finally\nn:=n+1;\n__endtry\nend_program"),
+              "PROGRAM p\n__TRY\n    a := b / c; // may fault\n    IF a > 3 THEN\n        __TRY\n            d := 1;\n"
+              "        __CATCH(code)\n            d := 2;\n        __ENDTRY\n    END_IF\n__CATCH(code)\n    a := 0;\n"
+              "__FINALLY\n    n := n + 1;\n__ENDTRY\nEND_PROGRAM\n");
+}
+
 TEST(Format, LeavesTestsActionsAndNamedTypesAsDeepAsTheirUnits) {
     const std::string text =
         "TYPE Point :\nSTRUCT\n    x, y : REAL;\nEND_STRUCT\nEND_TYPE\nPROGRAM p\nVAR\n    a : INT;\n"

@@ -1,0 +1,97 @@
+// What the elements of panels show while a recorded run is looked through: which of them change. Made by a test for one
+// session, after its run, on the test's thread.
+#pragma once
+
+#include "hmi/model/faceplate.h"
+#include "hmi/model/walk.h"
+#include "hmi/player/panel_project.h"
+#include "hmi/player/plc_values.h"
+#include "projects/session/session.h"
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace plc {
+
+/// The values of an element's expressions, changed or not, whatever they move, fill, light or hide.
+class ShownElements {
+public:
+    ShownElements(const hmi::PanelProject& panels, session::Session& session) : m_session(session), m_values(session) {
+        m_lookup = [&panels](const QString& name) -> const hmi::Panel* {
+            const hmi::NamedPanel* found = panels.find(name);
+            return found ? &found->panel : nullptr;
+        };
+    }
+
+    void add(const hmi::NamedPanel& panel) {
+        if (!hmi::parametersOf(panel.panel).empty()) return; // a faceplate is looked at where it is placed
+        for (const hmi::Element& element : panel.panel.elements()) {
+            if (element.kind() != hmi::ElementKind::Faceplate)
+                add(panel.name, element);
+            else
+                for (const hmi::Element& inner : hmi::contentsOf(element, m_lookup)) add(panel.name, inner);
+        }
+    }
+
+    /// Looks at the recording four times a second. The name of an element that shows nothing, or nothing.
+    std::string watch(std::chrono::nanoseconds length) {
+        for (std::chrono::nanoseconds at{0}; at < length; at += std::chrono::milliseconds(250)) {
+            m_values.setPosition(m_session.history().positionAt(at));
+            m_values.refresh();
+            for (auto& [name, shown] : m_elements) {
+                std::string look;
+                for (const hmi::BindingId binding : shown.bindings) {
+                    const hmi::Value& value = m_values.value(binding);
+                    if (value.isNone()) return name + ": " + value.text().toStdString();
+                    m_seen[binding.index].insert(value.toLiteral().toStdString());
+                    look += value.toLiteral().toStdString() + " ";
+                }
+                shown.looks.insert(look);
+            }
+        }
+        return {};
+    }
+
+    /// How many expressions had more than one value.
+    size_t movedValues() const {
+        size_t moved = 0;
+        for (const auto& [expression, seen] : m_seen) moved += seen.size() > 1;
+        return moved;
+    }
+
+    size_t count() const { return m_elements.size(); }
+
+    std::set<std::string> moved() const { return named(true); }
+    std::set<std::string> still() const { return named(false); }
+
+private:
+    struct Shown {
+        std::vector<hmi::BindingId> bindings;
+        std::set<std::string> looks;
+    };
+
+    void add(const QString& panel, const hmi::Element& element) {
+        hmi::forEachBinding(element, [&](const hmi::Found& found) {
+            if (found.type != hmi::PropertyType::Target)
+                m_elements[(panel + "/" + element.caption()).toStdString()].bindings.push_back(
+                    m_values.bind(found.text));
+        });
+    }
+
+    std::set<std::string> named(bool hasMoved) const {
+        std::set<std::string> out;
+        for (const auto& [name, shown] : m_elements)
+            if ((shown.looks.size() > 1) == hasMoved) out.insert(name);
+        return out;
+    }
+
+    session::Session& m_session;
+    hmi::PlcValues m_values;
+    hmi::PanelLookup m_lookup;
+    std::map<std::string, Shown> m_elements;
+    std::map<size_t, std::set<std::string>> m_seen;
+};
+
+} // namespace plc
