@@ -77,20 +77,6 @@ TEST(ExampleTitles, FitOnTheirCards) {
     installTranslation(*qApp, "en");
 }
 
-TEST(ExampleTitles, AreInTheRecentListAsWell) {
-    installTranslation(*qApp, "de");
-    Settings settings;
-    settings.addRecent(StartPage::examplesFolder() + "/traffic_light");
-    {
-        StartPage page(settings);
-        bool isShown = false;
-        for (const QListWidget* list : page.findChildren<QListWidget*>())
-            if (list != &page.examples()) isShown = isShown || !list->findItems("Ampel", Qt::MatchExactly).isEmpty();
-        EXPECT_TRUE(isShown);
-    }
-    installTranslation(*qApp, "en");
-}
-
 TEST(ExampleTitles, AreWrittenOnTheCards) {
     installTranslation(*qApp, "de");
     EXPECT_EQ(exampleTitle("Traffic light"), "Ampel");
