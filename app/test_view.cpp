@@ -39,8 +39,10 @@ TestView::TestView(editor::Workspace& workspace, TestRunner& runner, QWidget* pa
     m_tree->setAlternatingRowColors(true);
     m_tree->setContextMenuPolicy(Qt::CustomContextMenu);
     m_tree->setAccessibleName(tr("Tests"));
-    m_tree->setColumnWidth(Title, 380);
-    m_tree->setColumnWidth(State, 360);
+    m_tree->header()->setStretchLastSection(false);
+    m_tree->header()->setSectionResizeMode(Title, QHeaderView::Stretch); // so that the time stays in sight
+    m_tree->setColumnWidth(State, 300);
+    m_tree->header()->setSectionResizeMode(Time, QHeaderView::ResizeToContents);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);

@@ -11,7 +11,6 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QHeaderView>
-#include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
 #include <QMenu>
@@ -142,14 +141,8 @@ CallPathView::CallPathView(RunControl& control, QWidget* parent) : QWidget(paren
     splitter->addWidget(m_values);
     for (int column : {0, 1})
         m_frames->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents); // the line in sight
-    m_none = new QLabel(tr("This scan has run to its end: it has no call stack."), this);
-    m_none->setObjectName(QStringLiteral("noCallStack"));
-    m_none->setWordWrap(true);
-    m_none->setMargin(6);
-    m_none->hide();
-    stack(this, {m_none, splitter});
+    stack(this, {splitter});
     connect(&control, &RunControl::halted, this, &CallPathView::refresh);
-    connect(&control, &RunControl::viewedChanged, this, &CallPathView::refresh); // all views show one moment
     connect(&control, &RunControl::sessionChanged, this, &CallPathView::refresh);
     connect(&control, &RunControl::statusChanged, this, [this] {
         const controller::State now = m_control.status().state;
@@ -185,19 +178,10 @@ void CallPathView::showValues() {
                   *program->layout.types, text(variables[i].first), variables[i].second);
 }
 
-bool CallPathView::showsItsMoment() const {
-    if (m_control.showsRecorded()) return false;
-    const auto viewed = m_control.viewed();
-    if (!viewed) return true;
-    const history::History* history = m_control.shownHistory();
-    return m_control.status().fault && history && *viewed + 1 == history->statistics().end;
-}
-
 void CallPathView::refresh() {
     m_frames->clear();
     m_ranges.clear();
-    m_none->setVisible(m_control.hasValues() && !showsItsMoment());
-    if (!m_control.session() || m_control.isEnding() || !showsItsMoment()) return showValues();
+    if (!m_control.session() || m_control.isEnding()) return showValues();
     const auto add = [&](const std::string& function, const std::string& instance, SourceRange range) {
         auto* item = new QTreeWidgetItem(m_frames, {text(function), text(instance)});
         m_ranges.push_back(range);
@@ -220,8 +204,9 @@ BreakpointView::BreakpointView(RunControl& control, QWidget* parent) : QWidget(p
     QToolBar* bar = makeBar(this);
     m_tree = makeTree(this, {tr("Place"), tr("Condition"), tr("Hit count"), tr("Instance")}, tr("Breakpoints"));
     m_tree->setSelectionMode(QAbstractItemView::ExtendedSelection);
-    m_tree->setColumnWidth(0, 200);
-    m_tree->setColumnWidth(1, 200);
+    m_tree->setColumnWidth(0, 140);
+    m_tree->setColumnWidth(1, 110);
+    m_tree->header()->setSectionResizeMode(2, QHeaderView::ResizeToContents); // in sight in every language
     connect(bar->addAction(kit::icon(kit::Icon::Delete), tr("Remove selected")), &QAction::triggered, this, [this] {
         auto list = m_control.breakpoints();
         for (QTreeWidgetItem* item : m_tree->selectedItems())

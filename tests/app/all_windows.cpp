@@ -169,7 +169,17 @@ void writeProjectOfAllKinds(const QString& folder) {
     write(folder + "/hmi/texts.csv", "key,comment,en\nfault,,Fault\nhot,,Hot\nState.0,,Off\n");
 }
 
+/// As it is seen without a project.
+static void lookAtStartPage(MainWindow& window, const Look& look) {
+    StartPage page(window.settings());
+    page.resize(1100, 680);
+    page.show();
+    QTest::qWait(20);
+    look(page, "start page");
+}
+
 void lookAtAllDocuments(MainWindow& window, const Look& look) {
+    lookAtStartPage(window, look);
     window.action("run.start")->trigger();
     ASSERT_TRUE(waitFor([&] { return window.control().status().scans > 20; }));
     window.watch().setExpressions({"Main.counter", "Main.done", "Main.pulse"});
