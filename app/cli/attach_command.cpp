@@ -187,15 +187,6 @@ const Verb kVerbs[] = {{"state", 0, 0, state},
                        {"sources", 1, 1, sources},
                        {"change", 1, 1, nullptr}};
 
-Result<std::string> codeOf(const Arguments& arguments) {
-    const auto path = arguments.value("--code");
-    if (!path) return Error{errors::AttachNeedsCode(), {}};
-    std::ifstream file(*path);
-    std::string code;
-    if (!file || !std::getline(file, code)) return Error{errors::FileNotRead(errors::ofSystem(errno)), *path};
-    return code;
-}
-
 int run(const Arguments& arguments) {
     const Words& paths = arguments.paths();
     if (paths.empty()) return wrongUse({errors::AttachNeedsAddress(), ""});
@@ -205,14 +196,16 @@ int run(const Arguments& arguments) {
     if (verb == std::end(kVerbs)) return wrongUse({errors::NoSuchVerb(name), ""});
     const Words words(paths.begin() + std::min<std::ptrdiff_t>(2, std::ssize(paths)), paths.end());
     if (words.size() < verb->least || words.size() > verb->most) return wrongUse({errors::VerbWords(name), ""});
-    const auto code = codeOf(arguments);
+    const auto file = arguments.value("--code");
+    if (!file) return wrongUse({errors::AttachNeedsCode(), {}});
+    const auto code = Attached::readCode(*file);
     if (!code) return wrongUse(code.error());
     needApplication();
     catchInterrupt();
     Attached there;
     const auto attached =
         there.attach({.url = QUrl(QString::fromStdString(paths[0])),
-                      .code = QString::fromStdString(*code).trimmed(),
+                      .code = *code,
                       .trustFile = QString::fromStdString(arguments.value("--certificate").value_or("")),
                       .name = QStringLiteral("command line")});
     if (!attached) return wrongUse(attached.error());

@@ -1,11 +1,15 @@
 #include "app/cli/attached.h"
 
 #include "app/cli/command.h"
+#include "app/cli/errors.h"
 #include "projects/remote/errors.h"
 #include "projects/remote/scan_stream.h"
 
 #include <QEventLoop>
 #include <QTimer>
+
+#include <cerrno>
+#include <fstream>
 
 namespace plc::cli {
 
@@ -64,6 +68,13 @@ Result<QByteArray> Attached::fetchRecording() {
     if (!begun) return begun.error();
     if (static_cast<uint64_t>(bytes.size()) == size) return bytes;
     return Error{remote::errors::ConnectionLost(m_controller.host().toStdString()), {}};
+}
+
+Result<QString> Attached::readCode(const std::string& path) {
+    std::ifstream file(path);
+    std::string code;
+    if (!file || !std::getline(file, code)) return Error{errors::FileNotRead(errors::ofSystem(errno)), path};
+    return QString::fromStdString(code).trimmed();
 }
 
 void Attached::wait(std::chrono::nanoseconds time) {

@@ -1,4 +1,7 @@
+#include "app/cli/attached.h"
 #include "app/cli/command.h"
+#include "app/cli/errors.h"
+#include "app/cli/live_controller.h"
 
 #include "projects/language_server/server.h"
 #include "projects/protocol/connection.h"
@@ -18,23 +21,43 @@ bool cancels(std::string_view message, const lsp::Json& id) {
     return named && *named == id;
 }
 
+/// Of the controller that --attach names; none: it names none.
+Result<std::shared_ptr<lsp::LiveValues>> liveValues(const Arguments& arguments) {
+    const auto url = arguments.value("--attach");
+    if (!url) return std::shared_ptr<lsp::LiveValues>();
+    const auto file = arguments.value("--code");
+    if (!file) return Error{errors::AttachNeedsCode(), {}};
+    const auto code = Attached::readCode(*file);
+    if (!code) return code.error();
+    needApplication();
+    return std::shared_ptr<lsp::LiveValues>(std::make_shared<LiveController>(editor::RemoteController::Address{
+        .url = QUrl(QString::fromStdString(*url)),
+        .code = *code,
+        .trustFile = QString::fromStdString(arguments.value("--certificate").value_or("")),
+        .name = QStringLiteral("language server")}));
+}
+
 int serveEditor(const Arguments& arguments) {
     std::signal(SIGPIPE, SIG_IGN);
+    const auto values = liveValues(arguments);
+    if (!values) return wrongUse(values.error());
     protocol::Connection connection(protocol::Framing::Heads, STDIN_FILENO, STDOUT_FILENO);
     lsp::Server server([&](const lsp::Json& message) { connection.send(protocol::toText(message)); },
-                       {arguments.values("--library")});
+                       {arguments.values("--library"), *values});
     server.isCancelled = [&](const lsp::Json& id) {
         return connection.isWaiting([&](std::string_view message) { return cancels(message, id); });
     };
     using std::chrono::milliseconds;
+    const auto idle = *values ? std::optional(milliseconds(250)) : std::nullopt;
     while (!server.isOver()) {
-        const auto message = connection.next(server.hasWork() ? std::optional(milliseconds(0)) : std::nullopt);
+        const auto message = connection.next(server.hasWork() ? std::optional(milliseconds(0)) : idle);
         if (message)
             server.receive(*message);
         else if (!connection.isOpen())
             return kProgramWrong; // the editor is gone without a good-bye
         else
             server.work();
+        server.refreshHints();
     }
     return server.exitCode();
 }
@@ -46,6 +69,9 @@ Command lspCommand() {
              "[OPTIONS]",
              "Serves an editor by the Language Server Protocol on standard input and output.",
              {{"--library", "NAME", "a library that files outside of projects use, besides the standard (repeatable)"},
+              {"--attach", "URL", "values of this running controller (stepwise serve) as hints beside the lines"},
+              {"--code", "FILE", "of --attach: the file attach-code of the controller's state folder"},
+              {"--certificate", "FILE", "of --attach: a certificate (PEM) that is trusted besides those of the system"},
               {"--stdio", "", "as some editors want it said; there is no other way"}},
              "stepwise lsp"},
             serveEditor};

@@ -109,6 +109,24 @@ void RecordingRing::keepWorst() {
     if (!position) return;
     fs::create_directories(folder, ignored);
     (void)m_session.history().saveRange(fileOf(*fresh).string(), {*position, *position + 1});
+    deleteOldestWorst();
+}
+
+/// Those of earlier starts: the ones of this start are few, and go by themselves.
+void RecordingRing::deleteOldestWorst() {
+    const std::string ours = std::to_string(m_start) + "-";
+    std::vector<std::pair<fs::file_time_type, fs::path>> all;
+    std::error_code ignored;
+    size_t count = 0;
+    for (const fs::directory_entry& entry : fs::directory_iterator(m_settings.folder / "worst", ignored)) {
+        if (entry.path().extension() != kEnding) continue;
+        ++count;
+        if (!entry.path().filename().string().starts_with(ours))
+            all.emplace_back(entry.last_write_time(ignored), entry);
+    }
+    std::sort(all.begin(), all.end());
+    for (auto it = all.begin(); it != all.end() && count > m_settings.worstFiles; ++it, --count)
+        fs::remove(it->second, ignored);
 }
 
 void RecordingRing::deleteOldest() {

@@ -18,6 +18,7 @@ struct RingSettings {
     uint64_t limit = uint64_t(256) << 20; // bytes of all files
     uint64_t fileSize = uint64_t(8) << 20;
     std::chrono::milliseconds interval{1000};
+    size_t worstFiles = 30; // of this start and of those before, together
 };
 
 class RecordingRing {
@@ -36,6 +37,7 @@ private:
     void begin(history::Position first);
     void deleteOldest();
     void keepWorst();
+    void deleteOldestWorst();
     const session::Session& m_session;
     RingSettings m_settings;
     std::filesystem::path m_file;

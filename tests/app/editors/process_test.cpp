@@ -127,6 +127,50 @@ TEST(Lsp, AnswersACancelledRequestWithoutWorkingOnIt) {
     EXPECT_EQ(peer.read()["error"]["code"], -32800);
 }
 
+TEST(Lsp, ShowsTheValuesOfARunningController) {
+    QTemporaryDir folder;
+    const QString program = folder.filePath("main.st"), state = folder.filePath("state");
+    const QByteArray text = "PROGRAM Main\nVAR n : DINT := 7; END_VAR\nn := n;\nEND_PROGRAM\n";
+    QFile file(program);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly) && file.write(text) == text.size());
+    file.close();
+    QProcess service;
+    service.start(QString::fromStdString(binaryDir() + "/bin/stepwise"),
+                  {"serve", program, "--port", "0", "--state", state});
+    while (service.state() != QProcess::NotRunning && !service.canReadLine()) service.waitForReadyRead(1000);
+    const QString url = QString::fromUtf8(service.readLine()).section(u' ', -1).trimmed();
+    ASSERT_TRUE(url.startsWith("http")) << service.readAllStandardError().toStdString();
+    Peer peer({"lsp", "--attach", url, "--code", state + "/attach-code"}, true);
+    peer.send(R"({"jsonrpc":"2.0","id":1,"method":"initialize","params":{"capabilities":)"
+              R"({"workspace":{"inlayHint":{"refreshSupport":true}}}}})");
+    EXPECT_TRUE(peer.readUntil("id", 1)["result"]["capabilities"]["inlayHintProvider"].toBool());
+    const QJsonObject document{{"uri", "file://" + program}, {"version", 1}, {"text", QString::fromUtf8(text)}};
+    const QJsonObject opened{
+        {"jsonrpc", "2.0"}, {"method", "textDocument/didOpen"}, {"params", QJsonObject{{"textDocument", document}}}};
+    peer.send(QJsonDocument(opened).toJson(QJsonDocument::Compact));
+    const auto hints = [&](int id) {
+        peer.send(QByteArray(R"({"jsonrpc":"2.0","id":)") + QByteArray::number(id) +
+                  R"(,"method":"textDocument/inlayHint","params":{"textDocument":{"uri":"file://)" + program.toUtf8() +
+                  R"("},"range":{"start":{"line":2,"character":0},"end":{"line":3,"character":0}}}})");
+        return peer.readUntil("id", id)["result"].toArray();
+    };
+    EXPECT_TRUE(hints(2).isEmpty()) << "what is wanted is only known now";
+    EXPECT_EQ(peer.readUntil("method", "workspace/inlayHint/refresh")["method"], "workspace/inlayHint/refresh");
+    EXPECT_EQ(hints(3).at(0).toObject()["label"], "n = 7");
+    service.kill();
+    service.waitForFinished();
+    EXPECT_EQ(peer.readUntil("method", "workspace/inlayHint/refresh")["method"], "workspace/inlayHint/refresh");
+    EXPECT_TRUE(hints(4).isEmpty()) << "it is gone";
+}
+
+TEST(Lsp, SaysWhatIsMissingToAttach) {
+    QProcess process;
+    process.start(QString::fromStdString(binaryDir() + "/bin/stepwise"), {"lsp", "--attach", "http://127.0.0.1:1/"});
+    ASSERT_TRUE(process.waitForFinished(60'000));
+    EXPECT_EQ(process.exitCode(), 2);
+    EXPECT_TRUE(process.readAllStandardError().contains("--code"));
+}
+
 TEST(Dap, StopsAtTheEntryAndStepsBack) {
     Peer peer({"dap"}, true);
     peer.send(R"({"seq":1,"type":"request","command":"initialize","arguments":{}})");

@@ -5,6 +5,9 @@
 
 #include <QTemporaryDir>
 
+#include <fstream>
+#include <iostream>
+
 namespace plc::serve {
 namespace {
 
@@ -88,6 +91,13 @@ TEST(RecordingRing, FilesFollowOneAnotherWithoutGapAndStayWithinTheirSize) {
     EXPECT_EQ(end, session.history().statistics().end) << "the last scan is there";
 }
 
+/// What the process holds in memory.
+uint64_t residentBytes() {
+    uint64_t all = 0, resident = 0;
+    std::ifstream("/proc/self/statm") >> all >> resident;
+    return resident * 4096;
+}
+
 /// A day of scans of 10 ms as fast as the machine makes them: memory and disk stay within what they may take, whatever
 /// is on disk opens, the newest scan is there.
 TEST(RecordingRing, ADayInTestTimeStaysWithinItsLimits) {
@@ -108,7 +118,12 @@ TEST(RecordingRing, ADayInTestTimeStaysWithinItsLimits) {
     {
         RecordingRing ring(session, {recording.toStdString(), limit, limit / 8, std::chrono::milliseconds(50)});
         session.startThread({session::Pace::Fastest});
+        ASSERT_TRUE(waitUntil([&] { return session.status().scans >= kDay / 4; }, 600'000));
+        const uint64_t before = residentBytes();
         ASSERT_TRUE(waitUntil([&] { return session.status().scans >= kDay; }, 600'000));
+        const uint64_t after = residentBytes();
+        std::cout << "resident after six hours " << (before >> 10) << " kB, after the day " << (after >> 10) << " kB\n";
+        EXPECT_LE(after, before + (uint64_t(16) << 20)) << "memory grows";
         EXPECT_LE(session.history().statistics().bytes, settings.historyBudget * 5 / 4);
         EXPECT_TRUE(ring.figures().problem.empty()) << ring.figures().problem;
         session.end();
@@ -132,6 +147,32 @@ TEST(RecordingRing, ANewStartGoesOnWithTheNextNumber) {
         session.runHere([](const controller::Controller& c) { return c.lastTime() >= std::chrono::milliseconds(50); });
     }
     EXPECT_EQ(recordings(folder.path()).size(), 2u);
+}
+
+TEST(RecordingRing, TheWorstScansOfEarlierStartsGoWhenThereAreTooMany) {
+    const QTemporaryDir folder;
+    const fs::path worst = fs::path(folder.path().toStdString()) / "worst";
+    fs::create_directories(worst);
+    const auto old = fs::file_time_type::clock::now() - std::chrono::hours(100);
+    const auto nameOf = [&](int i) { return worst / ("1-scan-" + std::to_string(1000 + i) + ".rec"); };
+    for (int i = 0; i < 40; ++i) {
+        std::ofstream(nameOf(i)) << "old";
+        fs::last_write_time(nameOf(i), old + std::chrono::minutes(i));
+    }
+    std::ofstream(worst / "notes.txt") << "of a person";
+    std::ofstream(fs::path(folder.path().toStdString()) / "00000001.rec") << "an earlier start";
+    session::Session session(builtCounter());
+    session.startThread({session::Pace::Real});
+    RecordingRing ring(session, {folder.path().toStdString(), 1 << 20, 1 << 16, std::chrono::milliseconds(20), 30});
+    ASSERT_TRUE(waitUntil([&] { return recordings(QString::fromStdString(worst.string())).size() <= 30; }, 60'000));
+    EXPECT_FALSE(fs::exists(nameOf(0))) << "the oldest first";
+    EXPECT_TRUE(fs::exists(nameOf(39)));
+    EXPECT_TRUE(fs::exists(worst / "notes.txt"));
+    EXPECT_TRUE(waitUntil([&] {
+        const auto kept = recordings(QString::fromStdString(worst.string()));
+        return std::any_of(kept.begin(), kept.end(),
+                           [](const fs::path& each) { return each.filename().string().starts_with("2-scan-"); });
+    }));
 }
 
 TEST(RecordingRing, AFullDiskIsReportedAndCostsNoScan) {
