@@ -54,8 +54,8 @@ ConversionDialog::ConversionDialog(const std::string& before, const std::string&
     layout->addWidget(sides, 1);
     layout->addWidget(note);
     layout->addWidget(buttons);
-    setTabOrder(copy, replace);
-    setTabOrder(replace, close);
+    setTabOrder(replace, copy); // as they are read
+    setTabOrder(copy, close);
 }
 
 } // namespace plc::app

@@ -6,7 +6,7 @@
 #include "editor/kit/message_text.h"
 #include "editor/kit/theme.h"
 #include "editor/kit/work_strip.h"
-#include "editor/plot/moment_label.h"
+#include "editor/plot/plot_scale.h"
 
 #include <QLabel>
 #include <QLocale>
@@ -150,7 +150,7 @@ void StatusLine::showFigures() {
     }
     const session::Status& status = m_control.status();
     m_time->setText(MainWindow::tr("%1 · scan %2")
-                        .arg(plot::momentLabel(status.time.count() / 1'000'000 * 1'000'000))
+                        .arg(plot::momentText(status.time.count() / 1'000'000 * 1'000'000))
                         .arg(status.scans));
     m_load->setText(MainWindow::tr("%1 µs · %2 % load")
                         .arg(QLocale().toString(static_cast<double>(status.lastScanNs) / 1e3, 'f', 1),

@@ -9325,6 +9325,10 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
 <context>
     <name>plc::editor::TuningView</name>
     <message>
+        <source>Charts of the loop</source>
+        <translation>Diagrammer for sløjfen</translation>
+    </message>
+    <message>
         <source>Recording and model</source>
         <translation>Optagelse og model</translation>
     </message>

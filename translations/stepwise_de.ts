@@ -9325,6 +9325,10 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
 <context>
     <name>plc::editor::TuningView</name>
     <message>
+        <source>Charts of the loop</source>
+        <translation>Diagramme des Regelkreises</translation>
+    </message>
+    <message>
         <source>Recording and model</source>
         <translation>Aufzeichnung und Modell</translation>
     </message>

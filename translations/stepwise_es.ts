@@ -9325,6 +9325,10 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
 <context>
     <name>plc::editor::TuningView</name>
     <message>
+        <source>Charts of the loop</source>
+        <translation>Gráficos del lazo</translation>
+    </message>
+    <message>
         <source>Recording and model</source>
         <translation>Registro y modelo</translation>
     </message>

@@ -9325,6 +9325,10 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
 <context>
     <name>plc::editor::TuningView</name>
     <message>
+        <source>Charts of the loop</source>
+        <translation>Graphiques de la boucle</translation>
+    </message>
+    <message>
         <source>Recording and model</source>
         <translation>Enregistrement et modèle</translation>
     </message>

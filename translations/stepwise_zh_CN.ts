@@ -9311,6 +9311,10 @@ New panels are drawn in the designer: Project, Panels, New…</source>
 <context>
     <name>plc::editor::TuningView</name>
     <message>
+        <source>Charts of the loop</source>
+        <translation>回路图表</translation>
+    </message>
+    <message>
         <source>Recording and model</source>
         <translation>记录与模型</translation>
     </message>

@@ -11,6 +11,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QHeaderView>
+#include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
 #include <QMenu>
@@ -141,8 +142,14 @@ CallPathView::CallPathView(RunControl& control, QWidget* parent) : QWidget(paren
     splitter->addWidget(m_values);
     for (int column : {0, 1})
         m_frames->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents); // the line in sight
-    stack(this, {splitter});
+    m_none = new QLabel(tr("This scan has run to its end: it has no call stack."), this);
+    m_none->setObjectName(QStringLiteral("noCallStack"));
+    m_none->setWordWrap(true);
+    m_none->setMargin(6);
+    m_none->hide();
+    stack(this, {m_none, splitter});
     connect(&control, &RunControl::halted, this, &CallPathView::refresh);
+    connect(&control, &RunControl::viewedChanged, this, &CallPathView::refresh); // all views show one moment
     connect(&control, &RunControl::sessionChanged, this, &CallPathView::refresh);
     connect(&control, &RunControl::statusChanged, this, [this] {
         const controller::State now = m_control.status().state;
@@ -178,10 +185,19 @@ void CallPathView::showValues() {
                   *program->layout.types, text(variables[i].first), variables[i].second);
 }
 
+bool CallPathView::showsItsMoment() const {
+    if (m_control.showsRecorded()) return false;
+    const auto viewed = m_control.viewed();
+    if (!viewed) return true;
+    const history::History* history = m_control.shownHistory();
+    return m_control.status().fault && history && *viewed + 1 == history->statistics().end;
+}
+
 void CallPathView::refresh() {
     m_frames->clear();
     m_ranges.clear();
-    if (!m_control.session() || m_control.isEnding()) return showValues();
+    m_none->setVisible(m_control.hasValues() && !showsItsMoment());
+    if (!m_control.session() || m_control.isEnding() || !showsItsMoment()) return showValues();
     const auto add = [&](const std::string& function, const std::string& instance, SourceRange range) {
         auto* item = new QTreeWidgetItem(m_frames, {text(function), text(instance)});
         m_ranges.push_back(range);

@@ -3,7 +3,7 @@
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
 #include "editor/kit/theme.h"
-#include "editor/plot/moment_label.h"
+#include "editor/plot/plot_scale.h"
 #include "runtime/debug/sites.h"
 #include "runtime/inside/texts.h"
 
@@ -183,10 +183,10 @@ void SlowScanView::show() {
     const auto& stamp = m_look->input().stamp;
     QString where = m_scan->stops() == 0 ? kit::messageText(inside::texts::NothingRan())
                     : m_scan->isAtEnd()
-                        ? tr("The end of scan %1 at %2").arg(stamp.scan).arg(plot::momentLabel(stamp.time.count()))
+                        ? tr("The end of scan %1 at %2").arg(stamp.scan).arg(plot::momentText(stamp.time.count()))
                         : tr("Scan %1 at %2: before statement %3 of %4")
                               .arg(stamp.scan)
-                              .arg(plot::momentLabel(stamp.time.count()))
+                              .arg(plot::momentText(stamp.time.count()))
                               .arg(m_scan->at() + 1)
                               .arg(m_scan->stops());
     QStringList passes;

@@ -2,7 +2,7 @@
 
 #include "editor/kit/message_text.h"
 #include "editor/kit/theme.h"
-#include "editor/plot/moment_label.h"
+#include "editor/plot/plot_scale.h"
 #include "runtime/inside/texts.h"
 
 #include <QApplication>
@@ -230,7 +230,7 @@ QTreeWidgetItem* WhyView::add(QTreeWidgetItem* parent, const Sentence& sentence,
     if (sentence.at) {
         item->setData(0, kScanRole, QVariant::fromValue<qulonglong>(sentence.at->position));
         item->setText(1, tr("%1 · scan %2", "time and number")
-                             .arg(plot::momentLabel(sentence.at->time.count()))
+                             .arg(plot::momentText(sentence.at->time.count()))
                              .arg(sentence.at->scan));
     }
     if (sentence.range.file.isValid() && sentence.range.length() && answer.program) {

@@ -2,8 +2,8 @@
 
 #include "editor/kit/message_text.h"
 #include "editor/kit/theme.h"
-#include "editor/plot/moment_label.h"
 #include "editor/plot/plot_model.h"
+#include "editor/plot/plot_scale.h"
 #include "editor/trace/trace_plot.h"
 
 #include <QHBoxLayout>
@@ -117,13 +117,13 @@ void TimeBar::mouseMoveEvent(QMouseEvent* event) {
 bool TimeBar::event(QEvent* event) {
     if (event->type() != QEvent::ToolTip) return QWidget::event(event);
     auto* help = static_cast<QHelpEvent*>(event);
-    QString text = m_to > 0 ? plot::momentLabel(timeAt(help->pos().x()) / 1'000'000 * 1'000'000) : QString();
+    QString text = m_to > 0 ? plot::momentText(timeAt(help->pos().x()) / 1'000'000 * 1'000'000) : QString();
     for (const Event& e : m_events)
         if (std::abs(xOf(e.time) - help->pos().x()) <= 4)
-            text = QStringLiteral("%1\n%2").arg(e.text, plot::momentLabel(e.time));
+            text = QStringLiteral("%1\n%2").arg(e.text, plot::momentText(e.time));
     for (int64_t branch : m_branches)
         if (std::abs(xOf(branch) - help->pos().x()) <= 6)
-            text = tr("Resumed from here\n%1").arg(plot::momentLabel(branch));
+            text = tr("Resumed from here\n%1").arg(plot::momentText(branch));
     QToolTip::showText(help->globalPos(), text, this);
     return true;
 }
@@ -249,7 +249,7 @@ QString TimeSlider::positionText() const {
     const Position position = m_position ? *m_position : m_recording->extent().second - 1;
     const auto stamp = m_recording->stamp(position);
     if (!stamp) return tr("no longer kept");
-    return tr("scan %1  %2").arg(stamp->scan).arg(plot::momentLabel(stamp->time.count()));
+    return tr("scan %1  %2").arg(stamp->scan).arg(plot::momentText(stamp->time.count()));
 }
 
 void TimeSlider::refresh() {

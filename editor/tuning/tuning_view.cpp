@@ -201,6 +201,7 @@ QWidget* TuningView::makeCharts() {
     grid->addWidget(m_load, 1, 1);
     auto* tabs = new QTabWidget;
     tabs->setObjectName("tuningCharts");
+    tabs->setAccessibleName(tr("Charts of the loop"));
     tabs->setDocumentMode(true);
     tabs->addTab(page, tr("Responses"));
     tabs->addTab(m_bode, tr("Bode Plot"));

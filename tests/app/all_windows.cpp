@@ -172,7 +172,7 @@ void writeProjectOfAllKinds(const QString& folder) {
 /// As it is seen without a project.
 static void lookAtStartPage(MainWindow& window, const Look& look) {
     StartPage page(window.settings());
-    page.resize(1100, 680);
+    page.resize(1000, 660);
     page.show();
     QTest::qWait(20);
     look(page, "start page");

@@ -130,12 +130,14 @@ TEST(MessageText, PlacesAndWhatTheSystemSaysAreKeptAndTranslated) {
               QString("/a/b.st: Die Datei kann nicht geschrieben werden: keine Berechtigung; prüfen Sie die Rechte des "
                       "Ordners"));
     EXPECT_EQ(kit::messageText(errors::About(std::string("Main.x"), errors::ConstantNotWritten()), "de"),
-              "Main.x: eine Konstante kann nicht geschrieben werden");
+              QString("Main.x: eine Konstante kann nicht geschrieben werden; ändern Sie sie im Programm"));
     EXPECT_EQ(kit::messageText(errors::NoVariableSuggest(std::string("a{0}b"), std::string("ab")), "de"),
               QString("es gibt keine Variable „a{0}b“; meinten Sie „ab“?"));
     EXPECT_EQ(kit::messageText(error, "en").toStdString(), error.english());
-    EXPECT_EQ(kit::messageText(errors::PartCount(std::string("a"), 1, 2), "de"), "a hat 1 Teil, der Wert hat 2");
-    EXPECT_EQ(kit::messageText(errors::PartCount(std::string("a"), 3, 2), "de"), "a hat 3 Teile, der Wert hat 2");
+    EXPECT_EQ(kit::messageText(errors::PartCount(std::string("a"), 1, 2), "de"),
+              QString("a hat 1 Teil, der Wert hat 2; schreiben Sie für jedes Teil einen Wert"));
+    EXPECT_EQ(kit::messageText(errors::PartCount(std::string("a"), 3, 2), "de"),
+              QString("a hat 3 Teile, der Wert hat 2; schreiben Sie für jedes Teil einen Wert"));
 }
 
 class GermanStudioTest : public StudioTest {

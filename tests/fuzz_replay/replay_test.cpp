@@ -68,6 +68,7 @@ TEST_F(FuzzReplay, MutantsByTheGrammarAreCheckedRunAndExchanged) {
     const char* given = std::getenv("STEPWISE_SEED");
     const auto first = given ? static_cast<uint32_t>(std::strtoul(given, nullptr, 10)) : std::random_device{}();
     std::printf("seed %u\n", first);
+    std::fflush(stdout); // seen also when a mutant ends the process
     const bool isLong = std::getenv("STEPWISE_LONG") != nullptr;
     const auto all = texts("seeds");
     size_t right = 0;

@@ -107,7 +107,7 @@ TEST_F(RunValues, GlobalsOfANamespaceAreAmongTheValues) {
     write("space.st", "NAMESPACE Plant\nVAR_GLOBAL\n    level : INT;\nEND_VAR\nEND_NAMESPACE\n"
                       "PROGRAM Main\nPlant.level := Plant.level + 1;\nEND_PROGRAM\n");
     EXPECT_EQ(command({"run", path("space.st"), "--scans", "3", "--format", "json"}), 0);
-    EXPECT_NE(out.find("\"Plant.level\":3"), std::string::npos) << out;
+    EXPECT_NE(out.find("\"Plant.space.level\":3"), std::string::npos) << out;
 }
 
 TEST_F(RunValues, AFileNamedTwiceIsOneFile) {

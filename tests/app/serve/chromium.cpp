@@ -75,7 +75,9 @@ QJsonObject Chromium::call(const QString& method, const QJsonObject& parameters,
 }
 
 std::unique_ptr<Page> Chromium::open(const QString& url, QSize size) {
-    const QString target = call(QStringLiteral("Target.createTarget"), {{"url", "about:blank"}})["targetId"].toString();
+    const QString target =
+        call(QStringLiteral("Target.createTarget"), {{"url", "about:blank"}, {"newWindow", true}})["targetId"]
+            .toString();
     const QString session =
         call(QStringLiteral("Target.attachToTarget"), {{"targetId", target}, {"flatten", true}})["sessionId"]
             .toString();

@@ -70,7 +70,7 @@ TEST(PropertyCheck, EachRuleHasAnElementThatBreaksIt) {
         {R"("kind":"line","points":[[0,1],[2]])",
          "a.points: The value must be a list of points, each a list of two numbers"},
         {R"("kind":"lamp","parent":"g")", "a.parent: The panel has no group or tab g; create it or choose another one"},
-        {R"("kind":"group","parent":"a")", "a.parent: The group a contains itself"},
+        {R"("kind":"group","parent":"a")", "a.parent: The group a contains itself; choose another parent"},
         {R"("kind":"hologram","colour":7)",
          "a.kind: This version does not know the element kind \"hologram\"; it is kept as it is"},
     };
@@ -81,7 +81,8 @@ TEST(PropertyCheck, EachRuleHasAnElementThatBreaksIt) {
 TEST(PropertyCheck, GroupsThatHoldEachOtherAreFoundAndPagesMustExist) {
     EXPECT_EQ(findings(R"({"id":"a","kind":"group","rect":[0,0,99,99],"parent":"b"},
                           {"id":"b","kind":"group","rect":[0,0,99,99],"parent":"a"})"),
-              "a.parent: The group a contains itself; b.parent: The group b contains itself");
+              "a.parent: The group a contains itself; choose another parent; "
+              "b.parent: The group b contains itself; choose another parent");
     EXPECT_EQ(findings(R"({"id":"t","kind":"tab","rect":[0,0,99,99]},
                           {"id":"a","kind":"lamp","rect":[0,0,20,20],"parent":"t","page":2},
                           {"id":"b","kind":"lamp","rect":[0,0,20,20],"parent":"t","page":1})"),

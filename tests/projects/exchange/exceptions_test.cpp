@@ -31,25 +31,25 @@ template <class Condition> bool eventually(Condition condition) {
 }
 
 // Every third scan divides by zero, every fifth leaves the array: in place and in what is called.
-const char* const kFaulty = "FUNCTION Share : INT\n"                                                   // 1
-                            "VAR_INPUT whole, parts : INT; END_VAR\n"                                  // 2
-                            "  Share := whole / parts;\n"                                              // 3
-                            "END_FUNCTION\n"                                                           // 4
-                            "PROGRAM Main\n"                                                           // 5
-                            "VAR n, share, caught, ended : INT; a : ARRAY[0..4] OF INT; sum : DINT;\n" // 6
-                            "  code, last : __SYSTEM.ExceptionCode; END_VAR\n"                         // 7
-                            "  n := n + 1;\n"                                                          // 8
-                            "  __TRY\n"                                                                // 9
-                            "    a[n MOD 6] := n;\n"                                                   // 10
-                            "    share := Share(1000, n MOD 3);\n"                                     // 11
-                            "    sum := sum + share;\n"                                                // 12
-                            "  __CATCH(code)\n"                                                        // 13
-                            "    caught := caught + 1;\n"                                              // 14
-                            "    last := code;\n"                                                      // 15
-                            "  __FINALLY\n"                                                            // 16
-                            "    ended := ended + 1;\n"                                                // 17
-                            "  __ENDTRY\n"                                                             // 18
-                            "  sum := sum + n;\n"                                                      // 19
+const char* const kFaulty = "FUNCTION Share : INT\n"                                                  // 1
+                            "VAR_INPUT whole, parts : INT; END_VAR\n"                                 // 2
+                            "  Share := whole / parts;\n"                                             // 3
+                            "END_FUNCTION\n"                                                          // 4
+                            "PROGRAM Main\n"                                                          // 5
+                            "VAR n, part, caught, ended : INT; a : ARRAY[0..4] OF INT; sum : DINT;\n" // 6
+                            "  code, last : __SYSTEM.ExceptionCode; END_VAR\n"                        // 7
+                            "  n := n + 1;\n"                                                         // 8
+                            "  __TRY\n"                                                               // 9
+                            "    a[n MOD 6] := n;\n"                                                  // 10
+                            "    part := Share(1000, n MOD 3);\n"                                     // 11
+                            "    sum := sum + part;\n"                                                // 12
+                            "  __CATCH(code)\n"                                                       // 13
+                            "    caught := caught + 1;\n"                                             // 14
+                            "    last := code;\n"                                                     // 15
+                            "  __FINALLY\n"                                                           // 16
+                            "    ended := ended + 1;\n"                                               // 17
+                            "  __ENDTRY\n"                                                            // 18
+                            "  sum := sum + n;\n"                                                     // 19
                             "END_PROGRAM\n";
 
 void runTo(Session& session, uint64_t scans) {
@@ -61,7 +61,7 @@ void runTo(Session& session, uint64_t scans) {
 /// The values of the program, as text; what differs by a bit differs here.
 std::string valuesOf(Session& session) {
     std::string out;
-    for (const char* name : {"n", "share", "caught", "ended", "sum", "last", "a[0]", "a[4]"}) {
+    for (const char* name : {"n", "part", "caught", "ended", "sum", "last", "a[0]", "a[4]"}) {
         const auto value = session.controller().read(std::string("Main.") + name);
         out += std::string(name) + "=" + (value ? std::to_string(value->integer()) : "?") + " ";
     }

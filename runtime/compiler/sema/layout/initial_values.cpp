@@ -107,6 +107,8 @@ public:
             m_check.emit(value.range, findings::TypeMismatch(Verbatim("(… := …)"), m_check.world.nameOf(m_type)));
         } else if (m_kind == TypeKind::Array && (value.kind == ExprKind::ArrayInit || value.kind == ExprKind::Repeat)) {
             elements(value);
+        } else if (value.kind == ExprKind::ArrayInit) {
+            m_check.emit(value.range, findings::TypeMismatch(Verbatim("[…]"), m_check.world.nameOf(m_type)));
         } else {
             expressionHere(value, bit);
         }

@@ -175,16 +175,6 @@ bool hasMembers(Context& context, Variable& variable, std::string_view name) {
            kind == TypeKind::Reference || kind == TypeKind::Unknown;
 }
 
-/// What a returned REFERENCE TO refers to: a variable elsewhere, which can be written.
-tree::Place* referredBy(Context& context, const Operand& reference, SourceRange range) {
-    tree::Place* place = context.arena.make<tree::Place>();
-    place->kind = tree::PlaceKind::Deref;
-    place->type = context.types[reference.type()].element;
-    place->range = range;
-    place->pointer = reference.expr;
-    return place;
-}
-
 /// A member of a value that no variable holds: the value is kept in a temporary for it.
 Denoted memberOfValue(Context& context, const Denoted& from, const syntax::Expr& e, Access access) {
     if (context.isKind(from.value.type(), TypeKind::Interface)) {

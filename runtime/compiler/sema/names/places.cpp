@@ -57,11 +57,15 @@ tree::Place* fieldPlace(Context& context, tree::Place* base, uint32_t offset, Ty
 }
 
 tree::Place* dereferenced(Context& context, tree::Place* reference, SourceRange range) {
+    return referredBy(context, load(context, reference, range), range);
+}
+
+tree::Place* referredBy(Context& context, const Operand& reference, SourceRange range) {
     tree::Place* place = context.arena.make<tree::Place>();
     place->kind = tree::PlaceKind::Deref;
-    place->type = context.types[reference->type].element;
+    place->type = context.types[reference.type()].element;
     place->range = range;
-    place->pointer = load(context, reference, range).expr;
+    place->pointer = reference.expr;
     return place;
 }
 

@@ -10,6 +10,8 @@ tree::Place* thisPlace(Context& context, SourceRange range);
 tree::Place* fieldPlace(Context& context, tree::Place* base, uint32_t offset, TypeId type, int16_t bit,
                         SourceRange range);
 tree::Place* dereferenced(Context& context, tree::Place* reference, SourceRange range);
+/// What a returned REFERENCE TO refers to: a variable elsewhere, which can be written.
+tree::Place* referredBy(Context& context, const Operand& reference, SourceRange range);
 tree::Place* temporary(Context& context, const Operand& operand);
 [[nodiscard]] tree::Place* rootOf(tree::Place* place);
 void takeAddress(Context& context, tree::Place* place);

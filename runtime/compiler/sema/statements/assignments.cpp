@@ -53,12 +53,7 @@ static tree::Place* behindProperty(Context& context, const Denoted& denoted, Sou
     if (!context.isKind(typeOf(context, *property.get->resultVariable), TypeKind::Reference)) return nullptr;
     const Operand reference = propertyValue(context, denoted, range);
     if (reference.isUnknown()) return nullptr;
-    tree::Place* place = context.arena.make<tree::Place>();
-    place->kind = tree::PlaceKind::Deref;
-    place->type = context.types[reference.type()].element;
-    place->range = range;
-    place->pointer = reference.expr;
-    return place;
+    return referredBy(context, reference, range);
 }
 
 /// Where a value goes: a place or a property. Reports what cannot be written.

@@ -411,6 +411,12 @@ Operand converted(Context& context, Operand operand, TypeId to) {
         return unknown(context, range);
     }
     if (from == to && !operand.isFlexible) return operand;
+    const auto isReferenceOrPointer = [&](TypeId type) {
+        return context.isKind(type, TypeKind::Reference) || context.isKind(type, TypeKind::Pointer);
+    };
+    if (context.isKind(from, TypeKind::Reference) &&
+        !isReferenceOrPointer(to)) // of a call: a variable's is read already
+        return converted(context, load(context, referredBy(context, operand, range), range), to);
     if (operand.isFlexible ||
         (operand.isConstant() && isNumeric(context, from) && !context.isKind(from, TypeKind::Enum)))
         if (const auto made = convertedConstant(context, operand, to)) return *made;

@@ -157,6 +157,15 @@ TEST(Limits, InterfacesOnManyWaysAreSearchedOnce) {
     EXPECT_EQ(errorsOf(text), "P2002");
 }
 
+/// Each asked the other what the value is, until the stack was full.
+TEST(Limits, ElementsForAStructureAreAMistake) {
+    const std::string type = "TYPE S : STRUCT a : INT; END_STRUCT END_TYPE\nFUNCTION_BLOCK F\nEND_FUNCTION_BLOCK\n";
+    EXPECT_EQ(errorsOf(type + "PROGRAM Main\nVAR s : S := [1, 2]; END_VAR\nEND_PROGRAM\n"), "P2003");
+    EXPECT_EQ(errorsOf(type + "PROGRAM Main\nVAR s : S; END_VAR\ns := [1, 2];\nEND_PROGRAM\n"), "P2003");
+    EXPECT_EQ(errorsOf(type + "PROGRAM Main\nVAR f : F := [1]; END_VAR\nEND_PROGRAM\n"), "P2003");
+    EXPECT_EQ(errorsOf(type + "PROGRAM Main\nVAR s : ARRAY[1..2] OF S := [[1], [2]]; END_VAR\nEND_PROGRAM\n"), "P2003");
+}
+
 TEST(Limits, WhatDoublesWithEachLineIsReportedWhereItIsTooLarge) {
     const std::string structures =
         "TYPE\nT0 : STRUCT a : INT := 1; END_STRUCT\n" +
