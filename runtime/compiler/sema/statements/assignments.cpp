@@ -139,6 +139,9 @@ void bindReference(Context& context, tree::Place* raw, const syntax::Expr& value
             source = sameBits(context, load(context, denoted.place, value.range), type);
         else if (!fitsElement)
             return mismatch(context, value.range, given, type);
+        else if (denoted.place->kind == tree::PlaceKind::Deref &&
+                 context.isKind(denoted.place->pointer->type, TypeKind::Reference)) // what it refers to, or nothing
+            source = sameBits(context, {denoted.place->pointer, &context.types}, type);
         else
             source = addressOf(context, denoted.place, type, value.range);
     } else {

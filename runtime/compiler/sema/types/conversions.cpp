@@ -328,6 +328,11 @@ std::optional<Operand> convertedObject(Context& context, const Operand& operand,
             return sameBits(context, operand, to);
         break;
     case TypeKind::Reference:
+        // of another REFERENCE what it refers to, which may be nothing
+        if (operand.expr->kind == tree::ExprKind::Load && operand.expr->place->kind == tree::PlaceKind::Deref &&
+            context.isKind(operand.expr->place->pointer->type, TypeKind::Reference) &&
+            sameType(context.world, from, target.element))
+            return sameBits(context, {operand.expr->place->pointer, &context.types}, to);
         if (operand.expr->kind == tree::ExprKind::Load &&
             (sameType(context.world, from, target.element) ||
              (context.isKind(from, TypeKind::Block) && context.types.isDerivedFrom(from, target.element))))
