@@ -17,7 +17,9 @@ const ThemeColors* g_paper = nullptr;
 
 constexpr double kScreenDpi = 96;
 
-/// The tops of items that no other item reaches over, in order.
+constexpr double kOverlap = 14; // items claim a little more room than they draw in
+
+/// Where one item follows another from top to bottom, in order.
 std::vector<double> cutsOf(const QGraphicsScene& scene) {
     std::vector<std::pair<double, double>> spans; // top, bottom
     for (const QGraphicsItem* item : scene.items()) {
@@ -27,10 +29,11 @@ std::vector<double> cutsOf(const QGraphicsScene& scene) {
     }
     std::sort(spans.begin(), spans.end());
     std::vector<double> cuts;
-    double reached = -1e9;
-    for (const auto& [top, bottom] : spans) {
-        if (top >= reached - 1) cuts.push_back(top);
-        reached = std::max(reached, bottom);
+    double reached = 0;
+    for (size_t i = 0; i < spans.size(); ++i) {
+        const auto& [top, bottom] = spans[i];
+        if (i > 0 && top >= reached - kOverlap) cuts.push_back((top + std::max(top, reached)) / 2);
+        reached = i > 0 ? std::max(reached, bottom) : bottom;
     }
     return cuts;
 }

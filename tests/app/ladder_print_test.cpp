@@ -7,6 +7,8 @@
 #include <QGraphicsScene>
 #include <QPrinter>
 
+#include <algorithm>
+
 namespace plc::app {
 namespace {
 
@@ -45,6 +47,19 @@ TEST_F(LadderPrint, AShortOneIsOnePageAndALongOneIsReadableOnMany) {
     ladder(60);
     const int pages = pagesOf(view, folder.filePath("long.pdf"));
     EXPECT_GE(pages, 5) << "not all squeezed onto one page";
+    const auto rungs = view.scene().items();
+    const QRectF whole = view.scene().itemsBoundingRect();
+    for (const QRectF& page : kit::pagesOf(view.scene(), whole, 1000)) {
+        int begin = 0;
+        for (const QGraphicsItem* rung : rungs) begin += page.contains(rung->sceneBoundingRect().center()) ? 1 : 0;
+        EXPECT_GE(begin, 1) << "no page is empty";
+        if (page.bottom() < whole.bottom() - 1) {
+            EXPECT_TRUE(
+                std::any_of(rungs.begin(), rungs.end(),
+                            [&](const QGraphicsItem* rung) { return std::abs(rung->pos().y() - page.bottom()) < 10; }))
+                << "cut through a rung at " << page.bottom();
+        }
+    }
     EXPECT_LE(pages, 15) << "as large as on the screen, not larger";
     if (qEnvironmentVariableIsSet("STEPWISE_PICTURES"))
         QFile::copy(folder.filePath("long.pdf"), qEnvironmentVariable("STEPWISE_PICTURES") + "/ladder.pdf");

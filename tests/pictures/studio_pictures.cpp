@@ -219,7 +219,13 @@ void takeInside(app::MainWindow& window, const QString& project) {
     window.dock("why")->hide();
     window.action("time.walk")->trigger();
     waitFor([&] { return window.inside().slowScan().isOpen(); }, 8000);
-    for (int i = 0; i < 4; ++i) window.action("run.stepOver")->trigger();
+    const auto isAtTheSpeed = [&] {
+        const editor::StEditor& shown = *window.tabs().currentEditor();
+        int line = 0, column = 0;
+        shown.getCursorPosition(&line, &column);
+        return shown.text(line).contains("MIN(");
+    };
+    for (int i = 0; i < 30 && !isAtTheSpeed(); ++i) window.action("run.stepOver")->trigger();
     QTest::qWait(400);
     save(window, "inside_walk");
     window.inside().slowScan().close();
