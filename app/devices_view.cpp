@@ -33,8 +33,6 @@ using devices::Protocol;
 enum Column { Name, Variable, Where, State, Value, Traffic, Count };
 constexpr int kDevice = Qt::UserRole, kChannel = Qt::UserRole + 1, kChoices = Qt::UserRole;
 
-QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
-
 /// Fields with a fixed choice of words get a list of them.
 class FieldDelegate : public QStyledItemDelegate {
 public:
@@ -103,13 +101,13 @@ QStringList channelFieldsOf(Protocol protocol) {
 }
 
 QString placeOf(const devices::Device& device) {
-    if (device.protocol == Protocol::ModbusRtu) return text(device.serial) + QString(" · %1").arg(device.unit);
-    return text(device.host) + QString(":%1").arg(device.port);
+    if (device.protocol == Protocol::ModbusRtu) return kit::fromView(device.serial) + QString(" · %1").arg(device.unit);
+    return kit::fromView(device.host) + QString(":%1").arg(device.port);
 }
 
 QString placeOf(const devices::Device& device, const devices::Channel& channel) {
     const QString arrow = channel.direction == devices::Direction::In ? "← " : "→ ";
-    if (!device.isModbus()) return arrow + text(channel.topic + channel.jsonPath);
+    if (!device.isModbus()) return arrow + kit::fromView(channel.topic + channel.jsonPath);
     const QString bit = channel.bit >= 0 ? QString(".%1").arg(channel.bit) : QString();
     return arrow + kit::fromView(devices::spelling(channel.table)) + QString(" %1").arg(channel.address) + bit + " " +
            kit::fromView(devices::spelling(channel.type));
@@ -171,7 +169,7 @@ DevicesView::DevicesView(DeviceConnections& connections, editor::Workspace& work
     m_tree->setColumnWidth(Name, 170);
     m_tree->setColumnWidth(Variable, 150);
     m_tree->setColumnWidth(Where, 170);
-    m_tree->setColumnWidth(State, 150);
+    m_tree->setColumnWidth(Column::State, 150);
     m_fields->setObjectName("deviceFields");
     m_fields->setAccessibleName(tr("Fields of the device or channel"));
     m_fields->setHorizontalHeaderLabels({tr("Field"), tr("Content")});
@@ -259,9 +257,9 @@ void DevicesView::check() {
             QString place = "devices.json";
             if (finding.line > 0) place += QString(":%1").arg(finding.line);
             const std::string name = finding.device + (finding.channel.empty() ? "" : "." + finding.channel);
-            if (!name.empty()) place += "  " + text(name);
-            problems.push_back(
-                {"D1000", kit::messageText(finding.message), place, finding.isError, "devices.json", text(name)});
+            if (!name.empty()) place += "  " + kit::fromView(name);
+            problems.push_back({"D1000", kit::messageText(finding.message), place, finding.isError, "devices.json",
+                                kit::fromView(name)});
         }
     emit problemsChanged(std::move(problems));
 }
@@ -298,7 +296,7 @@ void DevicesView::addDevice(Protocol protocol) {
                            [&](const devices::Device& each) { return each.name == wish; });
     });
     edit([&](devices::DeviceFile& file) { file.addDevice(protocol, name); });
-    select(text(name));
+    select(kit::fromView(name));
 }
 
 void DevicesView::addChannel() {
@@ -309,7 +307,7 @@ void DevicesView::addChannel() {
         return std::any_of(device.channels.begin(), device.channels.end(),
                            [&](const devices::Channel& each) { return each.name == wish; });
     });
-    const QString path = text(device.name + "." + name);
+    const QString path = kit::fromView(device.name + "." + name);
     edit([&](devices::DeviceFile& file) { file.addChannel(entry->device, name); });
     select(path);
 }
@@ -366,13 +364,14 @@ void DevicesView::showTree() {
     m_tree->clear();
     for (size_t d = 0; d < m_file.devices().size(); ++d) {
         const devices::Device& device = m_file.devices()[d];
-        auto* item = new QTreeWidgetItem(m_tree, {text(device.name), text(device.online), placeOf(device)});
+        auto* item =
+            new QTreeWidgetItem(m_tree, {kit::fromView(device.name), kit::fromView(device.online), placeOf(device)});
         item->setData(0, kDevice, static_cast<uint>(d));
         item->setIcon(0, kit::icon(kit::Icon::Link));
         for (size_t c = 0; c < device.channels.size(); ++c) {
             const devices::Channel& channel = device.channels[c];
-            auto* child =
-                new QTreeWidgetItem(item, {text(channel.name), text(channel.variable), placeOf(device, channel)});
+            auto* child = new QTreeWidgetItem(
+                item, {kit::fromView(channel.name), kit::fromView(channel.variable), placeOf(device, channel)});
             child->setData(0, kDevice, static_cast<uint>(d));
             child->setData(0, kChannel, static_cast<uint>(c));
             if (before && before->device == d && before->channel == c) m_tree->setCurrentItem(child);
@@ -395,7 +394,8 @@ void DevicesView::showFields() {
     for (int row = 0; row < names.size(); ++row) {
         auto* name = new QTableWidgetItem(names[row]);
         name->setFlags(Qt::ItemIsEnabled);
-        auto* value = new QTableWidgetItem(text(m_file.field(entry->device, entry->channel, names[row].toStdString())));
+        auto* value =
+            new QTableWidgetItem(kit::fromView(m_file.field(entry->device, entry->channel, names[row].toStdString())));
         value->setData(kChoices, choicesOf(names[row]));
         m_fields->setItem(row, 0, name);
         m_fields->setItem(row, 1, value);
@@ -411,14 +411,14 @@ void DevicesView::showStatus() {
         QTreeWidgetItem* item = m_tree->topLevelItem(d);
         const devices::DeviceStatus* status = nullptr;
         for (const devices::DeviceStatus& each : all)
-            if (text(each.name) == item->text(Name)) status = &each;
+            if (kit::fromView(each.name) == item->text(Name)) status = &each;
         if (!isConnected) status = nullptr;
         const devices::Device& device = m_file.devices()[static_cast<size_t>(d)];
-        item->setText(State, status ? nameOf(status->state) : device.isEnabled ? QString() : tr("not enabled"));
-        item->setToolTip(State, status ? kit::messageText(status->problem) : QString());
+        item->setText(Column::State, status ? nameOf(status->state) : device.isEnabled ? QString() : tr("not enabled"));
+        item->setToolTip(Column::State, status ? kit::messageText(status->problem) : QString());
         item->setText(Value, status && !status->problem.isEmpty() ? kit::messageText(status->problem) : QString());
         const bool isLost = status && status->state == devices::LinkState::Lost;
-        item->setForeground(State, isLost ? kit::colors().bad : kit::colors().text);
+        item->setForeground(Column::State, isLost ? kit::colors().bad : kit::colors().text);
         item->setText(Traffic, status ? tr("%1 requests, %2 errors, %3 ms")
                                             .arg(locale.toString(qulonglong(status->figures.requests)),
                                                  locale.toString(qulonglong(status->figures.errors)),
@@ -428,10 +428,10 @@ void DevicesView::showStatus() {
             QTreeWidgetItem* child = item->child(c);
             const bool isKnown = status && static_cast<size_t>(c) < status->channels.size();
             const devices::ChannelStatus* channel = isKnown ? &status->channels[static_cast<size_t>(c)] : nullptr;
-            child->setText(State, channel ? nameOf(channel->quality) : QString());
-            child->setText(Value, channel ? text(channel->value) : QString());
+            child->setText(Column::State, channel ? nameOf(channel->quality) : QString());
+            child->setText(Value, channel ? kit::fromView(channel->value) : QString());
             const bool isBad = channel && channel->quality != devices::Quality::Good;
-            child->setForeground(State, isBad ? kit::colors().warning : kit::colors().text);
+            child->setForeground(Column::State, isBad ? kit::colors().warning : kit::colors().text);
         }
     }
     m_summary->setText(isConnected ? tr("connected") : tr("not connected"));

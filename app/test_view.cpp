@@ -2,6 +2,7 @@
 
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
+#include "editor/kit/texts.h"
 #include "editor/kit/theme.h"
 
 #include <QAction>
@@ -16,7 +17,6 @@ namespace plc::app {
 
 namespace {
 constexpr int kFile = Qt::UserRole, kLine = Qt::UserRole + 1, kTitle = Qt::UserRole + 2, kRecording = Qt::UserRole + 3;
-QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
 } // namespace
 
 TestView::TestView(editor::Workspace& workspace, TestRunner& runner, QWidget* parent)
@@ -108,7 +108,7 @@ void TestView::reload() {
             if (!item.isTest) continue;
             const int line = static_cast<int>(model->sources()[*id].lineColumn(item.nameRange.begin).line);
             tests.push_back({file, line, item.name});
-            shape += QString("%1|%2|%3\n").arg(file).arg(line).arg(text(item.name));
+            shape += QString("%1|%2|%3\n").arg(file).arg(line).arg(kit::fromView(item.name));
         }
     }
     if (shape == m_shape && !shape.isEmpty()) return;
@@ -124,10 +124,10 @@ void TestView::reload() {
             file->setData(0, kLine, 1);
             file->setExpanded(true);
         }
-        auto* item = new QTreeWidgetItem(file, {text(test.title)});
+        auto* item = new QTreeWidgetItem(file, {kit::fromView(test.title)});
         item->setData(0, kFile, test.file);
         item->setData(0, kLine, test.line);
-        item->setData(0, kTitle, text(test.title));
+        item->setData(0, kTitle, kit::fromView(test.title));
         m_items[test.title] = item;
         const auto known = m_results.find(test.title);
         showResult(item, known == m_results.end() ? nullptr : known->second);
@@ -160,9 +160,9 @@ void TestView::showResult(QTreeWidgetItem* item, const Known& result) {
     item->setText(Time, tr("%1 ms").arg(QLocale().toString(result->wallMs, 'f', 1)));
     for (const testing::Failure& failure : result->failures) {
         auto* row = new QTreeWidgetItem(item, {kit::messageText(failure.message), kit::messageText(failure.detail)});
-        row->setData(0, kFile, text(failure.file));
+        row->setData(0, kFile, kit::fromView(failure.file));
         row->setData(0, kLine, static_cast<int>(failure.line));
-        row->setData(0, kRecording, text(result->failures.back().recording)); // one for the whole test
+        row->setData(0, kRecording, kit::fromView(result->failures.back().recording)); // one for the whole test
         row->setToolTip(0, row->text(0));
         row->setToolTip(1, row->text(1));
     }

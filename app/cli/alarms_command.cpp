@@ -66,7 +66,7 @@ int statistics(const Arguments& arguments, std::vector<hmi::AlarmRecord> records
     return kGood;
 }
 
-int run(const Arguments& arguments) {
+int runAlarms(const Arguments& arguments) {
     if (arguments.paths().size() != 1) return wrongUse({errors::AlarmsNeedProject(), ""});
     const auto project = openNamedProject(arguments);
     if (!project) return wrongUse(project.error());
@@ -108,7 +108,7 @@ Command alarmsCommand() {
               {"--statistics", "", "alarms per hour, floods, standing, chattering and the ten most frequent ones"},
               {"--hours", "24", "with --statistics: how far back, from the newest entry"}},
              "stepwise alarms projects/examples/alarm_texts --statistics"},
-            run};
+            runAlarms};
 }
 
 } // namespace plc::cli

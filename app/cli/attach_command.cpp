@@ -187,7 +187,7 @@ const Verb kVerbs[] = {{"state", 0, 0, state},
                        {"sources", 1, 1, sources},
                        {"change", 1, 1, nullptr}};
 
-int run(const Arguments& arguments) {
+int runAttach(const Arguments& arguments) {
     const Words& paths = arguments.paths();
     if (paths.empty()) return wrongUse({errors::AttachNeedsAddress(), ""});
     const std::string name = paths.size() > 1 ? paths[1] : "state";
@@ -229,7 +229,7 @@ Command attachCommand() {
               {"--format", "text|json", "of state and list"},
               {"--library", "NAME", "of change: a library the files use (repeatable)"}},
              "stepwise attach http://127.0.0.1:8080/ read Main.speed --code .stepwise/serve/attach-code"},
-            run};
+            runAttach};
 }
 
 } // namespace plc::cli

@@ -50,7 +50,7 @@ std::string milliseconds(double nanoseconds) {
     return text;
 }
 
-std::string padded(std::string text, size_t width) {
+std::string cell(std::string text, size_t width) {
     if (text.size() < width) text.resize(width, ' ');
     return text + " ";
 }
@@ -86,9 +86,9 @@ std::string statusText(const std::vector<devices::DeviceStatus>& all) {
                std::to_string(f.bytesOut) + " out, latency " + milliseconds(f.meanLatencyNs) + ", at most " +
                milliseconds(static_cast<double>(f.worstLatencyNs)) + "\n";
         for (const devices::ChannelStatus& channel : device.channels)
-            out += "  " + padded(channel.name, 20) + padded(channel.variable, 20) +
-                   padded(channel.direction == devices::Direction::In ? "<-" : "->", 2) +
-                   padded(nameOf(channel.quality), 8) + channel.value + "\n";
+            out += "  " + cell(channel.name, 20) + cell(channel.variable, 20) +
+                   cell(channel.direction == devices::Direction::In ? "<-" : "->", 2) +
+                   cell(nameOf(channel.quality), 8) + channel.value + "\n";
     }
     return out;
 }

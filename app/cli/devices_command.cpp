@@ -74,7 +74,7 @@ int connectFor(const projects::Project& project, const devices::DeviceFile& file
     return kGood;
 }
 
-int run(const Arguments& arguments) {
+int runDevices(const Arguments& arguments) {
     if (arguments.paths().size() != 1) return wrongUse({errors::DevicesNeedProject(), ""});
     const auto project = openNamedProject(arguments);
     if (!project) return wrongUse(project.error());
@@ -106,7 +106,7 @@ Command devicesCommand() {
               {"--library", "NAME", "a library the files use, besides the standard (repeatable)"},
               {"--format", "text|json", "of --live: text (default) or JSON"}},
              "stepwise devices projects/examples/pump_well --live 5s"},
-            run};
+            runDevices};
 }
 
 } // namespace plc::cli

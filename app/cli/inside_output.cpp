@@ -11,7 +11,7 @@
 
 namespace plc::cli {
 
-using inside::Step;
+using inside::Reason;
 using Json = nlohmann::ordered_json;
 
 namespace {
@@ -95,11 +95,11 @@ Json partsJson(const std::vector<inside::Part>& parts) {
     return all;
 }
 
-Json stepsJson(const image::CompiledProgram& program, const std::vector<Step>& steps) {
+Json stepsJson(const image::CompiledProgram& program, const std::vector<Reason>& steps) {
     static constexpr const char* kKinds[] = {"statement", "guard", "not reset", "blocked", "block", "variable"};
     Json all = Json::array();
-    for (const Step& step : steps) {
-        if (step.kind == Step::Kind::Leaf && step.path.empty()) continue;
+    for (const Reason& step : steps) {
+        if (step.kind == Reason::Kind::Leaf && step.path.empty()) continue;
         Json json{{"kind", kKinds[static_cast<size_t>(step.kind)]}};
         if (!step.path.empty()) json["path"] = step.path;
         if (step.value.hasValue()) json["value"] = types::toText(*program.layout.types, step.value);

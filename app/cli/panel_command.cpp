@@ -179,7 +179,7 @@ int format(const projects::Project& project) {
     return done ? kGood : wrongUse(done.error());
 }
 
-int run(const Arguments& arguments) {
+int runPanel(const Arguments& arguments) {
     if (arguments.has("--rules")) return listRules();
     if (arguments.paths().size() != 1) return wrongUse({errors::PanelNeedsProject(), ""});
     const auto project = openNamedProject(arguments);
@@ -220,7 +220,7 @@ Command panelCommand() {
           {"--format-files", "", "write panels, texts and alarms in the canonical order"},
           {"--library", "NAME", "a library the files use, besides the standard (repeatable)"}},
          "stepwise panel projects/examples/alarm_texts --pictures out --language all --at 10s --set Panel.Start=TRUE"},
-        run};
+        runPanel};
 }
 
 } // namespace plc::cli

@@ -68,7 +68,7 @@ int set(const Arguments& arguments, hmi::PanelProject& panels, const std::string
     return saved ? kGood : wrongUse(saved.error());
 }
 
-int run(const Arguments& arguments) {
+int runPeople(const Arguments& arguments) {
     if (arguments.paths().size() != 1) return wrongUse({errors::PeopleNeedsProject(), ""});
     const auto project = openNamedProject(arguments);
     if (!project) return wrongUse(project.error());
@@ -107,7 +107,7 @@ Command peopleCommand() {
               {"--audit", "", "the audit trail: who changed what from what to what, when; and whether it is whole"},
               {"--csv", "FILE", "with --audit: into a file"}},
              "stepwise people projects/examples/motor --user anna --role operator --password"},
-            run};
+            runPeople};
 }
 
 } // namespace plc::cli

@@ -69,7 +69,7 @@ int read(const Arguments& arguments, const projects::Project& project, const hmi
     return kGood;
 }
 
-int run(const Arguments& arguments) {
+int runRecipe(const Arguments& arguments) {
     if (arguments.paths().size() != 1) return wrongUse({errors::RecipeNeedsProject(), ""});
     const auto project = openNamedProject(arguments);
     if (!project) return wrongUse(project.error());
@@ -119,7 +119,7 @@ Command recipeCommand() {
               {"--set", "PATH=VALUE[@TIME]", "write before the first scan at or after TIME (repeatable)"},
               {"--force", "PATH=VALUE[@TIME]", "force likewise (repeatable)"}},
              "stepwise recipe projects/examples/bottling --text large"},
-            run};
+            runRecipe};
 }
 
 } // namespace plc::cli

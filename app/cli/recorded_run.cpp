@@ -6,6 +6,8 @@
 
 #include "projects/storage/project_file.h"
 
+#include <fstream>
+
 namespace plc::cli {
 
 Result<void> setCalendarStart(const Arguments& arguments, const projects::Project& project,
@@ -14,6 +16,12 @@ Result<void> setCalendarStart(const Arguments& arguments, const projects::Projec
     if (!start) return start.error();
     if (*start) settings.controller.calendarStartNs = **start;
     return {};
+}
+
+bool isRecording(const std::string& path) {
+    char magic[6] = {};
+    std::ifstream(path, std::ios::binary).read(magic, sizeof magic);
+    return std::string_view(magic, sizeof magic) == "STWREC";
 }
 
 int askRecordedRun(const Arguments& arguments, const RecordedRun& run) {

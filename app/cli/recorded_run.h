@@ -22,6 +22,9 @@ struct RecordedRun {
 /// With --set, --force, --start and --for as they are given. The exit code.
 int askRecordedRun(const Arguments& arguments, const RecordedRun& run);
 
+/// Whether a file begins as a recording does, whatever it is called.
+[[nodiscard]] bool isRecording(const std::string& path);
+
 /// The calendar at the first scan: as --start says, else the project.
 Result<void> setCalendarStart(const Arguments& arguments, const projects::Project& project,
                               session::Settings& settings);

@@ -122,7 +122,7 @@ Result<void> runScans(const RunPlan& plan, const driver::Built& built, session::
     return {};
 }
 
-int run(const Arguments& arguments) {
+int runProject(const Arguments& arguments) {
     if (arguments.paths().empty()) return wrongUse({errors::NeedsProject(Verbatim("run")), ""});
     const auto project = openNamedProject(arguments);
     if (!project) return wrongUse(project.error());
@@ -230,7 +230,7 @@ Command runCommand() {
              "stepwise run projects/examples/motor --for 5s --set 'Plant.StartButton=TRUE@1s' --watch IO.K1 --csv "
              "motor.csv "
              "--record motor.rec"},
-            run};
+            runProject};
 }
 
 } // namespace plc::cli

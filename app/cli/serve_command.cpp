@@ -88,7 +88,7 @@ void printStatistics(const std::vector<controller::TaskStatistics>& tasks) {
     }
 }
 
-int run(const Arguments& arguments) {
+int runServe(const Arguments& arguments) {
     if (arguments.paths().empty()) return wrongUse({errors::NeedsProject(Verbatim("serve")), ""});
     const auto project = openNamedProject(arguments);
     if (!project) return wrongUse(project.error());
@@ -165,7 +165,7 @@ Command serveCommand() {
           {"--start", "DT#2026-01-01-06:00:00", "calendar at the first scan"},
           {"--library", "NAME", "a library the files use, besides the standard (repeatable)"}},
          "stepwise serve projects/examples/alarm_texts --port 8080"},
-        run};
+        runServe};
 }
 
 } // namespace plc::cli

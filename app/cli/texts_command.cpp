@@ -78,7 +78,7 @@ int importTexts(const Arguments& arguments, hmi::PanelProject& project, const st
     return report.remarks.empty() ? kGood : kProgramWrong;
 }
 
-int run(const Arguments& arguments) {
+int runTexts(const Arguments& arguments) {
     if (arguments.paths().size() != 1) return wrongUse({errors::TextsNeedProject(), ""});
     const auto project = openNamedProject(arguments);
     if (!project) return wrongUse(project.error());
@@ -107,7 +107,7 @@ Command textsCommand() {
               {"--missing", "", "only texts that have no translation yet"},
               {"--preview", "", "with --import: report only, write nothing"}},
              "stepwise texts projects/examples/alarm_texts --export alarm_texts.de.xlf --language de"},
-            run};
+            runTexts};
 }
 
 } // namespace plc::cli

@@ -233,7 +233,7 @@ int traceRecording(const Arguments& arguments, const std::string& file) {
     return finish(**recording, *output);
 }
 
-int run(const Arguments& arguments) {
+int runTrace(const Arguments& arguments) {
     if (const auto file = arguments.value("--recording")) return traceRecording(arguments, *file);
     if (arguments.paths().empty()) return wrongUse({errors::NeedsProject(Verbatim("trace")), ""});
     const auto project = openNamedProject(arguments);
@@ -313,7 +313,7 @@ Command traceCommand() {
           {"--library", "NAME", "a library the files use, besides the standard (repeatable)"}},
          "stepwise trace projects/examples/pid_pt1 --channels Main.SetPoint,IO.Measured --for 20s --picture loop.png "
          "--statistics"},
-        run};
+        runTrace};
 }
 
 } // namespace plc::cli

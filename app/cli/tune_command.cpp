@@ -22,12 +22,6 @@ namespace {
 
 using tuning::ControllerKind;
 
-bool isRecording(const std::string& path) {
-    char magic[6] = {};
-    std::ifstream(path, std::ios::binary).read(magic, sizeof magic);
-    return std::string_view(magic, sizeof magic) == "STWREC";
-}
-
 bool isTable(const std::string& path) {
     const std::string extension = std::filesystem::path(path).extension().string();
     return extension == ".csv" || extension == ".tsv" || extension == ".txt";

@@ -15,12 +15,6 @@ namespace plc::cli {
 
 namespace {
 
-bool isRecording(const std::string& path) {
-    char magic[6] = {};
-    std::ifstream(path, std::ios::binary).read(magic, sizeof magic);
-    return std::string_view(magic, sizeof magic) == "STWREC";
-}
-
 int answer(const Arguments& arguments, const history::History& history, const std::string& question) {
     const history::Statistics statistics = history.statistics();
     if (statistics.scans == 0) return wrongUse({errors::NoScanToAsk(), question});

@@ -3,6 +3,7 @@
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
 #include "editor/kit/post.h"
+#include "editor/kit/texts.h"
 #include "editor/kit/theme.h"
 #include "editor/plot/plot_scale.h"
 #include "editor/trace/trace_plot.h"
@@ -27,8 +28,6 @@
 namespace plc::editor {
 
 namespace {
-
-QString text(const std::string& s) { return QString::fromStdString(s); }
 
 QTreeWidget* makeTree(QWidget* parent, const QStringList& headers, const QString& name) {
     auto* tree = new QTreeWidget(parent);
@@ -89,8 +88,8 @@ void ForceView::refresh() {
         QTreeWidgetItem* item = static_cast<int>(i) < m_tree->topLevelItemCount()
                                     ? m_tree->topLevelItem(static_cast<int>(i))
                                     : new QTreeWidgetItem(m_tree);
-        item->setText(0, text(forces[i].path));
-        item->setText(1, text(types::toText(*m_control.session()->program()->layout.types, forces[i].value)));
+        item->setText(0, kit::fromView(forces[i].path));
+        item->setText(1, kit::fromView(types::toText(*m_control.session()->program()->layout.types, forces[i].value)));
         item->setIcon(0, kit::icon(kit::Icon::Force));
     }
 }
@@ -103,7 +102,7 @@ constexpr int kPartsShown = 500;
 
 /// A value with its parts below it; rows that are there keep their unfolding.
 void fillValue(QTreeWidgetItem* item, const types::TypeTable& types, const QString& name, const types::Value& value) {
-    const QString shown = text(types::toText(types, value)).left(300);
+    const QString shown = kit::fromView(types::toText(types, value)).left(300);
     if (item->text(0) != name) item->setText(0, name);
     if (item->text(1) != shown) item->setText(1, shown);
     const auto* parts = std::get_if<std::vector<types::Value>>(&value.data);
@@ -126,7 +125,7 @@ void fillValue(QTreeWidgetItem* item, const types::TypeTable& types, const QStri
         }
     } else if (parts) {
         for (size_t i = 0; i < parts->size() && i < type->fields.size() && row < kPartsShown; ++i)
-            if (!type->fields[i].isPrivate) part(text(type->fields[i].name), (*parts)[i]);
+            if (!type->fields[i].isPrivate) part(kit::fromView(type->fields[i].name), (*parts)[i]);
     }
     while (item->childCount() > row) delete item->child(row);
 }
@@ -182,7 +181,7 @@ void CallPathView::showValues() {
     for (size_t i = 0; i < variables.size(); ++i)
         fillValue(static_cast<int>(i) < m_values->topLevelItemCount() ? m_values->topLevelItem(static_cast<int>(i))
                                                                       : new QTreeWidgetItem(m_values),
-                  *program->layout.types, text(variables[i].first), variables[i].second);
+                  *program->layout.types, kit::fromView(variables[i].first), variables[i].second);
 }
 
 bool CallPathView::showsItsMoment() const {
@@ -199,7 +198,7 @@ void CallPathView::refresh() {
     m_none->setVisible(m_control.hasValues() && !showsItsMoment());
     if (!m_control.session() || m_control.isEnding() || !showsItsMoment()) return showValues();
     const auto add = [&](const std::string& function, const std::string& instance, SourceRange range) {
-        auto* item = new QTreeWidgetItem(m_frames, {text(function), text(instance)});
+        auto* item = new QTreeWidgetItem(m_frames, {kit::fromView(function), kit::fromView(instance)});
         m_ranges.push_back(range);
         if (const auto place = m_control.placeInText(range))
             item->setText(2, QString("%1:%2").arg(place->file).arg(place->line));
@@ -356,7 +355,7 @@ void TaskMonitor::refresh() {
         double interval = 0;
         for (const image::Task& each : m_control.session()->program()->tasks)
             if (each.name == task.name) interval = static_cast<double>(each.interval.count());
-        const QStringList columns{text(task.name),
+        const QStringList columns{kit::fromView(task.name),
                                   QString::number(task.count),
                                   nanosecondsText(static_cast<double>(task.lastNs)),
                                   nanosecondsText(static_cast<double>(task.minNs)),

@@ -4,6 +4,7 @@
 #include "editor/kit/errors.h"
 #include "editor/kit/message_text.h"
 #include "editor/kit/post.h"
+#include "editor/kit/texts.h"
 #include "projects/session/value_text.h"
 #include "runtime/base/messages.h"
 #include "runtime/base/text.h"
@@ -17,7 +18,6 @@ namespace plc::editor {
 
 namespace {
 constexpr int kFrameMs = 33;
-QString text(const std::string& s) { return QString::fromStdString(s); }
 } // namespace
 
 RunControl::RunControl(Workspace& workspace, QObject* parent) : QObject(parent), m_workspace(workspace) {
@@ -402,7 +402,8 @@ void RunControl::tellChange(const session::Status& before) {
 void RunControl::tellHalt() {
     for (size_t i = m_frames.size(); i-- > 0;) // the text shows the instances of the call path
         if (!m_frames[i].instance.empty())
-            m_instances.prefer(text(m_frames[i].function).section('.', 0, 0), text(m_frames[i].instance));
+            m_instances.prefer(kit::fromView(m_frames[i].function).section('.', 0, 0),
+                               kit::fromView(m_frames[i].instance));
     if (const Message problem = m_session->haltProblem(); !problem.isEmpty())
         emit messageAdded(tr("The condition of the breakpoint: %1").arg(kit::messageText(problem)), true);
     emit halted();
@@ -418,18 +419,18 @@ void RunControl::setPreferredInstance(const QString& pou, const QString& instanc
 std::optional<RunControl::Shown> RunControl::localOf(size_t frame, const QString& name) const {
     if (!m_shown.program()) return std::nullopt;
     for (const auto& [local, value] : m_session->frameVariables(frame))
-        if (text(local).compare(name, Qt::CaseInsensitive) == 0) return m_shown.shown(value);
+        if (kit::fromView(local).compare(name, Qt::CaseInsensitive) == 0) return m_shown.shown(value);
     return std::nullopt;
 }
 
 RunControl::Shown RunControl::valueIn(const QString& name, const QString& pou) const {
     if (!m_frames.empty() && !viewed() && !showsRecorded()) // halted: the locals of a frame of this POU come first
         for (size_t i = 0; i < m_frames.size(); ++i) {
-            if (text(m_frames[i].function).compare(pou, Qt::CaseInsensitive) != 0) continue;
-            if (const QString of = text(m_frames[i].instance); !of.isEmpty() && of != preferredInstance(pou))
+            if (kit::fromView(m_frames[i].function).compare(pou, Qt::CaseInsensitive) != 0) continue;
+            if (const QString of = kit::fromView(m_frames[i].instance); !of.isEmpty() && of != preferredInstance(pou))
                 continue; // another one was chosen
             if (auto local = localOf(i, name)) return *local;
-            if (!m_frames[i].instance.empty()) return value(name, text(m_frames[i].instance));
+            if (!m_frames[i].instance.empty()) return value(name, kit::fromView(m_frames[i].instance));
         }
     return value(name, pou.isEmpty() ? QString() : preferredInstance(pou));
 }

@@ -23,7 +23,7 @@ using ladder::RungKind;
 
 namespace {
 
-bool isContact(const ladder::Node& node) {
+bool isMovableContact(const ladder::Node& node) {
     return node.expr &&
            (node.kind == NodeKind::Contact || node.kind == NodeKind::Compare || node.kind == NodeKind::Edge);
 }
@@ -78,7 +78,7 @@ bool LadderView::pressed(const QMouseEvent& mouse) {
 }
 
 bool LadderView::isContactDragged() const {
-    return m_dragged.node.isValid() && m_syntax && isContact(m_diagram[m_dragged.node]);
+    return m_dragged.node.isValid() && m_syntax && isMovableContact(m_diagram[m_dragged.node]);
 }
 
 /// Where a contact comes that is dropped at a point: on the wire there, or beside the contact there.
@@ -87,7 +87,7 @@ std::optional<LadderGap> LadderView::gapBeside(QPointF point) const {
     const LadderPick pick = m_scene->pickAt(point);
     if (!pick.rung.isValid() || m_diagram[pick.rung].kind != RungKind::Logic) return std::nullopt;
     LadderGap gap{pick.rung, {}, Place::After, m_scene->rectOf(pick)};
-    if (!pick.node.isValid() || !isContact(m_diagram[pick.node])) return gap;
+    if (!pick.node.isValid() || !isMovableContact(m_diagram[pick.node])) return gap;
     gap.beside = pick.node;
     gap.place = point.x() < gap.at.center().x() ? Place::Before : Place::After;
     const double x = gap.place == Place::Before ? gap.at.left() : gap.at.right();

@@ -2,6 +2,7 @@
 
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
+#include "editor/kit/texts.h"
 #include "editor/kit/theme.h"
 #include "editor/plot/plot_scale.h"
 #include "runtime/debug/sites.h"
@@ -20,8 +21,6 @@ namespace plc::editor {
 using debug::Step;
 
 namespace {
-
-QString text(const std::string& s) { return QString::fromStdString(s); }
 
 QTreeWidget* makeTree(const QStringList& columns, const char* name, QWidget* parent) {
     auto* tree = new QTreeWidget(parent);
@@ -197,7 +196,7 @@ void SlowScanView::show() {
                  kit::messageText(m_look->doubt().isEmpty() ? inside::texts::CameOutOtherwise() : m_look->doubt());
     m_state->setText(where);
     for (const inside::SlowScan::Frame& frame : m_scan->stackTrace()) {
-        auto* item = new QTreeWidgetItem(m_frames, {text(frame.function), text(frame.instance)});
+        auto* item = new QTreeWidgetItem(m_frames, {kit::fromView(frame.function), kit::fromView(frame.instance)});
         if (const auto place = m_control.placeInText(frame.range, m_look->program()))
             item->setText(2, QString("%1:%2").arg(place->file).arg(place->line));
         item->setData(0, Qt::UserRole, frame.id);
@@ -213,10 +212,11 @@ void SlowScanView::showValues() {
     const types::TypeTable& types = *m_look->program().layout.types;
     for (const inside::SlowScan::Scope& scope : m_scan->scopes(frame->data(0, Qt::UserRole).toUInt())) {
         const bool isLocals = scope.kind == inside::SlowScan::Scope::Kind::Locals;
-        auto* group = new QTreeWidgetItem(m_values, {isLocals ? tr("Locals") : text(scope.instance)});
+        auto* group = new QTreeWidgetItem(m_values, {isLocals ? tr("Locals") : kit::fromView(scope.instance)});
         for (const inside::SlowScan::Variable& variable : scope.variables) {
             if (!variable.value.hasValue()) continue;
-            auto* item = new QTreeWidgetItem(group, {text(variable.name), text(types::toText(types, variable.value))});
+            auto* item = new QTreeWidgetItem(
+                group, {kit::fromView(variable.name), kit::fromView(types::toText(types, variable.value))});
             if (!variable.isChanged) continue;
             QFont bold = item->font(1);
             bold.setBold(true);

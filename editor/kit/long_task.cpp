@@ -13,10 +13,10 @@ namespace plc::kit {
 
 namespace {
 int waits = 500;
-constexpr int kSteps = 1000;
+constexpr int kDialogSteps = 1000;
 } // namespace
 
-LongTask::LongTask(const QString& label, QWidget* parent) : m_dialog(label, tr("Cancel"), 0, kSteps, parent) {
+LongTask::LongTask(const QString& label, QWidget* parent) : m_dialog(label, tr("Cancel"), 0, kDialogSteps, parent) {
     m_dialog.setWindowModality(Qt::WindowModal);
     m_dialog.setMinimumDuration(waits);
     m_dialog.setAutoReset(false);
@@ -28,7 +28,8 @@ void LongTask::setPatience(int milliseconds) { waits = milliseconds; }
 int LongTask::patience() { return waits; }
 
 bool LongTask::reached(double share) {
-    if (!m_dialog.wasCanceled()) m_dialog.setValue(std::clamp(static_cast<int>(share * kSteps), 0, kSteps - 1));
+    if (!m_dialog.wasCanceled())
+        m_dialog.setValue(std::clamp(static_cast<int>(share * kDialogSteps), 0, kDialogSteps - 1));
     return !m_dialog.wasCanceled();
 }
 
@@ -44,7 +45,7 @@ bool LongTask::runAside(const QString& label, QWidget* parent, const std::functi
     QTimer::singleShot(waits, &loop, &QEventLoop::quit);
     loop.exec(QEventLoop::ExcludeUserInputEvents);
     if (!hasEnded) {
-        QProgressDialog dialog(label, tr("Cancel"), 0, kSteps, parent);
+        QProgressDialog dialog(label, tr("Cancel"), 0, kDialogSteps, parent);
         dialog.setWindowModality(Qt::WindowModal);
         dialog.setMinimumDuration(0);
         dialog.setAutoReset(false);
@@ -52,7 +53,7 @@ bool LongTask::runAside(const QString& label, QWidget* parent, const std::functi
         dialog.setValue(0);
         QTimer look;
         QObject::connect(&look, &QTimer::timeout, &dialog, [&] {
-            dialog.setValue(std::clamp(static_cast<int>(progress.share() * kSteps), 0, kSteps - 1));
+            dialog.setValue(std::clamp(static_cast<int>(progress.share() * kDialogSteps), 0, kDialogSteps - 1));
         });
         QObject::connect(&dialog, &QProgressDialog::canceled, &loop, [&] {
             progress.cancel();

@@ -21,9 +21,9 @@ namespace plc::kit {
 
 namespace {
 
-constexpr int IdRole = Qt::UserRole + 1;
-
-QString idOf(const QModelIndex& index) { return index.sibling(index.row(), 0).data(IdRole).toString(); }
+QString idOf(const QModelIndex& index) {
+    return index.sibling(index.row(), 0).data(PropertyDelegate::IdRole).toString();
+}
 
 /// A number field that shows numbers as short as they are.
 class NumberSpin : public QDoubleSpinBox {

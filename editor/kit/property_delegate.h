@@ -13,6 +13,8 @@ class PropertyGrid;
 class PropertyDelegate : public QStyledItemDelegate {
     Q_OBJECT
 public:
+    static constexpr int IdRole = Qt::UserRole + 1; // of an item in the first column: the id of its property
+
     explicit PropertyDelegate(PropertyGrid& grid);
 
     QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option, const QModelIndex& index) const override;

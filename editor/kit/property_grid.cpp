@@ -16,9 +16,7 @@
 
 namespace plc::kit {
 
-namespace {
-constexpr int IdRole = Qt::UserRole + 1;
-}
+namespace {}
 
 QString propertyText(const PropertyDescriptor& descriptor, const QVariant& value) {
     if (!value.isValid()) return {};
@@ -90,7 +88,7 @@ void PropertyGrid::setDescriptors(std::vector<PropertyDescriptor> descriptors) {
             group->setFont(0, bold);
         }
         e.item = new QTreeWidgetItem(group, {e.descriptor.label});
-        e.item->setData(0, IdRole, e.descriptor.id);
+        e.item->setData(0, PropertyDelegate::IdRole, e.descriptor.id);
         e.item->setToolTip(0, e.descriptor.toolTip);
         e.item->setFlags(e.descriptor.isReadOnly ? Qt::ItemIsEnabled | Qt::ItemIsSelectable
                                                  : Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable);
@@ -110,7 +108,7 @@ const PropertyGrid::Entry* PropertyGrid::entry(const QString& id) const {
 }
 
 PropertyGrid::Entry* PropertyGrid::entryOf(const QTreeWidgetItem* item) {
-    return item && item->parent() ? entry(item->data(0, IdRole).toString()) : nullptr;
+    return item && item->parent() ? entry(item->data(0, PropertyDelegate::IdRole).toString()) : nullptr;
 }
 
 const PropertyDescriptor* PropertyGrid::descriptor(const QString& id) const {
@@ -168,7 +166,7 @@ void PropertyGrid::setFilter(const QString& text) {
             QTreeWidgetItem* item = group->child(j);
             const bool shown = text.isEmpty() || item->text(0).contains(text, Qt::CaseInsensitive) ||
                                item->text(1).contains(text, Qt::CaseInsensitive) ||
-                               item->data(0, IdRole).toString().contains(text, Qt::CaseInsensitive);
+                               item->data(0, PropertyDelegate::IdRole).toString().contains(text, Qt::CaseInsensitive);
             item->setHidden(!shown);
             any |= shown;
         }

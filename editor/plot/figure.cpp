@@ -1,5 +1,6 @@
 #include "editor/plot/figure.h"
 
+#include "editor/kit/texts.h"
 #include "editor/kit/theme.h"
 #include "editor/plot/plot_scale.h"
 #include "editor/plot/ruler_mark.h"
@@ -22,10 +23,8 @@ using waveform::Curve;
 
 constexpr double kPad = 6;
 
-QString text(const std::string& s) { return QString::fromStdString(s); }
-
 QColor colourOf(const Curve& curve) {
-    const QColor own(text(curve.ownColour));
+    const QColor own(kit::fromView(curve.ownColour));
     if (own.isValid()) return own;
     return curve.colour < 0 ? kit::colors().muted : kit::colors().curve(curve.colour);
 }
@@ -118,7 +117,7 @@ void paintAxes(QPainter& painter, const Chart& chart, const FigureFrame& frame, 
     if (!frame.hasTitleX) return;
     painter.setPen(colors.muted);
     drawText(painter, {frame.area.center().x(), frame.area.bottom() + metrics.height() + 3},
-             Qt::AlignHCenter | Qt::AlignTop, text(chart.xTitle));
+             Qt::AlignHCenter | Qt::AlignTop, kit::fromView(chart.xTitle));
 }
 
 /// Points that fall onto the pixel of the one before are left out; a gap parts the line.
@@ -174,7 +173,7 @@ void paintNotes(QPainter& painter, const Chart& chart, const FigureFrame& frame,
         painter.setPen(QPen(colors.plotGround, 1.5));
         painter.setBrush(colors.plotTrigger);
         painter.drawEllipse(at, 3.5, 3.5);
-        QRectF box(at.x() + 7, at.y() - metrics.height() - 1, metrics.horizontalAdvance(text(note.text)) + 6,
+        QRectF box(at.x() + 7, at.y() - metrics.height() - 1, metrics.horizontalAdvance(kit::fromView(note.text)) + 6,
                    metrics.height());
         if (box.right() > frame.area.right()) box.moveRight(at.x() - 7);
         if (box.top() < frame.area.top()) box.moveTop(frame.area.top() + 1);
@@ -185,7 +184,7 @@ void paintNotes(QPainter& painter, const Chart& chart, const FigureFrame& frame,
         ground.setAlphaF(0.85f);
         painter.fillRect(box, ground);
         painter.setPen(colors.text);
-        painter.drawText(box, Qt::AlignCenter, text(note.text));
+        painter.drawText(box, Qt::AlignCenter, kit::fromView(note.text));
     }
 }
 
@@ -199,7 +198,7 @@ void paintHead(QPainter& painter, const Chart& chart, const FigureFrame& frame, 
     size_t shown = 0;
     for (auto curve = chart.curves.rbegin(); curve != chart.curves.rend(); ++curve) {
         if (curve->name.empty()) continue;
-        const QString name = text(curve->name);
+        const QString name = kit::fromView(curve->name);
         const double width = metrics.horizontalAdvance(name);
         if (right - width - 30 < rect.left() + rect.width() * 0.35 || ++shown > kMostNames) break;
         painter.setPen(colors.text);
@@ -213,9 +212,9 @@ void paintHead(QPainter& painter, const Chart& chart, const FigureFrame& frame, 
     bold.setBold(true);
     painter.setFont(bold);
     painter.setPen(colors.text);
-    QString title = text(chart.title);
+    QString title = kit::fromView(chart.title);
     if (!chart.yTitle.empty())
-        title += title.isEmpty() ? text(chart.yTitle) : QStringLiteral("  ·  ") + text(chart.yTitle);
+        title += title.isEmpty() ? kit::fromView(chart.yTitle) : QStringLiteral("  ·  ") + kit::fromView(chart.yTitle);
     const double room = std::max(right - rect.left() - kPad - 8, 40.0);
     painter.drawText(QPointF(rect.left() + kPad, base), QFontMetricsF(bold).elidedText(title, Qt::ElideRight, room));
     painter.setFont(font);
@@ -344,7 +343,7 @@ QImage figurePicture(const Figure& figure, const PictureOptions& options, const 
 
 Result<void> exportFigure(const Figure& figure, const QString& path, const PictureOptions& options,
                           const FigureZoom& zoom) {
-    const QString title = figure.charts.empty() ? QString() : text(figure.charts.front().title);
+    const QString title = figure.charts.empty() ? QString() : kit::fromView(figure.charts.front().title);
     return exportPainted(title, path, options, [&](QPainter& painter, const QRectF& rect) {
         paintFigure(painter, figure, rect, QApplication::font(), zoom);
     });
@@ -357,7 +356,8 @@ Result<void> exportFigureCsv(const Figure& figure, const QString& path) {
     for (const Chart& chart : figure.charts)
         for (const Curve& curve : chart.curves)
             for (size_t i = 0; i < std::min(curve.x.size(), curve.y.size()); ++i) {
-                const QByteArray line = csvQuoted(text(chart.title)) + ',' + csvQuoted(text(curve.name)) + ',' +
+                const QByteArray line = csvQuoted(kit::fromView(chart.title)) + ',' +
+                                        csvQuoted(kit::fromView(curve.name)) + ',' +
                                         QByteArray::fromStdString(exactText(curve.x[i], PlotValueKind::Double)) + ',' +
                                         QByteArray::fromStdString(exactText(curve.y[i], PlotValueKind::Double)) + '\n';
                 file.write(line);

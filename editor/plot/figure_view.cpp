@@ -1,5 +1,6 @@
 #include "editor/plot/figure_view.h"
 
+#include "editor/kit/texts.h"
 #include "editor/kit/theme.h"
 #include "editor/plot/plot_scale.h"
 
@@ -15,7 +16,6 @@ namespace plc::plot {
 
 namespace {
 
-QString text(const std::string& s) { return QString::fromStdString(s); }
 constexpr double kReach = 14; // pixels within which a point is taken
 
 } // namespace
@@ -36,7 +36,7 @@ void FigureView::setFigure(Figure figure) {
         m_zoom = {};
         m_ruler.reset();
     }
-    setAccessibleName(m_figure.charts.empty() ? m_figure.empty : text(m_figure.charts.front().title));
+    setAccessibleName(m_figure.charts.empty() ? m_figure.empty : kit::fromView(m_figure.charts.front().title));
     update();
 }
 
@@ -199,19 +199,19 @@ void FigureView::showValues(const QPointF& place, const QPoint& global) {
     const waveform::Chart& shown = m_figure.charts[*chart];
     const auto near = nearestPoint(m_figure, frames(), place, kReach);
     const double at = near ? near->x : frames()[*chart].xAt(place.x());
-    QStringList lines{QStringLiteral("%1: %2").arg(text(shown.xTitle), valueText(at, 5))};
+    QStringList lines{QStringLiteral("%1: %2").arg(kit::fromView(shown.xTitle), valueText(at, 5))};
     constexpr qsizetype kMostLines = 12;
     for (const waveform::Curve& curve : shown.curves) {
         if (curve.name.empty() || curve.x.empty() || lines.size() > kMostLines) continue;
         if (!std::is_sorted(curve.x.begin(), curve.x.end())) { // one value over another: the point itself
-            if (near) lines << QStringLiteral("%1: %2").arg(text(curve.name), valueText(near->y, 5));
+            if (near) lines << QStringLiteral("%1: %2").arg(kit::fromView(curve.name), valueText(near->y, 5));
             continue;
         }
         auto next = std::lower_bound(curve.x.begin(), curve.x.end(), at);
         if (next == curve.x.end()) --next;
         const auto index = static_cast<size_t>(next - curve.x.begin());
         if (index < curve.y.size())
-            lines << QStringLiteral("%1: %2").arg(text(curve.name), valueText(curve.y[index], 5));
+            lines << QStringLiteral("%1: %2").arg(kit::fromView(curve.name), valueText(curve.y[index], 5));
     }
     QToolTip::showText(global, lines.join(QLatin1Char('\n')), this);
 }

@@ -1,6 +1,7 @@
 #include "editor/trace/program_variables.h"
 
 #include "editor/kit/fuzzy.h"
+#include "editor/kit/texts.h"
 #include "runtime/image/variable_tree.h"
 
 #include <QRegularExpression>
@@ -37,11 +38,13 @@ Icon iconOf(VariableKind kind) {
     return Icon::Variable;
 }
 
-QString text(const std::string& s) { return QString::fromStdString(s); }
-
 kit::VariableNode shown(const image::VariableNode& node, const types::TypeTable& types) {
-    return {text(node.name),    text(node.path),   node.isGroup() ? QString() : text(types[node.type].name),
-            text(node.comment), iconOf(node.kind), node.hasMembers,
+    return {kit::fromView(node.name),
+            kit::fromView(node.path),
+            node.isGroup() ? QString() : kit::fromView(types[node.type].name),
+            kit::fromView(node.comment),
+            iconOf(node.kind),
+            node.hasMembers,
             !node.isGroup()};
 }
 
@@ -81,7 +84,7 @@ std::vector<kit::VariableNode> ProgramVariables::search(const QString& wanted, i
         [&](const image::VariableNode& node, int depth) {
             if (++visited > MostVisited) return Next::Stop;
             if (!node.isGroup())
-                if (const auto match = kit::fuzzyMatch(wanted, text(node.path)))
+                if (const auto match = kit::fuzzyMatch(wanted, kit::fromView(node.path)))
                     hits.emplace_back(match->score - depth, shown(node, *m_program->layout.types));
             return depth > Deepest ? Next::Over : Next::Into;
         },

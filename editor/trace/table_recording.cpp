@@ -69,7 +69,7 @@ struct Node {
     std::map<std::string, Node> parts;
 };
 
-class Writer {
+class TableWriter {
 public:
     std::string write(const Node& root) {
         std::string globals, programs;
@@ -153,7 +153,7 @@ std::string programFor(const waveform::Table& table, const std::vector<std::stri
         }
         at->column = &table.columns[i];
     }
-    return Writer().write(root);
+    return TableWriter().write(root);
 }
 
 Result<TableRecording> recordTable(const waveform::Table& table, Progress* progress) {

@@ -183,7 +183,7 @@ Json channelJson(const ChannelSetup& c) {
     return w.finish();
 }
 
-ChannelSetup channelOf(const Json& json, const std::string& where, Message& problem) {
+ChannelSetup channelSetupOf(const Json& json, const std::string& where, Message& problem) {
     ChannelSetup c;
     c.origin = json;
     const Reader r(json, where, problem);
@@ -382,7 +382,7 @@ Result<TraceSetup> readSetup(std::string_view text, const std::string& place) {
         setup.trigger = triggerOf(*it, "trigger", problem);
     setup.charts = listOf<ChartSetup>(json, "charts", "", problem, chartOf);
     if (setup.charts.empty()) setup.charts.push_back({});
-    setup.channels = listOf<ChannelSetup>(json, "channels", "", problem, channelOf);
+    setup.channels = listOf<ChannelSetup>(json, "channels", "", problem, channelSetupOf);
     if (const auto it = json.find("figure"); it != json.end() && it->is_object())
         setup.figure = figureOf(*it, "figure", problem);
     setup.notes = listOf<NoteSetup>(json, "notes", "", problem, noteOf);

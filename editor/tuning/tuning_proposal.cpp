@@ -1,6 +1,7 @@
 #include "editor/tuning/tuning_view.h"
 
 #include "editor/kit/message_text.h"
+#include "editor/kit/texts.h"
 #include "editor/plot/figure_view.h"
 #include "editor/plot/plot_sample.h"
 #include "editor/plot/plot_scale.h"
@@ -19,8 +20,6 @@
 namespace plc::editor {
 
 namespace {
-
-QString text(const std::string& s) { return QString::fromStdString(s); }
 
 QString seconds(double value) {
     return value > 0 ? QString("%1 s").arg(plot::valueText(value, 4)) : QStringLiteral("–");
@@ -63,7 +62,7 @@ void TuningView::propose() {
         m_parameters = tuning::parametersOf(*m_finding->loop.form, *gains, m_finding->settings.cycle);
         m_proposal = tuning::assess(process, *gains, conditions);
     }
-    m_formula->setText(text(formula(process)));
+    m_formula->setText(kit::fromView(formula(process)));
     QStringList words;
     if (!m_proposal) words << tr("The rule has no answer for this process.");
     if (m_proposal)
@@ -107,7 +106,8 @@ void TuningView::showTable() {
     for (size_t i = 0; i < m_parameters.size(); ++i) {
         const QString before =
             i < m_finding->settings.values.size() ? plot::valueText(m_finding->settings.values[i], 6) : QString();
-        new QTreeWidgetItem(m_figures, {text(m_parameters[i].member), before, text(m_parameters[i].text)});
+        new QTreeWidgetItem(m_figures,
+                            {kit::fromView(m_parameters[i].member), before, kit::fromView(m_parameters[i].text)});
     }
     m_figures->resizeColumnToContents(0);
 }
@@ -170,7 +170,7 @@ void TuningView::showConstants() {
     for (const std::string& member : missing) {
         const bool isConstant =
             std::any_of(constants.begin(), constants.end(), [&](const auto& each) { return each.member == member; });
-        (isConstant ? inText : elsewhere) << text(member);
+        (isConstant ? inText : elsewhere) << kit::fromView(member);
     }
     QStringList words;
     if (!inText.isEmpty())
@@ -252,14 +252,15 @@ QStringList described(const std::vector<loops::ParameterWrite>& writes) {
     QStringList out;
     for (const loops::ParameterWrite& write : writes)
         out << QStringLiteral("%1 := %2")
-                   .arg(text(write.path), text(plot::exactText(write.value, plot::PlotValueKind::Single)));
+                   .arg(kit::fromView(write.path),
+                        kit::fromView(plot::exactText(write.value, plot::PlotValueKind::Single)));
     return out;
 }
 
 QStringList described(const std::vector<loops::ConstantEdit>& edits) {
     QStringList out;
     for (const loops::ConstantEdit& edit : edits)
-        out << QStringLiteral("%1 := %2").arg(text(edit.place.member), text(edit.text));
+        out << QStringLiteral("%1 := %2").arg(kit::fromView(edit.place.member), kit::fromView(edit.text));
     return out;
 }
 } // namespace
@@ -286,7 +287,7 @@ bool TuningView::put(const std::vector<loops::ParameterWrite>& wanted, const std
     if (!edits.empty()) {
         std::map<QString, std::vector<diagnostics::TextEdit>> byFile;
         for (const loops::ConstantEdit& edit : edits)
-            byFile[text(edit.place.file)].push_back({edit.place.range, edit.text});
+            byFile[kit::fromView(edit.place.file)].push_back({edit.place.range, edit.text});
         emit textEdits(byFile);
         if (m_control.isRunning()) m_control.onlineChange();
     }

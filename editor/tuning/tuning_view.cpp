@@ -3,6 +3,7 @@
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
 #include "editor/kit/post.h"
+#include "editor/kit/texts.h"
 #include "editor/plot/figure_view.h"
 #include "editor/plot/plot_scale.h"
 
@@ -24,8 +25,6 @@
 namespace plc::editor {
 
 namespace {
-
-QString text(const std::string& s) { return QString::fromStdString(s); }
 
 QString translated(std::string_view word) { return QCoreApplication::translate("Tuning", std::string(word).c_str()); }
 
@@ -216,7 +215,7 @@ void TuningView::listLoops() {
     const session::Run* run = m_control.run();
     m_listed = run ? run->program() : nullptr;
     if (m_listed)
-        for (const loops::Loop& loop : loops::loopsOf(*m_listed)) m_loop->addItem(text(loop.name));
+        for (const loops::Loop& loop : loops::loopsOf(*m_listed)) m_loop->addItem(kit::fromView(loop.name));
     if (const int index = m_loop->findText(before); index >= 0) m_loop->setCurrentIndex(index);
     if (!m_isSearching)
         m_state->setText(!run ? tr("Start the controller or open a recording; it is looked at for steps.")

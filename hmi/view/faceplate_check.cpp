@@ -13,8 +13,6 @@ namespace plc::hmi {
 
 namespace {
 
-QString panelFile(const QString& name) { return QStringLiteral("hmi/%1.panel.json").arg(name); }
-
 Finding findingIn(const NamedPanel& panel, const ElementId& element, const QString& property, Message message,
                   FindingKind kind = FindingKind::WrongArgument, bool isError = true) {
     return {kind, isError, panelFile(panel.name), 0, element, property, {}, std::move(message)};
@@ -52,10 +50,6 @@ Message complaintOf(const CheckInput& input, const Parameter& parameter, const Q
     if (names.isEmpty() || names.contains(parameter.type, Qt::CaseInsensitive)) return {};
     return errors::ArgumentOfOtherType(toUtf8(argument), toUtf8(names.front()), "$" + toUtf8(parameter.name),
                                        toUtf8(parameter.type));
-}
-
-bool hasLetters(const QString& text) {
-    return std::count_if(text.begin(), text.end(), [](QChar c) { return c.isLetter(); }) >= 2;
 }
 
 struct PlacementChecker {

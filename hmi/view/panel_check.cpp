@@ -14,9 +14,15 @@
 
 namespace plc::hmi {
 
-namespace {
-
 QString panelFile(const QString& name) { return QStringLiteral("hmi/%1.panel.json").arg(name); }
+
+bool hasLetters(const QString& text) {
+    int letters = 0;
+    for (const QChar c : text) letters += c.isLetter();
+    return letters >= 2;
+}
+
+namespace {
 
 const QString kTextFile = QStringLiteral("hmi/texts.csv");
 const QString kAlarmFile = QStringLiteral("hmi/alarms.json");
@@ -26,12 +32,6 @@ std::vector<std::string> bracedNames(const QStringList& names) {
     std::vector<std::string> out;
     for (const QString& name : names) out.push_back("{" + toUtf8(name) + "}");
     return out;
-}
-
-bool hasLetters(const QString& text) {
-    int letters = 0;
-    for (const QChar c : text) letters += c.isLetter();
-    return letters >= 2; // "X" and "m" are names of axes and units
 }
 
 struct Checker {

@@ -102,4 +102,9 @@ std::vector<Finding> checkPanels(const CheckInput& input);
 std::vector<Finding> checkPanel(const CheckInput& input, const NamedPanel& panel);
 std::vector<Finding> checkFit(const CheckInput& input, const NamedPanel& panel);
 
+/// The file of a panel, from the folder of the project.
+QString panelFile(const QString& name);
+/// Whether a text has words to translate; "X" and "m" are names of axes and units.
+bool hasLetters(const QString& text);
+
 } // namespace plc::hmi

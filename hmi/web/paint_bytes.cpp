@@ -3,8 +3,10 @@
 namespace plc::hmi::web {
 
 namespace {
-enum Step : uint8_t { End, Move, Line, Curve, Close };
-}
+struct PathStep {
+    enum : uint8_t { End, Move, Line, Curve, Close };
+};
+} // namespace
 
 void PaintBytes::path(const QPainterPath& path) {
     byte(path.fillRule() == Qt::OddEvenFill ? 0 : 1);
@@ -21,30 +23,30 @@ void PaintBytes::path(const QPainterPath& path) {
         const QPainterPath::Element element = path.elementAt(i);
         const bool isLast = i + 1 == size || path.elementAt(i + 1).isMoveTo();
         if (element.isMoveTo()) {
-            byte(Move);
+            byte(PathStep::Move);
             first = rounded(element);
             go(element);
             continue;
         }
         if (element.isLineTo()) {
             if (isLast && rounded(element) == first) {
-                byte(Close);
+                byte(PathStep::Close);
                 at = first;
                 continue;
             }
-            byte(Line);
+            byte(PathStep::Line);
             go(element);
             continue;
         }
         if (i + 2 >= size) break;
-        byte(Curve);
+        byte(PathStep::Curve);
         go(element);
         go(path.elementAt(i + 1));
         go(path.elementAt(i + 2));
         i += 2;
-        if ((i + 1 == size || path.elementAt(i + 1).isMoveTo()) && at == first) byte(Close);
+        if ((i + 1 == size || path.elementAt(i + 1).isMoveTo()) && at == first) byte(PathStep::Close);
     }
-    byte(End);
+    byte(PathStep::End);
 }
 
 } // namespace plc::hmi::web

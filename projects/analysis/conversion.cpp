@@ -1,5 +1,6 @@
 #include "projects/analysis/conversion.h"
 
+#include "projects/analysis/sections.h"
 #include "runtime/base/messages.h"
 #include "runtime/base/text.h"
 #include "runtime/compiler/lower/convert.h"
@@ -56,10 +57,6 @@ std::string blanksBefore(std::string_view text, uint32_t at) {
     size_t end = at;
     while (end < text.size() && (text[end] == ' ' || text[end] == '\t')) ++end;
     return std::string(text.substr(at, end - at));
-}
-uint32_t lineBegin(std::string_view text, uint32_t at) {
-    while (at > 0 && text[at - 1] != '\n') --at;
-    return at;
 }
 bool isBlank(std::string_view text) { return text.find_first_not_of(" \t\r") == std::string_view::npos; }
 

@@ -16,11 +16,6 @@ std::optional<uint32_t> lineOfEnd(const syntax::VarSection& section, std::string
 
 namespace {
 
-uint32_t lineBegin(std::string_view text, uint32_t at) {
-    while (at > 0 && text[at - 1] != '\n') --at;
-    return at;
-}
-
 /// "    name : TYPE := value;" as a line of its own.
 std::string lineOf(const syntax::VarDecl& declaration, size_t name, std::string_view text) {
     const auto slice = [&](SourceRange range) { return std::string(text.substr(range.begin, range.length())); };
@@ -58,6 +53,11 @@ SourceRange withoutName(const syntax::VarDecl& declaration, size_t name, std::st
 }
 
 } // namespace
+
+uint32_t lineBegin(std::string_view text, uint32_t at) {
+    while (at > 0 && text[at - 1] != '\n') --at;
+    return at;
+}
 
 diagnostics::TextEdit declareIn(const syntax::Pou& pou, SectionKind kind, FileId file, std::string_view text,
                                 const std::string& line) {

@@ -10,6 +10,8 @@
 
 namespace plc::analysis {
 
+/// Where the line of a place in the text begins.
+[[nodiscard]] uint32_t lineBegin(std::string_view text, uint32_t at);
 /// Where the line of END_VAR begins; none when the section stands on one line.
 [[nodiscard]] std::optional<uint32_t> lineOfEnd(const syntax::VarSection& section, std::string_view text);
 /// A line in the section of that kind, or in a new one: inputs stand first, all others behind what is there.

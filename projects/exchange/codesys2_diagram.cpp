@@ -11,9 +11,9 @@ namespace {
 struct Unknown {}; // stops the reading: nothing is converted half
 
 /// The lines of the export, one word or name each; expressions stand in prefix order, their sign behind them.
-class Reader {
+class DiagramReader {
 public:
-    Reader(std::string_view text, const PinsOfType& pinsOf, pugi::xml_document& document)
+    DiagramReader(std::string_view text, const PinsOfType& pinsOf, pugi::xml_document& document)
         : m_pinsOf(pinsOf), m_document(document) {
         for (size_t at = 0; at < text.size();) {
             const size_t end = std::min(text.find('\n', at), text.size());
@@ -294,7 +294,7 @@ void gatherBlockPins(std::string_view text, std::map<std::string, BlockPins>& ou
 
 bool readCodesys2Diagram(std::string_view text, const PinsOfType& pinsOf, pugi::xml_document& document) {
     try {
-        Reader(text, pinsOf, document).read();
+        DiagramReader(text, pinsOf, document).read();
         return true;
     } catch (const Unknown&) {
         document.reset();

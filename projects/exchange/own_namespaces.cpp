@@ -19,7 +19,7 @@ using Libraries = std::map<std::string, std::string>;
 /// The library in which CODESYS and TwinCAT keep the names of types of ANY inputs.
 constexpr std::string_view kTypeClasses = "ibaselibrary";
 
-std::string_view textOf(const lex::Token& token, std::string_view text) {
+std::string_view tokenText(const lex::Token& token, std::string_view text) {
     return text.substr(token.begin, token.end - token.begin);
 }
 
@@ -29,7 +29,7 @@ void leaveOutDeclared(const ImportedFile& file, Libraries& libraries) {
     const lex::TokenList list = lex::tokenize(FileId(0), file.text, sink);
     for (size_t i = 0; i + 1 < list.tokens.size(); ++i)
         if (list.tokens[i].kind == TokenKind::Identifier && list.tokens[i + 1].kind == TokenKind::Colon)
-            libraries.erase(foldCase(textOf(list.tokens[i], file.text)));
+            libraries.erase(foldCase(tokenText(list.tokens[i], file.text)));
 }
 
 /// From the last to the first, so that the places of the others stay.
@@ -42,11 +42,11 @@ void dropIn(ImportedFile& file, const Libraries& libraries, std::set<std::string
         if (token.kind != TokenKind::Identifier || i + 2 >= list.tokens.size()) continue;
         if (list.tokens[i + 1].kind != TokenKind::Dot || list.tokens[i + 2].kind != TokenKind::Identifier) continue;
         if (i > 0 && list.tokens[i - 1].kind == TokenKind::Dot) continue;
-        const auto library = libraries.find(foldCase(textOf(token, before)));
+        const auto library = libraries.find(foldCase(tokenText(token, before)));
         if (library == libraries.end()) continue;
         dropped.insert(library->second);
         if (library->first == kTypeClasses) { // there by another name
-            const std::string name = foldCase(textOf(list.tokens[i + 2], before));
+            const std::string name = foldCase(tokenText(list.tokens[i + 2], before));
             if (name == "typeclass")
                 file.text.replace(token.begin, list.tokens[i + 2].end - token.begin, "__SYSTEM.TYPE_CLASS");
             else if (name.starts_with("type_"))

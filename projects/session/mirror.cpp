@@ -8,7 +8,7 @@ namespace plc::session {
 using PlcState = controller::State;
 
 namespace {
-constexpr size_t kEventsKept = 10'000;
+constexpr size_t kEventsMirrored = 10'000;
 }
 
 bool Session::State::sendsElsewhere(Order order) {
@@ -86,7 +86,7 @@ void Mirror::happened(controller::Event event) {
     if (state.settings.record) state.history.mark(static_cast<int>(event.kind), event.text, event.time);
     const std::lock_guard lock(state.mutex);
     state.shared.events.push_back(std::move(event));
-    for (; state.shared.events.size() > kEventsKept; ++state.shared.firstEvent) state.shared.events.pop_front();
+    for (; state.shared.events.size() > kEventsMirrored; ++state.shared.firstEvent) state.shared.events.pop_front();
 }
 
 void Mirror::refused(Error why) {

@@ -14,7 +14,7 @@ constexpr size_t kLeast = 15;   // samples of a disturbance
 constexpr double kShare = 0.01; // of the output's range: less is nothing
 constexpr double kSigmas = 4;   // of the output's noise, for the moving mean
 
-double meanOf(const std::vector<double>& values, size_t begin, size_t end) {
+double meanBetween(const std::vector<double>& values, size_t begin, size_t end) {
     double sum = 0;
     for (size_t i = begin; i < end; ++i) sum += values[i];
     return end > begin ? sum / static_cast<double>(end - begin) : 0;
@@ -96,7 +96,7 @@ void LoadFinder::rest(size_t i) {
     if (m_load) close(i, true);
     m_isAtRest = true;
     m_floor = i + 1 - m_calm;
-    m_level = meanOf(m_error, m_floor, i + 1);
+    m_level = meanBetween(m_error, m_floor, i + 1);
 }
 
 size_t LoadFinder::onset(size_t i) const {
@@ -150,8 +150,8 @@ void LoadFinder::close(size_t settled, bool isOver) {
     for (size_t i = load.step; i < load.end; ++i)
         load.outputChange = std::max(load.outputChange, std::abs(m_error[i] - m_level));
     load.signalToNoise = m_noise > 0 ? load.outputChange / m_noise : 1e6;
-    load.from = meanOf(m_series.input, load.begin, std::max(load.step, load.begin + 1));
-    load.to = meanOf(m_series.input, std::min(load.settled, load.end - 1), load.end);
+    load.from = meanBetween(m_series.input, load.begin, std::max(load.step, load.begin + 1));
+    load.to = meanBetween(m_series.input, std::min(load.settled, load.end - 1), load.end);
     judge(load, isOver);
     m_out.push_back(std::move(load));
     m_load.reset();

@@ -25,7 +25,7 @@ std::string lower(std::string text) {
     return text;
 }
 
-std::string trimmed(const std::string& text) {
+std::string withoutBlanks(const std::string& text) {
     const size_t first = text.find_first_not_of(" \t");
     if (first == std::string::npos) return {};
     return text.substr(first, text.find_last_not_of(" \t") - first + 1);
@@ -57,7 +57,7 @@ size_t splitLine(const std::string& text, size_t at, char separator, std::vector
             cell += c;
         }
     }
-    if (separator != ' ' || !cell.empty()) cells.push_back(trimmed(cell));
+    if (separator != ' ' || !cell.empty()) cells.push_back(withoutBlanks(cell));
     return at;
 }
 
@@ -65,7 +65,7 @@ double numberOf(std::string cell, char separator) {
     if (separator != ',') std::replace(cell.begin(), cell.end(), ',', '.');
     const size_t begin = cell.find_first_not_of(" +");
     if (begin == std::string::npos) return kNoNumber;
-    const std::string word = lower(trimmed(cell));
+    const std::string word = lower(withoutBlanks(cell));
     if (word == "true") return 1;
     if (word == "false") return 0;
     double value = 0;
@@ -89,11 +89,11 @@ double dateOf(const std::string& cell) {
 
 /// "Level [m]" without its unit, which goes to `unit`.
 std::string nameOf(const std::string& cell, std::string& unit) {
-    const std::string text = trimmed(cell);
+    const std::string text = withoutBlanks(cell);
     const size_t open = text.rfind('[');
     if (open == std::string::npos || open == 0 || text.back() != ']' || text[open - 1] != ' ') return text;
     unit = text.substr(open + 1, text.size() - open - 2);
-    return trimmed(text.substr(0, open));
+    return withoutBlanks(text.substr(0, open));
 }
 
 /// The unit that a column of times is in [s]; none: not a column of times.
@@ -264,7 +264,7 @@ Result<Table> parseTable(const std::string& text) {
             if (!std::isnan(value)) {
                 reading.held = value;
                 reading.hasNumber = true;
-                const std::string word = lower(trimmed(cell));
+                const std::string word = lower(withoutBlanks(cell));
                 reading.onlyBool = reading.onlyBool && (word == "true" || word == "false");
             }
             if (times == 1) {

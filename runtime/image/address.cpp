@@ -1,4 +1,5 @@
 #include "runtime/image/address.h"
+#include "runtime/base/chars.h"
 
 #include <algorithm>
 #include <vector>
@@ -8,12 +9,8 @@ namespace {
 
 using types::TypeKind;
 
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c | 0x20) : c; }
-
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
-
 std::optional<Area> areaOf(char letter) {
-    switch (lower(letter)) {
+    switch (asciiLower(letter)) {
     case 'i':
         return Area::Input;
     case 'q':
@@ -26,7 +23,7 @@ std::optional<Area> areaOf(char letter) {
 }
 
 std::optional<TypeKind> kindOf(char letter) {
-    switch (lower(letter)) {
+    switch (asciiLower(letter)) {
     case 'x':
         return TypeKind::Bool;
     case 'b':

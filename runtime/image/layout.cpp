@@ -1,4 +1,5 @@
 #include "runtime/image/layout.h"
+#include "runtime/base/chars.h"
 #include "runtime/base/messages.h"
 
 #include "runtime/base/text.h"
@@ -18,12 +19,11 @@ namespace {
 bool isAscii(std::string_view text) {
     return std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; });
 }
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; }
 
 /// equalsIgnoringCase without allocation for the usual case.
 bool same(std::string_view a, std::string_view b) {
     if (a.size() == b.size() &&
-        std::equal(a.begin(), a.end(), b.begin(), [](char x, char y) { return lower(x) == lower(y); }))
+        std::equal(a.begin(), a.end(), b.begin(), [](char x, char y) { return asciiLower(x) == asciiLower(y); }))
         return true;
     return !(isAscii(a) && isAscii(b)) && equalsIgnoringCase(a, b);
 }

@@ -8,7 +8,6 @@
 namespace plc::inside {
 
 namespace {
-constexpr uint32_t kClockEnd = 24;    // of the header: known from the stamp
 constexpr uint32_t kOccurrences = 64; // of a statement that the scan stood at; which one is not recorded
 constexpr size_t kMachinesKept = 4;   // versions of the program
 } // namespace

@@ -11,6 +11,8 @@ namespace plc::inside {
 
 using history::Position;
 
+constexpr uint32_t kClockEnd = 24; // of the header: what is before it is set when the scan begins, out of its stamp
+
 /// A place whose bytes came out otherwise than recorded.
 struct Difference {
     uint32_t offset = 0, size = 0;

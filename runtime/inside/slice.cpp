@@ -23,11 +23,11 @@ bool isMachinery(const std::string& path) {
     if (path.find("__") != std::string::npos) return true;
     return path.ends_with(".enter") || path.ends_with(".leave");
 }
+} // namespace
 
 uint32_t sizeOf(const types::TypeTable& types, const image::Place& place) {
     return place.bit >= 0 ? 1 : std::max(1u, types[place.type].size);
 }
-} // namespace
 
 std::string nameOf(const image::Layout& layout, const image::Place& place) {
     if (place.bit < 0) return layout.pathAt(place.offset, place.type);
@@ -133,7 +133,7 @@ void Slicer::leaf(const image::Place& place, EventIndex read, Steps& out, bool i
         m_slice.leaves.push_back(std::move(fresh));
     }
     for (const types::Value& other : m_condition.against) m_slice.leaves[index].others.push_back(other);
-    Step step;
+    Reason step;
     step.leaf = index;
     step.path = m_slice.leaves[index].path;
     step.value = m_slice.leaves[index].value;
@@ -151,7 +151,7 @@ void Slicer::clock(Steps& out) {
         time.isClock = true;
         m_slice.leaves.push_back(std::move(time));
     }
-    Step step;
+    Reason step;
     step.leaf = index;
     out.push_back(std::move(step));
 }
@@ -179,8 +179,8 @@ void Slicer::write(EventIndex at, const image::Place& place, Steps& out) {
                event.offset >= m_look.program().layout.dataEnd) {
         assigned(at, out); // a temporary of the compiler's
     } else {
-        Step step;
-        step.kind = Step::Kind::Statement;
+        Reason step;
+        step.kind = Reason::Kind::Statement;
         step.range = event.stmt()->range;
         step.function = function.name;
         step.instance = m_look.instanceOf(event.activation);
@@ -272,8 +272,8 @@ void Slicer::library(EventIndex at, uint32_t index, Steps& out) {
     if (!m_blocks.insert(index).second) return;
     const tree::Function& function = m_look.tree().functions[activation.function];
     const types::TypeTable& types = *m_look.tree().types;
-    Step step;
-    step.kind = Step::Kind::Block;
+    Reason step;
+    step.kind = Reason::Kind::Block;
     step.event = at;
     step.function = function.name;
     if (activation.call != kNone) {
@@ -428,11 +428,11 @@ void Slicer::callResult(const Expr& expr, EventIndex at, uint32_t activation, St
 
 // ---------------------------------------------------------------- conditions
 
-void Slicer::guard(Step::Kind kind, const Stmt& around, EventIndex before, uint32_t activation, Steps& out) {
+void Slicer::guard(Reason::Kind kind, const Stmt& around, EventIndex before, uint32_t activation, Steps& out) {
     if (!around.a || isFull()) return;
     const EventIndex at = valueEvent(*around.a, before, activation);
     if (at == kNone) return;
-    Step step;
+    Reason step;
     step.kind = kind;
     step.range = around.a->range;
     step.function = m_look.tree().functions[m_look.activations()[activation].function].name;
@@ -461,12 +461,12 @@ void Slicer::guards(const Stmt& stmt, EventIndex before, uint32_t activation, St
             if (sibling == inner) break;
             if (sibling && (sibling->kind == StmtKind::If || sibling->kind == StmtKind::Case) &&
                 m_map.mayLeave(*sibling))
-                guard(Step::Kind::Guard, *sibling, before, activation, out);
+                guard(Reason::Kind::Guard, *sibling, before, activation, out);
         }
         const Stmt* parent = around->parent;
         if (parent &&
             (parent->kind == StmtKind::If || parent->kind == StmtKind::Case || parent->kind == StmtKind::While))
-            guard(Step::Kind::Guard, *parent, before, activation, out);
+            guard(Reason::Kind::Guard, *parent, before, activation, out);
         inner = parent;
     }
     const Activation& run = m_look.activations()[activation];

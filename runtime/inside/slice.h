@@ -25,7 +25,7 @@ struct Leaf {
 };
 
 /// A step of the way from the value asked about to the leaves.
-struct Step {
+struct Reason {
     enum class Kind : uint8_t {
         Statement, // wrote `path`
         Guard,     // a condition that let it run
@@ -43,15 +43,18 @@ struct Step {
     uint32_t leaf = kNone;
     bool isInternal = false; // Leaf: what a library's block remembers
     EventIndex event = kNone;
-    std::vector<Step> steps;
+    std::vector<Reason> steps;
 };
 
 struct Slice {
-    std::vector<Step> steps;
+    std::vector<Reason> steps;
     std::vector<Leaf> leaves; // in the order met, without repetition
     uint32_t task = kNone;    // that wrote it
     bool isCut = false;       // more than is shown
 };
+
+/// Bytes of the place; a bit takes its byte.
+[[nodiscard]] uint32_t sizeOf(const types::TypeTable& types, const image::Place& place);
 
 class Slicer {
 public:
@@ -62,7 +65,7 @@ public:
     [[nodiscard]] Slice sliceOf(const std::vector<image::Place>& places);
 
 private:
-    using Steps = std::vector<Step>;
+    using Steps = std::vector<Reason>;
     void read(EventIndex read, Steps& out);
     void placeBefore(EventIndex before, const image::Place& place, Steps& out, SourceRange text);
     void write(EventIndex write, const image::Place& place, Steps& out);
@@ -76,7 +79,7 @@ private:
     void operands(const tree::Expr& expr, EventIndex at, uint32_t activation, Steps& out);
     void callResult(const tree::Expr& expr, EventIndex at, uint32_t activation, Steps& out);
     void guards(const tree::Stmt& stmt, EventIndex before, uint32_t activation, Steps& out);
-    void guard(Step::Kind kind, const tree::Stmt& around, EventIndex before, uint32_t activation, Steps& out);
+    void guard(Reason::Kind kind, const tree::Stmt& around, EventIndex before, uint32_t activation, Steps& out);
     void input(const Activation& activation, const image::Place& place, Steps& out);
     void otherWriters(const image::Place& place, EventIndex after, Steps& out, bool followsCalls = true);
     void leaf(const image::Place& place, EventIndex read, Steps& out, bool isInternal = false);

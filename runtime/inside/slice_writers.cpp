@@ -14,10 +14,6 @@ using tree::StmtKind;
 
 namespace {
 
-uint32_t sizeOf(const types::TypeTable& types, const image::Place& place) {
-    return place.bit >= 0 ? 1 : std::max(1u, types[place.type].size);
-}
-
 bool overlap(const types::TypeTable& types, const image::Place& a, const image::Place& b) {
     if (a.offset >= b.offset + sizeOf(types, b) || b.offset >= a.offset + sizeOf(types, a)) return false;
     return a.bit < 0 || b.bit < 0 || a.bit == b.bit;
@@ -137,7 +133,7 @@ void Slicer::otherWriters(const image::Place& place, EventIndex after, Steps& ou
                 if (at == kNone || (after != kNone && at < after)) continue;
                 const bool wasTaken = parent->kind == StmtKind::If && (boolAt(at) ? 1 : 0) == around->arm;
                 if (wasTaken || !seen.insert({parent, a}).second) break;
-                guard(after == kNone ? Step::Kind::Blocked : Step::Kind::NotReset, *parent, at + 1, a, out);
+                guard(after == kNone ? Reason::Kind::Blocked : Reason::Kind::NotReset, *parent, at + 1, a, out);
                 break;
             }
         }
@@ -155,7 +151,7 @@ void Slicer::blockedCalls(Steps& out) {
             if (at == kNone) continue;
             bool calls = stmt->kind == StmtKind::If && m_map.calls(boolAt(at) ? stmt->elseBody : stmt->body);
             for (const tree::CaseArm& arm : stmt->arms) calls = calls || m_map.calls(arm.body);
-            if (calls) guard(Step::Kind::Blocked, *stmt, at + 1, a, out);
+            if (calls) guard(Reason::Kind::Blocked, *stmt, at + 1, a, out);
         }
     }
 }

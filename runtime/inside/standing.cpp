@@ -1,4 +1,5 @@
 #include "runtime/inside/standing.h"
+#include "runtime/inside/rerun.h"
 
 #include <algorithm>
 #include <cstring>
@@ -9,8 +10,7 @@ using image::WatchKind;
 
 namespace {
 
-constexpr uint32_t kClockEnd = 24; // of the header: set when the scan began
-constexpr int kRounds = 4;         // what acted may let the program write elsewhere
+constexpr int kRounds = 4; // what acted may let the program write elsewhere
 
 std::optional<history::ScanInput> beginningOf(const history::History& history, const Standing& standing) {
     const history::Statistics all = history.statistics();

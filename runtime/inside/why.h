@@ -71,7 +71,7 @@ struct Explanation {
     std::vector<Part> triggers;   // what changed
     std::vector<Part> enablers;   // what had to hold
     std::vector<Part> holding;    // what holds it in the scan asked about, where that is another one
-    std::vector<Step> steps;      // the way from the writer to the leaves, to unfold
+    std::vector<Reason> steps;    // the way from the writer to the leaves, to unfold
     std::shared_ptr<const image::CompiledProgram> program;
     Message doubt; // where the scan did not come out as recorded
 };
@@ -85,7 +85,7 @@ struct WhyNot {
     std::string value, wanted;
     history::ScanStamp asked;
     std::vector<std::vector<Change>> ways; // each tried; the smallest first
-    std::vector<Step> steps;               // what kept it
+    std::vector<Reason> steps;             // what kept it
     std::vector<Leaf> leaves;
     std::shared_ptr<const image::CompiledProgram> program;
     Message doubt;

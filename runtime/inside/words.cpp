@@ -188,37 +188,37 @@ void addParts(std::vector<Sentence>& out, Message head, const std::vector<Part>&
     out.push_back(std::move(sentence));
 }
 
-Message blockWords(const Step& step) {
+Message blockWords(const Reason& step) {
     Message words = step.path.empty() ? texts::OnlyName(step.function) : texts::BlockOfType(step.path, step.blockType);
     return step.note.isEmpty() ? words : texts::WithNote(std::move(words), step.note);
 }
 
 /// Empty: nothing to say of it.
-Message stepWords(const Step& step, const image::CompiledProgram& program) {
+Message stepWords(const Reason& step, const image::CompiledProgram& program) {
     const std::string text = statementWords(program, step.range),
                       value = step.value.hasValue() ? types::toText(*program.layout.types, step.value) : std::string();
     switch (step.kind) {
-    case Step::Kind::Statement:
+    case Reason::Kind::Statement:
         return value.empty() ? texts::OnlyName(text) : texts::StatementGave(text, value);
-    case Step::Kind::Guard:
+    case Reason::Kind::Guard:
         return texts::ItRan(text, value);
-    case Step::Kind::NotReset:
+    case Reason::Kind::NotReset:
         return texts::NotWrittenLater(text, value);
-    case Step::Kind::Blocked:
+    case Reason::Kind::Blocked:
         return texts::DidNotRun(text, value);
-    case Step::Kind::Block:
+    case Reason::Kind::Block:
         return blockWords(step);
-    case Step::Kind::Leaf:
+    case Reason::Kind::Leaf:
         return step.path.empty() || step.isInternal ? Message() : texts::WasWhenScanBegan(step.path, value);
     }
     return {};
 }
 
 void addSteps(std::vector<Sentence>& out, const image::CompiledProgram& program, const history::ScanStamp& at,
-              const std::vector<Step>& steps, uint32_t depth) {
+              const std::vector<Reason>& steps, uint32_t depth) {
     if (depth > kDeepestStep) return;
-    for (const Step& step : steps) {
-        const bool isNamed = step.kind == Step::Kind::Leaf || step.kind == Step::Kind::Block ||
+    for (const Reason& step : steps) {
+        const bool isNamed = step.kind == Reason::Kind::Leaf || step.kind == Reason::Kind::Block ||
                              !statementWords(program, step.range).empty();
         if (!isNamed) { // made by the compiler
             addSteps(out, program, at, step.steps, depth);
@@ -235,7 +235,7 @@ void addSteps(std::vector<Sentence>& out, const image::CompiledProgram& program,
 }
 
 void addSteps(std::vector<Sentence>& out, Message head, const std::shared_ptr<const image::CompiledProgram>& program,
-              const history::ScanStamp& at, const std::vector<Step>& steps) {
+              const history::ScanStamp& at, const std::vector<Reason>& steps) {
     if (steps.empty() || !program) return;
     Sentence sentence{SentenceKind::Step, std::move(head), {}, {}, {}, {}};
     addSteps(sentence.parts, *program, at, steps, 0);

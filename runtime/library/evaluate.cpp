@@ -14,8 +14,6 @@ using types::TypeTable;
 using types::Value;
 
 Evaluated boolean(bool truth) { return {{TypeTable::of(TypeKind::Bool), int64_t(truth)}}; }
-Evaluated failed(EvaluationError error) { return {{}, false, error}; }
-
 bool isUnsigned(TypeKind kind) {
     const Family family = types::familyOf(kind);
     return family != Family::Signed && family != Family::Duration && family != Family::Date &&

@@ -40,6 +40,7 @@ struct Evaluated {
     bool ok = true; // ENO
     EvaluationError error = EvaluationError::None;
 };
+[[nodiscard]] inline Evaluated failed(EvaluationError error) { return {{}, false, error}; }
 
 /// Both operands are of `type` (integer wraps in it; text compares by character; REAL in single precision).
 [[nodiscard]] Evaluated evaluateBinary(const types::TypeTable& types, BinaryOp op, types::TypeId type,

@@ -44,7 +44,6 @@ struct Call {
     }
 };
 
-Evaluated failed(EvaluationError error) { return {{}, false, error}; }
 Evaluated integerResult(const Call& call, int64_t value, bool ok = true) {
     return {{call.result, types::wrapInteger(call.kind(), value)}, ok};
 }

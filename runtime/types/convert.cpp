@@ -1,14 +1,12 @@
 // X_TO_Y for every pair of elementary types (edition 3, table 22, and the units of CODESYS for times and dates).
 #include "runtime/types/conversion.h"
+#include "runtime/types/dates.h"
 #include "runtime/types/scalar_text.h"
 
 #include <algorithm>
 
 namespace plc::types {
 namespace {
-
-constexpr int64_t kSecond = 1'000'000'000;
-constexpr int64_t kDay = 86'400 * kSecond;
 
 bool isTime(Family family) {
     return family == Family::Duration || family == Family::Date || family == Family::TimeOfDay ||

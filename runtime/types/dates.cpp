@@ -1,14 +1,12 @@
 #include "runtime/types/dates.h"
 
+#include "runtime/base/chars.h"
 #include "runtime/types/value.h"
 
 #include <array>
 
 namespace plc::types {
 namespace {
-
-constexpr int64_t kSecond = 1'000'000'000;
-constexpr int64_t kDay = 86'400 * kSecond;
 
 struct Unit {
     std::string_view name;
@@ -27,9 +25,6 @@ int64_t clockOf(int64_t nanoseconds) { return (nanoseconds % kDay + kDay) % kDay
 
 int64_t floorDivide(int64_t a, int64_t b) { return a / b - (a % b < 0 ? 1 : 0); }
 
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; }
-
 std::string_view trimmed(std::string_view text) {
     while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
     while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
@@ -43,7 +38,7 @@ bool takePrefix(std::string_view& text, std::initializer_list<std::string_view> 
     for (const std::string_view prefix : prefixes) {
         if (hash != prefix.size()) continue;
         bool isSame = true;
-        for (size_t i = 0; i < hash; ++i) isSame = isSame && lower(text[i]) == prefix[i];
+        for (size_t i = 0; i < hash; ++i) isSame = isSame && asciiLower(text[i]) == prefix[i];
         if (!isSame) continue;
         text.remove_prefix(hash + 1);
         return true;
@@ -253,7 +248,7 @@ std::optional<int64_t> parseDuration(std::string_view text) {
             const std::string_view name = kUnits[i].name;
             if (text.size() < name.size()) continue;
             bool isSame = true;
-            for (size_t k = 0; k < name.size(); ++k) isSame = isSame && lower(text[k]) == name[k];
+            for (size_t k = 0; k < name.size(); ++k) isSame = isSame && asciiLower(text[k]) == name[k];
             if (!isSame) continue;
             if (found == kUnits.size() || name.size() > kUnits[found].name.size()) found = i;
         }

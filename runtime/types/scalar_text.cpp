@@ -1,5 +1,6 @@
 #include "runtime/types/scalar_text.h"
 
+#include "runtime/base/chars.h"
 #include "runtime/types/dates.h"
 #include "runtime/types/type_table.h"
 #include "runtime/types/value.h"
@@ -10,8 +11,6 @@
 
 namespace plc::types {
 namespace {
-
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
 bool isWord(std::string_view text, std::string_view upper) {
     if (text.size() != upper.size()) return false;

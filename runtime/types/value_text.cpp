@@ -129,7 +129,7 @@ bool isReferenceLike(TypeKind kind) {
            kind == TypeKind::Null || kind == TypeKind::OpenArray;
 }
 
-std::string realText(TypeKind kind, double value) {
+std::string realLiteral(TypeKind kind, double value) {
     return kind == TypeKind::Real ? shortestReal(static_cast<float>(value)) : shortestReal(value);
 }
 
@@ -174,7 +174,7 @@ std::string arrayJson(const TypeTable& types, const Type& type, const std::vecto
 
 std::string toText(const TypeTable& types, const Value& value, NumberFormat format) {
     if (const auto* number = std::get_if<int64_t>(&value.data)) return scalarText(types, value.type, *number, format);
-    if (const auto* real = std::get_if<double>(&value.data)) return realText(types.storageKind(value.type), *real);
+    if (const auto* real = std::get_if<double>(&value.data)) return realLiteral(types.storageKind(value.type), *real);
     if (const auto* text = std::get_if<std::string>(&value.data)) return quoted(decoded(latin1ToUtf8(*text)), '\'');
     if (const auto* wide = std::get_if<std::u16string>(&value.data)) return quoted(decoded(utf16ToUtf8(*wide)), '"');
     const auto* parts = std::get_if<std::vector<Value>>(&value.data);
@@ -194,7 +194,7 @@ std::string toText(const TypeTable& types, const Value& value, NumberFormat form
 std::string toJson(const TypeTable& types, const Value& value) {
     if (const auto* number = std::get_if<int64_t>(&value.data)) return scalarJson(types, value.type, *number);
     if (const auto* real = std::get_if<double>(&value.data)) {
-        const std::string text = realText(types.storageKind(value.type), *real);
+        const std::string text = realLiteral(types.storageKind(value.type), *real);
         return std::isfinite(*real) ? text : jsonString(text);
     }
     if (const auto* text = std::get_if<std::string>(&value.data)) return jsonString(latin1ToUtf8(*text));

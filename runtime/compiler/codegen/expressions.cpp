@@ -12,7 +12,7 @@ using types::Family;
 using types::TypeKind;
 
 namespace {
-bool isSigned(Family family) {
+bool isSignedNumber(Family family) {
     return family != Family::Unsigned && family != Family::Bits && family != Family::Bool &&
            family != Family::Character && family != Family::Other;
 }
@@ -150,7 +150,7 @@ llvm::Value* FunctionEmitter::binary(const Expr& expr) {
 llvm::Value* FunctionEmitter::divide(Value* a, Value* c, types::TypeId type, bool isModulo, const Expr*) {
     llvm::Type* wanted = a->getType();
     guard(b.CreateICmpEQ(c, llvm::Constant::getNullValue(wanted)), FaultCode::DivisionByZero);
-    if (!isSigned(m.types().family(type))) return isModulo ? b.CreateURem(a, c) : b.CreateUDiv(a, c);
+    if (!isSignedNumber(m.types().family(type))) return isModulo ? b.CreateURem(a, c) : b.CreateUDiv(a, c);
     const unsigned width = wanted->getIntegerBitWidth();
     // Narrower than the processor divides: MIN / -1 fits into 32 bits and wraps when it is cut.
     if (width < 32) {
@@ -189,7 +189,7 @@ llvm::Value* FunctionEmitter::compare(BinaryOp op, Value* a, Value* c, types::Ty
         a = b.CreateZExtOrTrunc(a, m.i64);
         c = b.CreateZExtOrTrunc(c, m.i64);
     }
-    const bool s = isSigned(m.types().family(type));
+    const bool s = isSignedNumber(m.types().family(type));
     switch (op) {
     case BinaryOp::Equal:
         return b.CreateICmpEQ(a, c);

@@ -1,4 +1,5 @@
 // Coils: their kind, one more, one less.
+#include "runtime/base/chars.h"
 #include "runtime/base/messages.h"
 #include "runtime/base/text.h"
 #include "runtime/compiler/ladder/edits.h"
@@ -14,11 +15,6 @@ using syntax::Stmt;
 using syntax::StmtKind;
 
 namespace {
-
-bool isNameByte(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-           static_cast<unsigned char>(c) >= 0x80;
-}
 
 /// Whether `name` is one of the words of `text`.
 bool namesIn(const std::string& text, const std::string& name) {

@@ -25,8 +25,6 @@ int levelOf(const Expr& expr) {
     return kNot;
 }
 
-bool isNot(const Expr& expr) { return expr.kind == ExprKind::Unary && expr.op == TokenKind::Not; }
-
 bool isPlace(const Expr& expr) {
     switch (expr.kind) {
     case ExprKind::NameRef:

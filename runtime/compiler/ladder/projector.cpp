@@ -1,6 +1,7 @@
 // Statements: which ones make a rung together, which ones frame others, and the comments that belong to them.
 #include "runtime/compiler/ladder/projector.h"
 
+#include "runtime/base/chars.h"
 #include "runtime/base/text.h"
 
 #include <algorithm>
@@ -14,13 +15,6 @@ using syntax::Stmt;
 using syntax::StmtKind;
 
 namespace {
-
-bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
-
-bool isNameByte(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-           static_cast<unsigned char>(c) >= 0x80;
-}
 
 std::string firstLine(std::string_view text) {
     const std::string_view line = text.substr(0, text.find_first_of("\r\n"));

@@ -106,6 +106,9 @@ private:
 /// Without parentheses around all of it.
 [[nodiscard]] std::string unparenthesised(std::string text);
 [[nodiscard]] bool isLeaf(const syntax::Expr& expr);
+[[nodiscard]] inline bool isNot(const syntax::Expr& expr) {
+    return expr.kind == syntax::ExprKind::Unary && expr.op == lex::TokenKind::Not;
+}
 /// The operands of AND in order; anything else is its only part.
 void andParts(const syntax::Expr& expr, std::vector<const syntax::Expr*>& out);
 /// The text between the parentheses around an expression; all of it without them.

@@ -14,8 +14,6 @@ namespace {
 
 bool isOp(const Expr& expr, TokenKind op) { return expr.kind == ExprKind::Binary && expr.op == op; }
 
-bool isNot(const Expr& expr) { return expr.kind == ExprKind::Unary && expr.op == TokenKind::Not; }
-
 bool isTrue(const Expr& expr) { return expr.kind == ExprKind::Literal && expr.op == TokenKind::True; }
 
 /// Drawn as a contact with an operand on each side.

@@ -1,4 +1,5 @@
 // Statements that hold others, the text of comments, and what has no picture.
+#include "runtime/base/chars.h"
 #include "runtime/base/text.h"
 #include "runtime/compiler/ladder/projector.h"
 
@@ -15,8 +16,6 @@ using syntax::StmtKind;
 namespace {
 
 constexpr size_t kMostOutputs = 8; // of one IF as a rung; a longer one is a frame
-
-bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 
 bool hasError(const Expr* expr) {
     if (!expr) return false;

@@ -1,5 +1,6 @@
 #include "runtime/compiler/lex/exported_lines.h"
 
+#include "runtime/base/chars.h"
 #include "runtime/base/text.h"
 
 #include <algorithm>
@@ -8,14 +9,13 @@ namespace plc::lex {
 
 namespace {
 
-bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
+bool isBlankInLine(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 bool isLetter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || static_cast<unsigned char>(c) >= 0x80;
 }
 
 std::string_view skipBlanks(std::string_view text) {
-    while (!text.empty() && isBlank(text.front())) text.remove_prefix(1);
+    while (!text.empty() && isBlankInLine(text.front())) text.remove_prefix(1);
     return text;
 }
 
@@ -78,7 +78,7 @@ size_t ExportedLines::endOf(size_t begin, const TokenList& before) {
     if (found == std::end(kWords)) return 0;
     std::string_view line = m_text.substr(at, m_text.substr(at).find('\n'));
     for (const char* comment : {"//", "(*", "/*"}) line = line.substr(0, line.find(comment));
-    while (!line.empty() && isBlank(line.back())) line.remove_suffix(1);
+    while (!line.empty() && isBlankInLine(line.back())) line.remove_suffix(1);
     const size_t end = at + line.size();
     const std::string_view rest = skipBlanks(line);
     const auto endsAt = [&](bool isOne) { return isOne ? end : 0; };

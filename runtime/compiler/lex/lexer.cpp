@@ -1,3 +1,4 @@
+#include "runtime/base/chars.h"
 #include "runtime/compiler/lex/exported_lines.h"
 #include "runtime/compiler/lex/literal_prefix.h"
 #include "runtime/compiler/lex/words.h"
@@ -11,7 +12,6 @@ namespace plc::lex {
 
 namespace {
 
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
 bool isAsciiLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool isAlnum(char c) { return isDigit(c) || isAsciiLetter(c); }
 int digitValue(char c) {

@@ -1,5 +1,6 @@
 #include "runtime/compiler/parse/conditions.h"
 
+#include "runtime/base/chars.h"
 #include "runtime/base/text.h"
 
 #include <algorithm>
@@ -11,23 +12,9 @@ namespace {
 
 using lex::TokenKind;
 
-bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 bool isWordCharacter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '.' ||
            static_cast<unsigned char>(c) >= 0x80;
-}
-
-std::string_view trimmed(std::string_view text) {
-    while (!text.empty() && isBlank(text.front())) text.remove_prefix(1);
-    while (!text.empty() && isBlank(text.back())) text.remove_suffix(1);
-    return text;
-}
-
-std::string_view unquoted(std::string_view text) {
-    text = trimmed(text);
-    if (text.size() >= 2 && (text.front() == '\'' || text.front() == '"') && text.back() == text.front())
-        return text.substr(1, text.size() - 2);
-    return text;
 }
 
 std::string_view takeWord(std::string_view& text) {

@@ -24,10 +24,6 @@ constexpr std::array<Operator, 24> kOperators = {{
     {"CAL", false, true, false}, {"RET", false, true, false}, {"STQ", false, false, false},
 }};
 
-bool isWord(std::string_view text, std::string_view word) {
-    return text.size() == word.size() && equalsIgnoringCase(text, word);
-}
-
 struct Reading {
     const Operator* op = nullptr;
     bool negate = false, conditional = false;

@@ -2,6 +2,7 @@
 // method per construct, defined in the file of that construct (expressions.cpp, statements.cpp, …). One use, one
 // thread.
 #pragma once
+#include "runtime/base/text.h"
 #include "runtime/compiler/parse/parser.h"
 
 #include <initializer_list>
@@ -55,6 +56,11 @@ using syntax::TypeSpecKind;
 using syntax::VarDecl;
 using syntax::VarEdge;
 using syntax::VarSection;
+
+/// Whether a token that is no keyword everywhere is this word where it has a meaning.
+inline bool isWord(std::string_view text, std::string_view word) {
+    return text.size() == word.size() && equalsIgnoringCase(text, word);
+}
 
 /// A list of statements stands in a unit, whose members and neighbours end it, or alone.
 enum class BodyContext : uint8_t { Unit, Fragment };

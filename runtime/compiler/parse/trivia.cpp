@@ -1,5 +1,6 @@
 #include "runtime/compiler/parse/parser_state.h"
 
+#include "runtime/base/chars.h"
 #include "runtime/base/text.h"
 
 #include <algorithm>
@@ -8,21 +9,6 @@
 namespace plc::parse {
 
 namespace {
-
-bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
-
-std::string_view trimmed(std::string_view text) {
-    while (!text.empty() && isBlank(text.front())) text.remove_prefix(1);
-    while (!text.empty() && isBlank(text.back())) text.remove_suffix(1);
-    return text;
-}
-
-std::string_view unquoted(std::string_view text) {
-    text = trimmed(text);
-    if (text.size() >= 2 && (text.front() == '\'' || text.front() == '"') && text.back() == text.front())
-        return text.substr(1, text.size() - 2);
-    return text;
-}
 
 /// The pragmas that mean something to us or to the editors whose files we read.
 bool isKnownPragma(std::string_view key) {

@@ -19,10 +19,6 @@ bool isIntegerType(std::string_view name) {
     return false;
 }
 
-bool isWord(std::string_view text, std::string_view word) {
-    return text.size() == word.size() && equalsIgnoringCase(text, word);
-}
-
 } // namespace
 
 TypeSpec* Parser::parseTypeSpec(bool inTypeBlock) {

@@ -9,10 +9,6 @@ using messages::Thing;
 
 namespace {
 
-bool isWord(std::string_view text, std::string_view word) {
-    return text.size() == word.size() && equalsIgnoringCase(text, word);
-}
-
 SectionKind sectionOf(TokenKind kind) {
     switch (kind) {
     case TokenKind::VarInput:
