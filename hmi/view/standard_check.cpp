@@ -242,6 +242,7 @@ std::vector<Finding> checkStandard(const CheckInput& input, const NamedPanel& pa
     checkSizes(out);
     checkOverlaps(out);
     checkOperation(out);
+    checkHint(out);
     return out.take();
 }
 

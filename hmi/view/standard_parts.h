@@ -29,6 +29,7 @@ void checkColours(StandardFindings& out);
 void checkSizes(StandardFindings& out);
 void checkOverlaps(StandardFindings& out);
 void checkOperation(StandardFindings& out);
+void checkHint(StandardFindings& out);
 
 /// What a finger touches.
 bool isOperated(const Element& element);

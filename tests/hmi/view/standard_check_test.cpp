@@ -36,8 +36,11 @@ std::string findings(const CheckInput& input) {
     return codes(all);
 }
 
+/// Not the start panel of its project, which has a rule of its own.
 std::string onOnePanel(const std::string& elements, const std::string& settings = "{}") {
-    return findings(project({panelOf(QStringLiteral("main"), elements)}, settings));
+    CheckInput input = project({panelOf(QStringLiteral("main"), elements)}, settings);
+    input.startPanel.clear();
+    return findings(input);
 }
 
 TEST(StandardCheck, EachRuleHasAGoodAndABadPanel) {
@@ -147,6 +150,56 @@ TEST(StandardCheck, APanelOfTooManyThingsIsCrowded) {
     };
     EXPECT_EQ(onOnePanel(numbers(150)), "");
     EXPECT_EQ(onOnePanel(numbers(260)), "H1106 .");
+}
+
+TEST(StandardCheck, AStartPanelSaysWhatToPress) {
+    const std::string buttons = R"({"id":"a","kind":"button","rect":[0,0,120,48],"text":"S1 Start","target":"M.s1"},
+                                   {"id":"b","kind":"button","rect":[0,60,120,48],"text":"S2 Stop","target":"M.s2"})";
+    const auto withText = [&](const char* text) {
+        return findings(
+            project({panelOf(QStringLiteral("main"),
+                             buttons + R"(,{"id":"t","kind":"text","rect":[0,200,400,40],"text":")" + text + "\"}")}));
+    };
+    const auto withState = [&](const char* text) {
+        return findings(project({panelOf(
+            QStringLiteral("main"), buttons + R"(,{"id":"s","kind":"multiState","rect":[0,120,160,44],"value":"M.s",
+                "states":[{"value":"0","text":")" +
+                                        text + R"("},{"value":"1","text":"Runs"}]})")}));
+    };
+    EXPECT_EQ(findings(project({panelOf(QStringLiteral("main"), buttons)})), "H1117 .");
+    EXPECT_EQ(withText("Press S1 and watch the belt."), "");
+    EXPECT_EQ(withText("按下按钮，观察皮带。"), "") << "written without spaces";
+    EXPECT_EQ(withText("Conveyor with a rest"), "H1117 .") << "a title";
+    EXPECT_EQ(withText("Wire of S1"), "H1117 .") << "a caption that names a control all the time";
+    EXPECT_EQ(withText("Ready."), "H1117 .");
+    EXPECT_EQ(withState("Ready: press S1"), "");
+    EXPECT_EQ(withState("Stopped"), "H1117 .");
+    EXPECT_EQ(withState("S1"), "H1117 .") << "the name of a state";
+    EXPECT_EQ(findings(project({panelOf(QStringLiteral("main"), buttons.substr(0, buttons.find("},") + 1))})), "")
+        << "one control speaks for itself";
+}
+
+TEST(StandardCheck, TheHintMayBeOnTheFrameOrInAFaceplate) {
+    const std::string buttons = R"({"id":"a","kind":"button","rect":[0,0,120,48],"text":"Open","target":"M.s1"},
+                                   {"id":"b","kind":"button","rect":[0,60,120,48],"text":"Close","target":"M.s2"})",
+                      hint =
+                          R"({"id":"t","kind":"text","rect":[0,0,400,40],"text":"Press Open and wait for the lamp."})",
+                      back = R"(,{"id":"k","kind":"button","rect":[0,500,120,48],"action":"back"})",
+                      area = R"(,{"id":"r","kind":"panelArea","rect":[0,60,900,500]})",
+                      way = R"(,{"id":"g","kind":"button","rect":[300,0,120,48],"action":"panel","panel":"two"})";
+    const NamedPanel start = panelOf(QStringLiteral("main"), buttons + way);
+    EXPECT_EQ(findings(project({start, panelOf(QStringLiteral("two"), hint + back)})), "H1117 .")
+        << "another panel is not seen yet";
+    CheckInput framed = project(
+        {start, panelOf(QStringLiteral("two"), buttons + back), panelOf(QStringLiteral("around"), hint + area)});
+    framed.frame = QStringLiteral("around");
+    EXPECT_EQ(findings(framed), "") << "panels behind the start panel need none";
+    const std::string valve =
+        R"({"id":"v","kind":"faceplate","panel":"valve","rect":[400,0,400,100],"arguments":{"way":"M.open"}})";
+    EXPECT_EQ(findings(project(
+                  {panelOf(QStringLiteral("main"), buttons + "," + valve),
+                   panelOf(QStringLiteral("valve"), hint, R"("size":[400,100],"parameters":[{"name":"way"}],)")})),
+              "");
 }
 
 TEST(StandardCheck, EveryPanelIsReachedAndLeftAgain) {
