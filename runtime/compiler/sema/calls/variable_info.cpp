@@ -24,7 +24,7 @@ const syntax::Expr* onlyArgument(Context& context, const syntax::Expr& e) {
     if (e.arguments.size() > 1)
         context.emit(e.arguments[1].range, findings::TooManyArguments(name, 1));
     else
-        context.emit(e.base->range, findings::MissingArgument(Verbatim("IN"), name));
+        context.emit(e.base->range, findings::MissingArgument(name, Verbatim("IN")));
     return nullptr;
 }
 
