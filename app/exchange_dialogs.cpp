@@ -2,6 +2,7 @@
 
 #include "app/main_window.h"
 #include "app/settings.h"
+#include "editor/kit/long_task.h"
 #include "editor/kit/message_text.h"
 #include "editor/workspace/workspace.h"
 #include "projects/exchange/imported.h"
@@ -159,7 +160,8 @@ ImportDialog::ImportDialog(const QString& projectsFolder, QWidget* parent)
 
     connect(file, &QPushButton::clicked, this, [this] { choose(false); });
     connect(folder, &QPushButton::clicked, this, [this] { choose(true); });
-    connect(m_files, &QTreeWidget::currentItemChanged, this, &ImportDialog::showFile);
+    connect(m_files, &QTreeWidget::currentItemChanged, this, &ImportDialog::showCurrent);
+    connect(m_files, &QTreeWidget::itemChanged, this, &ImportDialog::check);
     connect(m_target, &QLineEdit::textChanged, this, &ImportDialog::check);
     connect(buttons, &QDialogButtonBox::accepted, this, [this] {
         if (write()) accept();
@@ -168,41 +170,97 @@ ImportDialog::ImportDialog(const QString& projectsFolder, QWidget* parent)
     check();
 }
 
-QString ImportDialog::folder() const { return m_target->text(); }
+QString ImportDialog::folder() const {
+    return QString::fromStdString(exchange::folderOf(chosen(), 0, m_target->text().toStdString()));
+}
 
 void ImportDialog::choose(bool isFolder) {
-    const QString path = isFolder ? QFileDialog::getExistingDirectory(this, windowTitle(), QDir::homePath())
-                                  : QFileDialog::getOpenFileName(
-                                        this, windowTitle(), QDir::homePath(),
-                                        tr("Projects of other tools (%1)")
-                                                .arg("*.xml *.TcPOU *.TcDUT *.TcGVL *.TcIO *.EXP *.exp *.export *.st") +
-                                            ";;" + tr("All files (*)"));
+    const QString path =
+        isFolder ? QFileDialog::getExistingDirectory(this, windowTitle(), QDir::homePath())
+                 : QFileDialog::getOpenFileName(this, windowTitle(), QDir::homePath(),
+                                                tr("Projects of other tools (%1)")
+                                                        .arg("*.xml *.sln *.tsproj *.plcproj *.TcPOU *.TcDUT *.TcGVL "
+                                                             "*.TcIO *.EXP *.exp *.export *.st") +
+                                                    ";;" + tr("All files (*)"));
     if (!path.isEmpty()) preview(path);
 }
 
-void ImportDialog::preview(const QString& path) {
-    m_source->setText(QDir::toNativeSeparators(path));
+void ImportDialog::clear() {
+    m_projects.clear();
+    m_shown = -1;
     m_files->clear();
     m_text->clear();
     m_notes->clear();
-    m_imported.reset();
     m_summary->clear();
-    const auto imported = [&] {
-        const Waiting waiting;
-        return exchange::importFrom(path.toStdString());
-    }();
-    if (!imported) return complain(imported.error());
-    m_imported = std::make_shared<const exchange::Imported>(*imported);
-    for (const exchange::ImportedFile& file : m_imported->files)
-        new QTreeWidgetItem(m_files, {QString::fromStdString(file.path)});
-    fill(*m_notes, m_imported->report);
-    m_summary->setText(summaryOf(m_imported->report));
-    QString target = m_projectsFolder + "/" + QString::fromStdString(exchange::fileNameOf(m_imported->name));
+    m_complaint->clear();
+}
+
+void ImportDialog::preview(const QString& path) {
+    clear();
+    m_source->setText(QDir::toNativeSeparators(path));
+    std::optional<Result<std::vector<exchange::Imported>>> imported;
+    kit::LongTask::runAside(tr("Reading %1…").arg(QFileInfo(path).fileName()), this, [&](Progress& progress) {
+        exchange::ImportOptions options;
+        options.progress = &progress;
+        imported = exchange::importProjects(path.toStdString(), options);
+    });
+    if (!*imported) return complain(imported->error());
+    m_projects = std::move(**imported);
+    const std::string name = m_projects.size() == 1 ? m_projects.front().name : QDir(path).dirName().toStdString();
+    QString target = m_projectsFolder + "/" + QString::fromStdString(exchange::fileNameOf(name));
     const QString stem = target;
     for (int i = 2; QFileInfo::exists(target); ++i) target = stem + "_" + QString::number(i);
     m_target->setText(target);
-    if (QTreeWidgetItem* first = m_files->topLevelItem(0)) m_files->setCurrentItem(first);
+    showProjects();
     check();
+}
+
+/// The files of one project; of several the projects, with their files below them.
+void ImportDialog::showProjects() {
+    const QSignalBlocker blocker(m_files);
+    const bool areSeveral = m_projects.size() > 1;
+    m_files->setRootIsDecorated(areSeveral);
+    for (const exchange::Imported& project : m_projects) {
+        QTreeWidgetItem* parent = m_files->invisibleRootItem();
+        if (areSeveral) {
+            parent = new QTreeWidgetItem(m_files, {QString::fromStdString(project.name)});
+            parent->setCheckState(0, Qt::Checked);
+            parent->setToolTip(0, tr("Becomes a project of its own, with the libraries it uses"));
+        }
+        for (const exchange::ImportedFile& file : project.files)
+            new QTreeWidgetItem(parent, {QString::fromStdString(file.path)});
+    }
+    m_files->setCurrentItem(m_files->topLevelItem(0));
+    showCurrent();
+}
+
+std::pair<int, int> ImportDialog::current() const {
+    QTreeWidgetItem* item = m_files->currentItem();
+    if (!item) return {-1, -1};
+    if (m_projects.size() == 1) return {0, m_files->indexOfTopLevelItem(item)};
+    if (!item->parent()) return {m_files->indexOfTopLevelItem(item), -1};
+    return {m_files->indexOfTopLevelItem(item->parent()), item->parent()->indexOfChild(item)};
+}
+
+void ImportDialog::showCurrent() {
+    const auto [index, file] = current();
+    if (index < 0 || static_cast<size_t>(index) >= m_projects.size()) return;
+    const exchange::Imported& project = m_projects[static_cast<size_t>(index)];
+    if (m_shown != index) {
+        fill(*m_notes, project.report);
+        m_summary->setText(summaryOf(project.report));
+        m_shown = index;
+    }
+    const bool isFile = file >= 0 && static_cast<size_t>(file) < project.files.size();
+    m_text->setPlainText(isFile ? QString::fromStdString(project.files[static_cast<size_t>(file)].text) : QString());
+}
+
+std::vector<exchange::Imported> ImportDialog::chosen() const {
+    if (m_projects.size() < 2) return m_projects;
+    std::vector<exchange::Imported> out;
+    for (int i = 0; i < m_files->topLevelItemCount(); ++i)
+        if (m_files->topLevelItem(i)->checkState(0) == Qt::Checked) out.push_back(m_projects[static_cast<size_t>(i)]);
+    return out;
 }
 
 void ImportDialog::complain(const Error& error) {
@@ -210,23 +268,22 @@ void ImportDialog::complain(const Error& error) {
     m_complaint->setText(kit::messageText(error));
 }
 
-void ImportDialog::showFile() {
-    const int row = m_files->indexOfTopLevelItem(m_files->currentItem());
-    if (!m_imported || row < 0 || static_cast<size_t>(row) >= m_imported->files.size()) return;
-    m_text->setPlainText(QString::fromStdString(m_imported->files[static_cast<size_t>(row)].text));
-}
-
 void ImportDialog::check() {
     const QFileInfo target(m_target->text());
     const bool isTaken = target.exists() && (!target.isDir() || !QDir(target.filePath()).isEmpty());
-    m_complaint->setText(m_imported && isTaken ? tr("This folder is not empty; name a new one") : QString());
-    m_import->setEnabled(m_imported && !m_target->text().isEmpty() && !isTaken);
+    const bool isChosen = m_projects.size() == 1 || !chosen().empty();
+    m_complaint->setText(!m_projects.empty() && isTaken ? tr("This folder is not empty; name a new one") : QString());
+    m_import->setEnabled(!m_projects.empty() && isChosen && !m_target->text().isEmpty() && !isTaken);
 }
 
 bool ImportDialog::write() {
-    if (!m_imported) return false;
-    const auto written = exchange::writeImported(*m_imported, m_target->text().toStdString());
-    if (!written) m_complaint->setText(kit::messageText(written.error()));
+    const std::vector<exchange::Imported> projects = chosen();
+    if (projects.empty()) return false;
+    Result<void> written;
+    kit::LongTask::runAside(tr("Writing the project…"), this, [&](Progress& progress) {
+        written = exchange::writeProjects(projects, m_target->text().toStdString(), &progress);
+    });
+    if (!written) complain(written.error());
     return static_cast<bool>(written);
 }
 
@@ -265,11 +322,18 @@ ExportDialog::ExportDialog(const projects::Project& project, QWidget* parent) : 
         const QString path = QFileDialog::getSaveFileName(this, windowTitle(), m_target->text(), "*.xml");
         if (!path.isEmpty()) m_target->setText(path);
     });
+    connect(m_target, &QLineEdit::textChanged, this, &ExportDialog::check);
     connect(buttons, &QDialogButtonBox::accepted, this, [this] {
         if (write()) accept();
     });
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     preview();
+}
+
+void ExportDialog::check() {
+    const QFileInfo target(m_target->text());
+    m_export->setEnabled(m_exported && !m_target->text().isEmpty() && !target.isDir());
+    if (m_exported) m_complaint->setText(target.isFile() ? tr("This file exists and will be replaced") : QString());
 }
 
 void ExportDialog::setTarget(const QString& path) { m_target->setText(path); }
@@ -286,11 +350,12 @@ void ExportDialog::preview() {
         const Waiting waiting;
         return exchange::exportPlcopen(m_project, options);
     }();
-    m_export->setEnabled(static_cast<bool>(exported));
+    m_export->setEnabled(false);
     if (!exported) return m_complaint->setText(kit::messageText(exported.error()));
     m_exported = std::make_shared<const exchange::Exported>(*exported);
     fill(*m_notes, m_exported->report);
     m_summary->setText(summaryOf(m_exported->report));
+    check();
 }
 
 bool ExportDialog::write() {

@@ -28,21 +28,38 @@ std::string reportJson(const exchange::Report& report) {
            ",\"notes\":[" + notes + "]}";
 }
 
+void print(const std::vector<exchange::Imported>& projects, const std::string& folder, bool asJson) {
+    const bool areSeveral = projects.size() > 1;
+    if (asJson && areSeveral) std::cout << "{\"projects\":[";
+    for (size_t i = 0; i < projects.size(); ++i) {
+        const exchange::Imported& each = projects[i];
+        const std::string own = exchange::folderOf(projects, i, folder);
+        if (asJson && areSeveral)
+            std::cout << (i > 0 ? ",\n" : "") << "{\"name\":" << jsonString(each.name)
+                      << ",\"folder\":" << jsonString(own) << ",\"report\":" << reportJson(each.report) << "}";
+        else if (asJson)
+            std::cout << reportJson(each.report);
+        else
+            std::cout << (areSeveral ? "project " + each.name + ": " + own + "\n" : "") << each.report.toText();
+    }
+    if (asJson) std::cout << (areSeveral ? "]}\n" : "\n");
+}
+
 int importProject(const Arguments& arguments) {
     if (arguments.paths().size() != 1) return wrongUse({errors::ImportNeedsOne(), ""});
     const auto to = arguments.value("--to");
     if (!to && !arguments.has("--preview")) return wrongUse({errors::ImportNeedsTarget(), ""});
+    exchange::ImportOptions options;
+    if (arguments.has("--together")) options.division = exchange::TreeDivision::Together;
+    options.only = arguments.value("--project").value_or("");
     const auto imported = [&] {
         const Busy busy("importing " + arguments.paths().front());
-        return exchange::importFrom(arguments.paths().front());
+        return exchange::importProjects(arguments.paths().front(), options);
     }();
     if (!imported) return wrongUse(imported.error());
     if (!arguments.has("--preview"))
-        if (auto written = exchange::writeImported(*imported, *to); !written) return wrongUse(written.error());
-    if (arguments.wantsJson())
-        std::cout << reportJson(imported->report) << "\n";
-    else
-        std::cout << imported->report.toText();
+        if (auto written = exchange::writeProjects(*imported, *to, nullptr); !written) return wrongUse(written.error());
+    print(*imported, to.value_or("."), arguments.wantsJson());
     return kGood;
 }
 
@@ -51,8 +68,11 @@ int importProject(const Arguments& arguments) {
 Command importCommand() {
     return {{"import",
              "FILE|FOLDER --to PROJECT [OPTIONS]",
-             "Makes a project of PLCopen XML, TwinCAT files or text exports of CODESYS.",
+             "Makes a project of PLCopen XML, TwinCAT files or text exports of CODESYS; of a folder with several "
+             "projects that share names, one each.",
              {{"--to", "PROJECT", "the folder of the new project; it must not exist or must be empty"},
+              {"--project", "NAME", "of a folder with several projects only this one, with the libraries it uses"},
+              {"--together", "", "one project of all, even where units of equal names meet"},
               {"--preview", "", "write nothing, only report"},
               {"--format", "text|json", "text (default), or an object with the figures and a list of notes"}},
              "stepwise import plc.xml --to machine"},

@@ -188,7 +188,10 @@ private:
         place(convergence, m_x, m_y + 50);
         for (const syntax::Name& step : transition.from)
             if (const int source = outOf(step); source >= 0) connect(convergence, source, "sfc");
-        out(convergence);
+        if (m_writer.isPlain())
+            convergence.append_child("connectionPointOut"); // the schema of 0201 has no name here
+        else
+            out(convergence);
         return id;
     }
 

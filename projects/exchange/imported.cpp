@@ -1,11 +1,6 @@
 #include "projects/exchange/imported.h"
 
-#include "projects/exchange/addresses.h"
-#include "projects/exchange/own_namespaces.h"
-#include "projects/exchange/plcopen_import.h"
-#include "projects/exchange/text_import.h"
-#include "projects/exchange/tool_types.h"
-#include "projects/exchange/twincat_import.h"
+#include "projects/exchange/file_reader.h"
 #include "projects/exchange/xml.h"
 #include "projects/storage/project_file.h"
 #include "runtime/base/messages.h"
@@ -14,7 +9,6 @@
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
-#include <span>
 
 namespace plc::exchange {
 
@@ -23,157 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-std::string ending(const fs::path& path) {
-    std::string text = path.extension().string();
-    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return text;
-}
-
-constexpr const char* kSources[] = {".xml", ".tcpou", ".tcdut", ".tcgvl", ".tcio", ".tctto", ".exp", ".export", ".st"};
 constexpr const char* kForeign[] = {".tcpou", ".tcdut", ".tcgvl", ".tcio", ".tctto", ".exp", ".export", ".plcproj"};
-
-bool isOneOf(const std::string& word, std::span<const char* const> words) {
-    return std::find(words.begin(), words.end(), word) != words.end();
-}
-
-/// Reads files one after the other into one project.
-class Reader {
-public:
-    Result<void> readFile(const fs::path& path, const std::string& place, const std::string& folder) {
-        const auto bytes = projects::readFile(path.string());
-        if (!bytes) return bytes.error();
-        if (looksLikeXml(*bytes)) return readXml(*bytes, place, folder);
-        const std::string end = ending(path);
-        if (end != ".exp" && end != ".st" && end != ".txt") return Error{errors::ImportFileUnknown(), place};
-        const DecodedText text = projects::decodeText(*bytes);
-        noteEncoding(text.encoding, place);
-        const std::string lines = withUnixLines(text.text);
-        if (isCodesys2Text(lines))
-            importCodesys2Text(lines, place, out);
-        else
-            importLooseText(lines, place, folder, path.stem().string(), out);
-        ++out.report.filesRead;
-        return {};
-    }
-
-    void readFolder(const fs::path& root) {
-        std::error_code problem;
-        std::vector<fs::path> files;
-        for (auto it = fs::recursive_directory_iterator(root, fs::directory_options::skip_permission_denied, problem);
-             it != fs::recursive_directory_iterator(); it.increment(problem)) {
-            if (it->is_directory(problem) && isLeftOut(it->path()))
-                it.disable_recursion_pending();
-            else if (it->is_regular_file(problem))
-                files.push_back(it->path());
-        }
-        std::sort(files.begin(), files.end());
-        for (const fs::path& each : files)
-            if (ending(each) == ".plcproj") readProject(each, root);
-        for (const fs::path& each : files) {
-            if (!isOneOf(ending(each), kSources)) continue;
-            const std::string place = fs::relative(each, root, problem).generic_string();
-            if (auto done = readFile(each, place, folderOf(each, root)); !done) {
-                const bool isOther = done.error().message == errors::ImportXmlUnknown();
-                out.report.add(place, isOther ? remarks::FileSkipped() : remarks::FileNotRead(done.error().message));
-            }
-        }
-    }
-
-    Imported out;
-    TwinCatProject tasks;
-
-private:
-    /// Hidden folders, and what Beremiz generates beside its project.
-    static bool isLeftOut(const fs::path& folder) {
-        std::error_code problem;
-        const std::string name = folder.filename().string();
-        return name.starts_with(".") || (name == "build" && fs::exists(folder.parent_path() / "beremiz.xml", problem));
-    }
-
-    void noteEncoding(Encoding encoding, const std::string& place) {
-        if (encoding != Encoding::Utf8 && encoding != Encoding::Utf8Bom)
-            out.report.add(place, remarks::EncodingRead(std::string(projects::nameOf(encoding))));
-    }
-
-    void readProject(const fs::path& path, const fs::path& root) {
-        const auto bytes = projects::readFile(path.string());
-        if (!bytes) return;
-        std::error_code problem;
-        const Result<XmlFile> file = XmlFile::parse(*bytes, fs::relative(path, root, problem).generic_string());
-        if (!file) return out.report.add(file.error().place, remarks::FileNotRead(file.error().message));
-        if (!isTwinCatProject(*file)) return;
-        std::set<std::string> included;
-        readTwinCatProject(*file, out, included);
-        m_projects.push_back({path.parent_path(), path.stem().string(), std::move(included)});
-        ++out.report.filesRead;
-    }
-
-    /// Below the project it belongs to, by the project's name when there are several; else below the folder that was
-    /// named.
-    std::string folderOf(const fs::path& file, const fs::path& root) const {
-        const TwinCatFolder* owner = nullptr;
-        for (const TwinCatFolder& each : m_projects) {
-            const std::string text = each.folder.string();
-            const bool isNearer = !owner || owner->folder.string().size() < text.size();
-            if (isNearer && file.string().starts_with(text + "/")) owner = &each;
-        }
-        std::error_code problem;
-        std::string folder = fs::relative(file.parent_path(), owner ? owner->folder : root, problem).generic_string();
-        if (folder == ".") folder.clear();
-        if (!owner || m_projects.size() < 2) return folder;
-        return owner->name + (folder.empty() ? "" : "/" + folder);
-    }
-
-    Result<void> readXml(const std::string& bytes, const std::string& place, const std::string& folder) {
-        const Result<XmlFile> file = XmlFile::parse(bytes, place);
-        if (!file) return file.error();
-        if (isPlcopen(*file)) {
-            importPlcopen(*file, out);
-        } else if (isTwinCat(*file)) {
-            importTwinCat(*file, folder, out, tasks);
-        } else if (isCodesysExport(*file)) {
-            importCodesysExport(*file, out);
-        } else if (isTwinCatProject(*file)) {
-            std::set<std::string> included;
-            readTwinCatProject(*file, out, included);
-        } else {
-            return Error{errors::ImportXmlUnknown(), place};
-        }
-        noteEncoding(file->encoding(), place);
-        ++out.report.filesRead;
-        return {};
-    }
-
-    struct TwinCatFolder {
-        fs::path folder;
-        std::string name;
-        std::set<std::string> included;
-    };
-    std::vector<TwinCatFolder> m_projects;
-};
-
-/// CODESYS, Beremiz and OpenPLC count %MW1 in words, and so do our own exports; the project does as its origin did.
-void noteAddressing(Imported& out) {
-    const std::string product = foldCase(toolOf(out));
-    constexpr std::string_view kInWords[] = {"codesys", "beremiz", "openplc", "stepwise"};
-    const bool isInWords = std::any_of(std::begin(kInWords), std::end(kInWords),
-                                       [&](std::string_view each) { return product.find(each) != std::string::npos; });
-    const auto file = std::find_if(out.files.begin(), out.files.end(),
-                                   [](const ImportedFile& each) { return hasCountedAddress(each.text); });
-    if (!isInWords || file == out.files.end()) return;
-    out.addressing = image::Addressing::Words;
-    out.report.add(file->path, remarks::WordAddresses(toolOf(out)));
-}
-
-/// A project says how much memory __NEW has; without a number there is none.
-void setMemoryAside(Imported& out) {
-    constexpr uint32_t kMemory = 65536;
-    for (const ImportedFile& file : out.files)
-        if (foldCase(file.text).find("__new") != std::string::npos) {
-            out.memoryForNew = kMemory;
-            return out.report.add(file.path, remarks::MemoryForNew());
-        }
-}
 
 } // namespace
 
@@ -207,52 +51,140 @@ void addFile(Imported& imported, const std::string& folder, const std::string& n
     };
     for (int number = 2; isTaken(); ++number) path = stem + "_" + std::to_string(number) + ".st";
     if (path != stem + ".st") imported.report.add(stem + ".st", remarks::NameInUse(name, path));
-    imported.files.push_back({std::move(path), std::move(text)});
+    imported.files.push_back({std::move(path), std::move(text), name});
 }
-
-namespace {
-
-Result<Imported> finished(Reader& reader, const std::string& path) {
-    addConfiguration(reader.tasks, reader.out);
-    if (reader.out.files.empty()) return Error{errors::ImportNothing(), path};
-    if (reader.out.name.empty()) {
-        fs::path named = fs::path(path).lexically_normal();
-        if (named.filename().empty()) named = named.parent_path();
-        reader.out.name = named.stem().string();
-    }
-    dropOwnNamespaces(reader.out);
-    addToolTypes(reader.out);
-    noteAddressing(reader.out);
-    setMemoryAside(reader.out);
-    return std::move(reader.out);
-}
-
-} // namespace
 
 bool isForeignFile(const std::string& path) {
     std::error_code problem;
     if (!fs::is_regular_file(path, problem)) return false;
-    const std::string end = ending(path);
-    if (isOneOf(end, kForeign)) return true;
+    const std::string end = endingOf(path);
+    if (std::find(std::begin(kForeign), std::end(kForeign), end) != std::end(kForeign)) return true;
     if (end != ".xml") return false;
     const auto bytes = projects::readFile(path);
     return bytes && looksLikeXml(*bytes);
 }
 
-Result<Imported> importFrom(const std::string& path) {
+namespace {
+
+Note noteOf(std::string place, Remark remark) { return {remark.kind, std::move(remark.message), std::move(place)}; }
+
+Result<Imported> importGroup(const Tree& tree, const TreeGroup& group, Progress* progress) {
+    FileReader reader;
+    if (auto done = reader.readGroup(tree, group, progress); !done) return done.error();
+    const bool isRest = group.front() < 0;
+    return reader.finish(isRest || tree.parts.size() < 2 ? tree.root.string() : nameOf(tree, group));
+}
+
+/// A unit that several projects have, where dividing the tree keeps them apart.
+std::string sharedName(const std::map<std::string, std::set<int>>& names, const std::vector<TreeGroup>& groups) {
+    for (const auto& [name, parts] : names) {
+        const bool isInOne = std::any_of(groups.begin(), groups.end(), [&](const TreeGroup& group) {
+            return std::all_of(parts.begin(), parts.end(),
+                               [&](int part) { return std::find(group.begin(), group.end(), part) != group.end(); });
+        });
+        if (!isInOne) return name;
+    }
+    return {};
+}
+
+/// Each group a project; names that differ in nothing a folder's name shows get a number.
+Result<std::vector<Imported>> importDivided(const Tree& tree, const std::vector<TreeGroup>& groups,
+                                            const std::string& shared, Progress* progress) {
+    std::vector<Imported> out;
+    std::set<std::string> taken;
+    for (size_t i = 0; i < groups.size(); ++i) {
+        const auto shareAt = [&](size_t at) {
+            return 0.5 + 0.5 * static_cast<double>(at) / static_cast<double>(groups.size());
+        };
+        if (progress) progress->enter(shareAt(i), shareAt(i + 1));
+        auto imported = importGroup(tree, groups[i], progress);
+        if (isCancelled(progress)) return Error{errors::Cancelled(), ""};
+        if (!imported) continue; // nothing in it that is a program
+        const std::string name = nameOf(tree, groups[i]);
+        imported->name = name;
+        for (int number = 2; !taken.insert(foldCase(fileNameOf(imported->name))).second; ++number)
+            imported->name = name + "_" + std::to_string(number);
+        imported->report.notes.insert(imported->report.notes.begin(),
+                                      noteOf(imported->name, remarks::TreeDivided(shared, imported->name)));
+        out.push_back(std::move(*imported));
+    }
+    if (out.empty()) return Error{errors::ImportNothing(), tree.root.string()};
+    return out;
+}
+
+Result<std::vector<Imported>> only(Result<Imported> imported) {
+    if (!imported) return imported.error();
+    std::vector<Imported> out;
+    out.push_back(std::move(*imported));
+    return out;
+}
+
+Result<std::vector<Imported>> importNamed(const Tree& tree, const ImportOptions& options) {
+    std::string known;
+    for (size_t i = 0; i < tree.parts.size(); ++i) {
+        if (equalsIgnoringCase(tree.parts[i].name, options.only))
+            return only(importGroup(tree, withUsed(tree, static_cast<int>(i)), options.progress));
+        known += (known.empty() ? "" : ", ") + tree.parts[i].name;
+    }
+    return Error{remarks::NoSuchProject(options.only, known.empty() ? "–" : known).message, tree.root.string()};
+}
+
+Result<std::vector<Imported>> importTree(const fs::path& root, const ImportOptions& options) {
+    const Tree tree = surveyTree(root, options.progress);
+    if (isCancelled(options.progress)) return Error{errors::Cancelled(), ""};
+    if (!options.only.empty()) return importNamed(tree, options);
+    TreeGroup all;
+    for (size_t i = 0; i < tree.parts.size(); ++i) all.push_back(static_cast<int>(i));
+    if (!tree.rest.empty() || all.empty()) all.push_back(-1);
+    const std::vector<TreeGroup> groups = groupsOf(tree);
+    if (groups.size() == 1) all = groups.front(); // a project with its libraries, in this order
+    const bool mayDivide = groups.size() > 1 && options.division == TreeDivision::IfNeeded;
+    if (options.progress) options.progress->enter(0, mayDivide ? 0.5 : 1);
+    FileReader reader;
+    if (auto done = reader.readGroup(tree, all, options.progress); !done) return done.error();
+    const std::string shared = mayDivide ? sharedName(reader.unitNames, groups) : std::string();
+    if (!shared.empty()) return importDivided(tree, groups, shared, options.progress);
+    return only(reader.finish(root.string()));
+}
+
+/// The project of that file, with what it uses of the projects below its folder.
+Result<std::vector<Imported>> importPlcproj(const fs::path& path, const ImportOptions& options) {
+    const auto bytes = projects::readFile(path.string());
+    if (!bytes) return bytes.error();
+    if (const auto file = XmlFile::parse(*bytes, path.filename().string()); !file) return file.error();
+    const fs::path folder = path.parent_path();
+    const Tree tree = surveyTree(folder.empty() ? fs::path(".") : folder, options.progress);
+    for (size_t i = 0; i < tree.parts.size(); ++i)
+        if (tree.parts[i].projectFile.filename() == path.filename())
+            return only(importGroup(tree, withUsed(tree, static_cast<int>(i)), options.progress));
+    return Error{errors::ImportXmlUnknown(), path.filename().string()};
+}
+
+} // namespace
+
+Result<std::vector<Imported>> importProjects(const std::string& path, const ImportOptions& options) {
     std::error_code problem;
     if (!fs::exists(path, problem)) return Error{errors::NoSuchFileOrFolder(), path};
-    if (!fs::is_directory(path, problem)) return importFiles({path});
-    Reader reader;
-    reader.readFolder(path);
-    return finished(reader, path);
+    if (fs::is_directory(path, problem)) return importTree(path, options);
+    if (!isSolutionName(path)) return only(importFiles({path}));
+    if (endingOf(path) == ".plcproj") return importPlcproj(path, options);
+    const fs::path folder = fs::path(path).parent_path();
+    return importTree(folder.empty() ? fs::path(".") : folder, options);
+}
+
+Result<Imported> importFrom(const std::string& path) {
+    ImportOptions options;
+    options.division = TreeDivision::Together;
+    auto imported = importProjects(path, options);
+    if (!imported) return imported.error();
+    return std::move(imported->front());
 }
 
 Result<Imported> importFiles(const std::vector<std::string>& paths) {
-    Reader reader;
+    FileReader reader;
     for (const std::string& path : paths)
         if (auto done = reader.readFile(path, fs::path(path).filename().string(), ""); !done) return done.error();
-    return finished(reader, paths.empty() ? std::string() : paths.front());
+    return reader.finish(paths.empty() ? std::string() : paths.front());
 }
 
 projects::Project toProject(const Imported& imported) {
@@ -267,11 +199,10 @@ projects::Project toProject(const Imported& imported) {
     return project;
 }
 
-Result<void> writeImported(const Imported& imported, const std::string& folder) {
+namespace {
+
+Result<void> writeProject(const Imported& imported, const fs::path& root) {
     std::error_code problem;
-    const fs::path root(folder);
-    if (fs::exists(root, problem) && (!fs::is_directory(root, problem) || !fs::is_empty(root, problem)))
-        return Error{errors::ImportFolderNotEmpty(), folder};
     const auto write = [&](const std::string& path, const std::string& text) -> Result<void> {
         const fs::path file = root / path;
         fs::create_directories(file.parent_path(), problem);
@@ -292,6 +223,58 @@ Result<void> writeImported(const Imported& imported, const std::string& folder) 
     // the last one makes it a project, and waits for the disk
     return projects::writeFileAtomically((root / "project.json").string(),
                                          project.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+/// A folder beside the one that is to be, so that half a project never has its name; gone unless it was kept.
+class Staging {
+public:
+    explicit Staging(const fs::path& target) : m_target(target.lexically_normal()) {
+        if (!m_target.has_filename()) m_target = m_target.parent_path();
+        m_folder = m_target.parent_path() / ("." + m_target.filename().string() + ".importing");
+        std::error_code ignored;
+        fs::remove_all(m_folder, ignored); // of one that was killed
+    }
+    ~Staging() {
+        std::error_code ignored;
+        fs::remove_all(m_folder, ignored);
+    }
+    Staging(const Staging&) = delete;
+    Staging& operator=(const Staging&) = delete;
+    [[nodiscard]] const fs::path& folder() const { return m_folder; }
+    [[nodiscard]] Result<void> keep() const {
+        std::error_code problem;
+        fs::rename(m_folder, m_target, problem); // an empty folder of that name gives way
+        if (problem) return Error{errors::FolderNotMade(errors::ofSystem(problem)), m_target.string()};
+        return {};
+    }
+
+private:
+    fs::path m_target, m_folder;
+};
+
+} // namespace
+
+std::string folderOf(const std::vector<Imported>& projects, size_t index, const std::string& folder) {
+    return projects.size() == 1 ? folder : (fs::path(folder) / fileNameOf(projects[index].name)).string();
+}
+
+Result<void> writeProjects(const std::vector<Imported>& projects, const std::string& folder, Progress* progress) {
+    std::error_code problem;
+    const fs::path root(folder);
+    if (fs::exists(root, problem) && (!fs::is_directory(root, problem) || !fs::is_empty(root, problem)))
+        return Error{errors::ImportFolderNotEmpty(), folder};
+    const Staging staging(root);
+    for (size_t i = 0; i < projects.size(); ++i) {
+        if (!goesOn(progress, static_cast<double>(i) / static_cast<double>(projects.size())))
+            return Error{errors::Cancelled(), ""};
+        if (auto done = writeProject(projects[i], folderOf(projects, i, staging.folder().string())); !done) return done;
+    }
+    if (isCancelled(progress)) return Error{errors::Cancelled(), ""};
+    return staging.keep();
+}
+
+Result<void> writeImported(const Imported& imported, const std::string& folder) {
+    return writeProjects({imported}, folder, nullptr);
 }
 
 } // namespace plc::exchange

@@ -3,6 +3,7 @@
 #pragma once
 #include "projects/exchange/report.h"
 #include "projects/model/project.h"
+#include "runtime/base/progress.h"
 #include "runtime/base/result.h"
 #include "runtime/image/address.h"
 
@@ -17,6 +18,7 @@ namespace plc::exchange {
 struct ImportedFile {
     std::string path; // in the project: "src/Drives/Axis.st"
     std::string text;
+    std::string name = {}; // of the unit in its own tool
 };
 
 struct Imported {
@@ -40,7 +42,21 @@ void addFile(Imported& imported, const std::string& folder, const std::string& n
 /// A name as a file's: characters that a file name cannot have become _.
 [[nodiscard]] std::string fileNameOf(const std::string& name);
 
-/// Reads a file or every file of a folder that an import knows; the report says which were left out.
+/// What becomes of a folder with several projects of another tool.
+enum class TreeDivision : uint8_t {
+    IfNeeded, // one project, unless units of equal names would meet in it: then one for each, with what it uses
+    Together
+};
+struct ImportOptions {
+    TreeDivision division = TreeDivision::IfNeeded;
+    std::string only; // the project of that name and what it uses; empty: all
+    Progress* progress = nullptr;
+};
+
+/// Reads a file, the folder of a .sln, .tsproj or .plcproj, or every file of a folder that an import knows; the reports
+/// say which were left out. At least one.
+[[nodiscard]] Result<std::vector<Imported>> importProjects(const std::string& path, const ImportOptions& options);
+/// The same as one project, whatever meets in it.
 [[nodiscard]] Result<Imported> importFrom(const std::string& path);
 /// Loose files as one project; folders by themselves are not looked into.
 [[nodiscard]] Result<Imported> importFiles(const std::vector<std::string>& paths);
@@ -48,7 +64,10 @@ void addFile(Imported& imported, const std::string& folder, const std::string& n
 [[nodiscard]] bool isForeignFile(const std::string& path);
 /// As a project in memory, without a folder.
 [[nodiscard]] projects::Project toProject(const Imported& imported);
-/// Writes the project; the folder must not exist or must be empty.
+/// The folder of one of several projects that are written to `folder`: below it, or it itself when there is one.
+[[nodiscard]] std::string folderOf(const std::vector<Imported>& projects, size_t index, const std::string& folder);
+/// Writes all or nothing; the folder must not exist or must be empty.
+Result<void> writeProjects(const std::vector<Imported>& projects, const std::string& folder, Progress* progress);
 Result<void> writeImported(const Imported& imported, const std::string& folder);
 /// XML of TwinCAT or PLCopen, by the first bytes: no source of ours.
 [[nodiscard]] bool looksLikeXml(std::string_view bytes);

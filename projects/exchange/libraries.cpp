@@ -13,7 +13,7 @@ struct Row {
     std::string_view theirs, ours; // folded; ours empty: always there
 };
 constexpr Row kRows[] = {
-    {"standard", ""}, {"standard64", ""}, {"tc2_standard", ""}, {"tc3_standard", ""}, {"util", "util"},
+    {"standard", ""}, {"standard64", ""}, {"tc2_standard", ""}, {"tc3_standard", ""}, {"util", "util"}, {"iecsfc", ""},
 };
 
 } // namespace

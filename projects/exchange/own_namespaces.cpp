@@ -4,6 +4,7 @@
 #include "runtime/compiler/lex/token.h"
 #include "runtime/diagnostics/diagnostic.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 
@@ -57,6 +58,19 @@ void dropIn(ImportedFile& file, const Libraries& libraries, std::set<std::string
     }
 }
 
+/// A look at the bytes: most projects name no library, and reading every word of 100,000 lines takes its time.
+bool mayName(const ImportedFile& file, const Libraries& libraries) {
+    const std::string folded = foldCase(file.text);
+    return std::any_of(libraries.begin(), libraries.end(), [&](const auto& each) {
+        for (size_t at = folded.find(each.first); at != std::string::npos; at = folded.find(each.first, at + 1)) {
+            const size_t end = folded.find_first_not_of(" \t\r\n", at + each.first.size());
+            if (end != std::string::npos && (folded[end] == '.' || folded[end] == '(' || folded[end] == '/'))
+                return true;
+        }
+        return false;
+    });
+}
+
 } // namespace
 
 void dropOwnNamespaces(Imported& imported) {
@@ -68,9 +82,13 @@ void dropOwnNamespaces(Imported& imported) {
             imported.namespaces.insert(alias);
             libraries.emplace(foldCase(alias), alias);
         }
+    std::vector<ImportedFile*> naming;
+    for (ImportedFile& file : imported.files)
+        if (mayName(file, libraries)) naming.push_back(&file);
+    if (naming.empty()) return;
     for (const ImportedFile& file : imported.files) leaveOutDeclared(file, libraries);
     std::set<std::string> dropped;
-    for (ImportedFile& file : imported.files) dropIn(file, libraries, dropped);
+    for (ImportedFile* file : naming) dropIn(*file, libraries, dropped);
     for (const std::string& name : dropped)
         imported.report.add(name, imported.namespaces.count(name) ? remarks::OwnNamespaceDropped(name)
                                                                   : remarks::CoveredNamespaceDropped(name));

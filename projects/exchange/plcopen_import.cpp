@@ -327,15 +327,20 @@ private:
         }
     }
 
-    /// ST, IL, SFC, LD, FBD; CFC stands in addData.
-    static pugi::xml_node languageOf(pugi::xml_node body) {
-        for (const pugi::xml_node child : body.children())
-            for (const char* language : {"ST", "IL", "SFC", "LD", "FBD"})
-                if (is(child, language)) return child;
+    /// CFC is in addData, beside an ST without a text.
+    static pugi::xml_node functionChartOf(pugi::xml_node body) {
         for (const pugi::xml_node data : childOf(body, "addData").children())
             for (const pugi::xml_node child : data.children())
                 if (is(child, "CFC")) return child;
         return {};
+    }
+    /// ST, IL, SFC, LD, FBD, CFC.
+    static pugi::xml_node languageOf(pugi::xml_node body) {
+        const pugi::xml_node chart = functionChartOf(body);
+        for (const pugi::xml_node child : body.children())
+            for (const char* language : {"ST", "IL", "SFC", "LD", "FBD"})
+                if (is(child, language) && (!chart || !trimmed(textOf(child)).empty())) return child;
+        return chart;
     }
 
     static void declare(Piece& piece, const std::vector<std::pair<std::string, std::string>>& variables) {

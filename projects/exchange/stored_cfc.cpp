@@ -205,6 +205,10 @@ private:
 
 ArchiveBody readStoredCfc(pugi::xml_node stored) {
     ArchiveBody out;
+    if (!childOf(stored, "XmlArchive")) { // of the first versions: as PLCopen XML has it
+        out.document.append_copy(stored);
+        return out;
+    }
     if (const pugi::xml_node diagram = objectOf(stored, "CFCImplementationObject")) CfcConverter(out).read(diagram);
     return out;
 }

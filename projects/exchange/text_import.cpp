@@ -1,7 +1,8 @@
 #include "projects/exchange/text_import.h"
 
 #include "projects/exchange/assemble.h"
-#include "projects/exchange/codesys2_diagram.h"
+#include "projects/exchange/codesys2_cfc.h"
+#include "projects/exchange/codesys2_sections.h"
 #include "projects/exchange/stored_diagram.h"
 #include "projects/exchange/xml.h"
 #include "runtime/base/text.h"
@@ -53,6 +54,13 @@ std::string folderOf(std::string path) {
     return folder;
 }
 
+/// Some controllers call a REAL's address %IR3.0: an address has a size, not a type.
+void sizeAddresses(std::string& text) {
+    for (const char* written : {"%IR", "%QR", "%MR"})
+        for (size_t at = text.find(written); at != std::string::npos; at = text.find(written, at + 3))
+            if (at + 3 < text.size() && std::isdigit(static_cast<unsigned char>(text[at + 3]))) text[at + 2] = 'D';
+}
+
 bool endsUnit(const std::string& word) {
     return word == "END_FUNCTION_BLOCK" || word == "END_FUNCTION" || word == "END_PROGRAM" || word == "END_TYPE" ||
            word == "END_ACTION";
@@ -60,11 +68,12 @@ bool endsUnit(const std::string& word) {
 
 class Codesys2Reader {
 public:
-    Codesys2Reader(const std::string& text, std::string place, Imported& out)
-        : m_text(text), m_place(std::move(place)), m_out(out) {}
+    Codesys2Reader(const std::string& text, std::string place, Imported& out, TwinCatProject& tasks)
+        : m_text(text), m_place(std::move(place)), m_out(out), m_tasks(tasks) {}
 
     void read() {
-        if (m_text.find("_FUNCTIONBLOCK") != std::string::npos) gatherBlockPins(m_text, m_pins);
+        if (m_text.find("_FUNCTIONBLOCK") != std::string::npos || m_text.find("_CFC_BODY") != std::string::npos)
+            gatherBlockPins(m_text, m_pins);
         for (size_t at = 0; at < m_text.size();) {
             const size_t end = std::min(m_text.find('\n', at), m_text.size());
             readLine(std::string_view(m_text).substr(at, end - at));
@@ -78,16 +87,12 @@ private:
     void readLine(std::string_view line) {
         const auto [key, value] = mark(line);
         const std::string word = firstWord(line);
-        if (!m_skipUntil.empty()) {
-            if (word == m_skipUntil) m_skipUntil.clear();
-            return;
-        }
+        if (!m_sectionEnd.empty()) return readInSection(line, word);
         if (!key.empty()) return readMark(key, value);
-        if (word == "PLC_CONFIGURATION" || word == "VISUALISATION" || word == "LIBRARY" ||
-            word == "TASK_CONFIGURATION" || word == "RESOURCE" || word == "ALARM_CONFIGURATION" ||
-            word == "WORKSPACE") {
-            m_out.report.add(m_place + ":" + std::to_string(m_line), remarks::ElementNotRead(word));
-            m_skipUntil = word == "PLC_CONFIGURATION" ? "PLC_END" : "END_" + word;
+        if (std::string end = endOfSection(word); !end.empty() && !isInUnit()) {
+            m_section = word;
+            m_sectionEnd = std::move(end);
+            m_sectionLine = m_line;
             return;
         }
         if (m_current.empty() && trimmed(line).empty()) return;
@@ -105,6 +110,21 @@ private:
         if (endsUnit(word) && !isInside) finish(); // an action of a chart stands before the end of its unit
     }
 
+    /// A unit's own words may be those of a section: a step RESOURCE, a block LIBRARY.
+    [[nodiscard]] bool isInUnit() const {
+        const PieceKind kind = kindOfDeclaration(m_current);
+        return kind != PieceKind::Globals && kind != PieceKind::Unknown;
+    }
+    void readInSection(std::string_view line, const std::string& word) {
+        if (word != m_sectionEnd) {
+            m_sectionText += std::string(line) + "\n";
+            return;
+        }
+        readCodesys2Section(m_section, m_sectionText, m_place + ":" + std::to_string(m_sectionLine), m_out, m_tasks);
+        m_sectionEnd.clear();
+        m_sectionText.clear();
+    }
+
     void readMark(const std::string& key, const std::string& value) {
         if (key == "PATH") m_path = value;
         if (key == "GLOBAL_VARIABLE_LIST") m_list = value;
@@ -116,21 +136,24 @@ private:
     void finish() {
         std::string text = trimmedLines(m_current);
         m_current.clear();
+        sizeAddresses(text);
         if (text.empty()) return;
         const PieceKind kind = kindOfDeclaration(text);
         std::string name = nameInDeclaration(text);
         if (kind == PieceKind::Unknown && text.find_first_not_of(" \t\n;") == std::string::npos) return;
+        if (kind == PieceKind::Unknown && text.starts_with("(* @CONNECTIONS")) return; // to files of the tool
+        if (foldCase(text).starts_with("var_config")) return finishMapping(text);
         if (kind == PieceKind::Globals) {
             name = m_list.empty() ? "Globals" : m_list;
             text = "{gvl " + name + "}\n" + text;
             m_list.clear();
         }
         if (m_isDrawn && readDrawn(kind, name, text)) {
-            ++m_out.report.bodies[m_drawn.starts_with("_LD") ? "LD" : "FBD"];
+            ++m_out.report.bodies[languageDrawn()];
         } else if (m_isDrawn) {
             m_out.report.add(m_place, remarks::ArchiveBody(name));
             m_out.side["units"][name]["archive"] = m_drawn;
-            ++m_out.report.bodies["LD/FBD"];
+            ++m_out.report.bodies[languageDrawn()];
         } else if (kind != PieceKind::Globals && kind != PieceKind::Type) {
             ++m_out.report.bodies["ST/IL"];
         }
@@ -144,12 +167,20 @@ private:
         addFile(m_out, folderOf(m_path), name.empty() ? "unit" : name, text + "\n");
     }
 
+    /// VAR_CONFIG: addresses for instances; without any there is nothing to say.
+    void finishMapping(const std::string& text) {
+        m_list.clear();
+        if (text.find(" AT ") != std::string::npos)
+            m_out.report.add(m_place, remarks::ElementNotRead(std::string("VAR_CONFIG")));
+    }
+
     /// The diagram of a unit as its text. False: it has something that is not known here.
     bool readDrawn(PieceKind kind, const std::string& name, std::string& text) {
         if (kind != PieceKind::Program && kind != PieceKind::Function && kind != PieceKind::FunctionBlock) return false;
         pugi::xml_document diagram;
-        if (!readCodesys2Diagram(
-                m_drawn, [this](const std::string& type) { return pinsOf(type); }, diagram))
+        const auto pins = [this](const std::string& type) { return pinsOf(type); };
+        if (m_drawn.starts_with("_CFC") ? !readCodesys2Cfc(m_drawn, pins, diagram)
+                                        : !readCodesys2Diagram(m_drawn, pins, diagram))
             return false;
         const auto lines = XmlFile::parse("<export/>", m_place); // only the place of remarks
         if (!lines) return false;
@@ -175,12 +206,19 @@ private:
         return other == others.end() ? std::nullopt : std::optional(other->second);
     }
 
+    [[nodiscard]] const char* languageDrawn() const {
+        if (m_drawn.starts_with("_CFC")) return "CFC";
+        return m_drawn.starts_with("_LD") ? "LD" : "FBD";
+    }
+
     const std::string& m_text;
     std::string m_place;
     Imported& m_out;
+    TwinCatProject& m_tasks;
     std::map<std::string, BlockPins> m_pins; // of the blocks of this file
-    int m_line = 1;
-    std::string m_current, m_path, m_list, m_skipUntil, m_drawn;
+    int m_line = 1, m_sectionLine = 0;
+    std::string m_current, m_path, m_list, m_drawn;
+    std::string m_section, m_sectionEnd, m_sectionText; // that is being read: its word, the one that ends it, its lines
     bool m_isDrawn = false;
 };
 
@@ -192,10 +230,10 @@ bool isCodesys2Text(std::string_view text) {
            text.find("(* @PATH :=") != std::string_view::npos;
 }
 
-void importCodesys2Text(const std::string& text, const std::string& place, Imported& imported) {
+void importCodesys2Text(const std::string& text, const std::string& place, Imported& imported, TwinCatProject& tasks) {
     imported.side["source"]["format"] = "CODESYS 2.3";
     imported.side["source"]["product"] = "CODESYS 2.3";
-    Codesys2Reader(text, place, imported).read();
+    Codesys2Reader(text, place, imported, tasks).read();
 }
 
 namespace {

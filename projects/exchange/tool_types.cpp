@@ -46,8 +46,22 @@ struct ToolBlock {
     std::string_view name, needs, text;
 };
 
-/// Functions of TwinCAT and CODESYS that work on the bytes behind addresses.
-constexpr ToolBlock kMemoryFunctions[] = {
+/// Functions of TwinCAT's and CODESYS's libraries that need nothing but the language.
+constexpr ToolBlock kFunctions[] = {
+    {"FAILED", "", "FUNCTION FAILED : BOOL\nVAR_INPUT\n    hr : DINT;\nEND_VAR\nFAILED := hr < 0;\nEND_FUNCTION\n"},
+    {"SUCCEEDED", "",
+     "FUNCTION SUCCEEDED : BOOL\nVAR_INPUT\n    hr : DINT;\nEND_VAR\nSUCCEEDED := hr >= 0;\nEND_FUNCTION\n"},
+    {"LMOD", "",
+     "FUNCTION LMOD : LREAL\nVAR_INPUT\n    lr_Value, lr_Arg : LREAL;\nEND_VAR\n"
+     "LMOD := lr_Value - TRUNC(lr_Value / lr_Arg) * lr_Arg;\nEND_FUNCTION\n"},
+    {"F_LTrim", "",
+     "FUNCTION F_LTrim : STRING(255)\nVAR_INPUT\n    in : STRING(255);\nEND_VAR\nF_LTrim := in;\n"
+     "WHILE LEN(F_LTrim) > 0 AND LEFT(F_LTrim, 1) = ' ' DO\n    F_LTrim := DELETE(F_LTrim, 1, 1);\nEND_WHILE\n"
+     "END_FUNCTION\n"},
+    {"F_RTrim", "",
+     "FUNCTION F_RTrim : STRING(255)\nVAR_INPUT\n    in : STRING(255);\nEND_VAR\nF_RTrim := in;\n"
+     "WHILE LEN(F_RTrim) > 0 AND RIGHT(F_RTrim, 1) = ' ' DO\n    F_RTrim := LEFT(F_RTrim, LEN(F_RTrim) - 1);\n"
+     "END_WHILE\nEND_FUNCTION\n"},
     {"MEMCPY", "",
      "FUNCTION MEMCPY : UDINT\nVAR_INPUT\n    destAddr : POINTER TO BYTE;\n    srcAddr : POINTER TO BYTE;\n"
      "    n : UDINT;\nEND_VAR\nVAR\n    i : UDINT;\nEND_VAR\nFOR i := 1 TO n DO\n    destAddr^ := srcAddr^;\n"
@@ -70,9 +84,8 @@ constexpr ToolBlock kMemoryFunctions[] = {
      "    pBuf2 := pBuf2 + 1;\nEND_FOR\nEND_FUNCTION\n"}};
 
 /// Writes each of them that is called and that nothing declares.
-void addMemoryFunctions(Imported& imported, const std::set<std::string>& called,
-                        const std::set<std::string>& declared) {
-    for (const ToolBlock& each : kMemoryFunctions) {
+void addFunctions(Imported& imported, const std::set<std::string>& called, const std::set<std::string>& declared) {
+    for (const ToolBlock& each : kFunctions) {
         if (!called.count(foldCase(each.name)) || declared.count(foldCase(each.name))) continue;
         addFile(imported, "", std::string(each.name), std::string(each.text));
         imported.report.add(imported.files.back().path, remarks::ToolTypesAdded(toolOf(imported)));
@@ -153,7 +166,7 @@ void addToolTypes(Imported& imported) {
     std::map<std::string, std::string> used;
     std::set<std::string> declared, called;
     for (const ImportedFile& file : imported.files) gather(file.text, used, declared, called);
-    if (!isBeremiz) addMemoryFunctions(imported, called, declared);
+    if (!isBeremiz) addFunctions(imported, called, declared);
     if (isBeremiz) {
         std::set<std::string> names;
         for (const auto& [folded, name] : used) names.insert(folded);

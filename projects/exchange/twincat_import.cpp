@@ -269,16 +269,6 @@ private:
     std::vector<Entry> m_entries;
 };
 
-void addIncluded(pugi::xml_node project, std::set<std::string>& included) {
-    for (const pugi::xml_node group : project.children())
-        for (const pugi::xml_node item : group.children())
-            if (is(item, "Compile")) {
-                std::string path = attribute(item, "Include");
-                std::replace(path.begin(), path.end(), '\\', '/');
-                included.insert(foldCase(path));
-            }
-}
-
 } // namespace
 
 bool isTwinCat(const XmlFile& file) { return is(file.root(), "TcPlcObject"); }
@@ -312,8 +302,7 @@ bool isTwinCatProject(const XmlFile& file) {
            std::string_view(file.root().attribute("xmlns").value()).find("msbuild") != std::string_view::npos;
 }
 
-void readTwinCatProject(const XmlFile& file, Imported& imported, std::set<std::string>& included) {
-    addIncluded(file.root(), included);
+void readTwinCatProject(const XmlFile& file, Imported& imported) {
     for (const pugi::xml_node group : file.root().children()) {
         if (const std::string name = trimmed(textOf(childOf(group, "Name")));
             is(group, "PropertyGroup") && !name.empty() && imported.name.empty())

@@ -21,8 +21,8 @@ void importTwinCat(const XmlFile& file, const std::string& folder, Imported& imp
 void addConfiguration(const TwinCatProject& project, Imported& imported);
 
 [[nodiscard]] bool isTwinCatProject(const XmlFile& file);
-/// Name and libraries; `included` gets the paths of the project's files, with / between folders.
-void readTwinCatProject(const XmlFile& file, Imported& imported, std::set<std::string>& included);
+/// Name and libraries.
+void readTwinCatProject(const XmlFile& file, Imported& imported);
 
 [[nodiscard]] bool isCodesysExport(const XmlFile& file);
 void importCodesysExport(const XmlFile& file, Imported& imported);

@@ -335,6 +335,8 @@ void addSpecial(Table& table) {
     table.push_back(special("__DELETE", {any("POINTER", Generic::Any)}, "Ends a variable that __NEW made"));
     table.push_back(special("__POUNAME", {}, "Name of the program unit that this is in", String));
     table.push_back(special("__POSITION", {}, "Where this is: the line, and the position in it", String));
+    table.push_back(special("__VARINFO", {any("IN", Generic::Any)},
+                            "Name, type, size and place of a variable, as an __SYSTEM.VAR_INFO"));
     table.push_back(special("TEST_AND_SET", {any("IN", Generic::Any)},
                             "TRUE where IN was set before; IN is set in the same moment", Bool));
     table.push_back(special("__QUERYPOINTER", {any("FROM", Generic::Any), any("TO", Generic::Any)},

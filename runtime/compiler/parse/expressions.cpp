@@ -452,7 +452,7 @@ void Parser::parseArguments(std::vector<Argument>& out, TokenKind close) {
         out.push_back(std::move(argument));
         if (take(TokenKind::Comma)) {
             // TwinCAT takes a comma behind the last of arguments that stand on lines of their own
-            const bool isLast = at(close) && out.back().name.isValid() && peek().afterNewline;
+            const bool isLast = at(close) && peek().afterNewline;
             if (at(close) && !isLast) expected(phrases::AnArgument());
             continue;
         }

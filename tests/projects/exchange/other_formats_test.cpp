@@ -80,7 +80,10 @@ TEST_F(OtherFormats, ATwinCatTreeBecomesAProjectWithFoldersTasksAndMembers) {
           "<?xml version=\"1.0\"?><Project "
           "xmlns=\"http://schemas.microsoft.com/developer/msbuild/2003\"><PropertyGroup><Name>Cell</Name></"
           "PropertyGroup><ItemGroup>"
-          "<Compile Include=\"POUs\\Drive\\FB_Axis.TcPOU\"/></ItemGroup><ItemGroup><PlaceholderReference "
+          "<Compile Include=\"POUs\\Drive\\FB_Axis.TcPOU\"/><Compile Include=\"POUs\\FB_Base.TcPOU\"/>"
+          "<Compile Include=\"POUs\\MAIN.TcPOU\"/><Compile Include=\"I%5fAxis.TcIO\"/>"
+          "<Compile Include=\"DUTs\\ST_Point.TcDUT\"/><Compile Include=\"GVL.TcGVL\"/>"
+          "<Compile Include=\"PlcTask.TcTTO\"/></ItemGroup><ItemGroup><PlaceholderReference "
           "Include=\"Tc2_Standard\"/><PlaceholderReference Include=\"Tc2_MC2\"/></ItemGroup></Project>");
     write("tc/P/POUs/Drive/FB_Axis.TcPOU",
           object("<POU Name=\"FB_Axis\" Id=\"{1}\" SpecialFunc=\"None\">" +
@@ -135,6 +138,18 @@ TEST_F(OtherFormats, ATwinCatTreeBecomesAProjectWithFoldersTasksAndMembers) {
     EXPECT_EQ(errorsOf(imported), "");
     ASSERT_EQ(imported.report.notes.size(), 1u) << imported.report.toText();
     EXPECT_EQ(imported.report.notes[0].kind, NoteKind::LibraryUnknown);
+}
+
+TEST_F(OtherFormats, FunctionsOfTwinCatsLibrariesAreWrittenBesideTheProject) {
+    write("MAIN.TcPOU",
+          object("<POU Name=\"MAIN\">" +
+                 cdata("Declaration", "PROGRAM MAIN\nVAR\n\tr : LREAL;\n\ts : STRING;\n\tok : BOOL;\nEND_VAR\n") +
+                 st("r := LMOD(7.5, 2.0);\ns := F_LTrim(F_RTrim('  a '));\nok := FAILED(-1) AND SUCCEEDED(1);") +
+                 "</POU>"));
+    const Imported imported = folder("MAIN.TcPOU");
+    EXPECT_EQ(errorsOf(imported), "");
+    EXPECT_EQ(imported.report.losses(), 0u);
+    EXPECT_EQ(imported.files.size(), 6u);
 }
 
 TEST_F(OtherFormats, ADrawnBodyOfTwinCatHasItsLineAndIsKept) {

@@ -292,7 +292,8 @@ TEST_F(PlcopenImport, HostileXmlIsRefusedWithPlaceAndReason) {
         {"<project><a></project>", "not well-formed"},
         {"<?xml version=\"1.0\" encoding=\"EBCDIC\"?><project/>", "EBCDIC"},
         {"<html><body/></html>", "neither PLCopen XML"},
-        {"", "This file cannot be imported"},
+        {"", "The file is empty"},
+        {"PK\x03\x04", "ZIP archive"},
         {std::string("\0\1\2binary", 9), "This file cannot be imported"},
     };
     for (const Row& row : rows) {

@@ -22,6 +22,36 @@ struct Row {
 const std::string kParallel =
     "<connectionPointIn><connection refLocalId=\"2\"/><connection refLocalId=\"3\"/></connectionPointIn>";
 
+/// A chart's elements: what they follow, and what a step does.
+std::string after(std::initializer_list<const char*> ids) {
+    std::string out;
+    for (const char* id : ids)
+        out += "<connectionPointIn><connection refLocalId=\"" + std::string(id) + "\"/></connectionPointIn>";
+    return out;
+}
+std::string step(const char* id, const char* name, const char* from, const char* more = "") {
+    return "<step localId=\"" + std::string(id) + "\" name=\"" + name + "\" " + more + ">" + at(0) +
+           (*from ? after({from}) : "") + "<connectionPointOut formalParameter=\"\"/></step>";
+}
+std::string transition(const char* id, const char* condition, const char* from) {
+    return "<transition localId=\"" + std::string(id) + "\">" + at(0) + after({from}) +
+           "<condition><inline name=\"\"><ST><xhtml>" + condition + "</xhtml></ST></inline></condition></transition>";
+}
+std::string bar(const char* kind, const char* id, std::initializer_list<const char*> from) {
+    return "<" + std::string(kind) + " localId=\"" + id + "\">" + at(0) + after(from) +
+           "<connectionPointOut formalParameter=\"\"/></" + kind + ">";
+}
+std::string jump(const char* id, const char* target, const char* from) {
+    return "<jumpStep localId=\"" + std::string(id) + "\" targetName=\"" + target + "\">" + at(0) + after({from}) +
+           "</jumpStep>";
+}
+std::string action(const char* id, const char* from, const char* qualifier, const std::string& what) {
+    return "<actionBlock localId=\"" + std::string(id) + "\">" + at(0) + after({from}) + "<action localId=\"" + id +
+           "1\" qualifier=\"" + qualifier + "\">" + what + "</action></actionBlock>";
+}
+std::string named(const std::string& name) { return "<reference name=\"" + name + "\"/>"; }
+std::string written(const std::string& text) { return "<inline><ST><xhtml>" + text + "</xhtml></ST></inline>"; }
+
 std::vector<Row> rows() {
     return {
         {"SealIn", "LD",
@@ -61,6 +91,33 @@ std::vector<Row> rows() {
              target("4", "x", in("3"), 20) + "<label localId=\"5\" label=\"over\">" + at(30) + "</label>" +
              value("6", "n") + target("7", "y", in("6"), 40),
          "", "IF NOT a THEN x := m; END_IF; y := n;"},
+        {"FunctionChart", "CFC",
+         "<inVariable localId=\"1\"><expression>m</expression></inVariable><inVariable localId=\"2\"><expression>n"
+         "</expression></inVariable><inVariable localId=\"3\"><expression>a</expression></inVariable>" +
+             block("4", "SEL", "", input("G", in("3")) + input("IN0", in("1")) + input("IN1", in("2")), {"OUT"}, 10) +
+             target("5", "x", in("4", "OUT"), 20) +
+             block("6", "LE", "", input("IN1", in("4", "OUT")) + input("IN2", in("2")), {"OUT"}, 30) +
+             target("7", "q", in("6", "OUT"), 40),
+         "r : INT;", "r := SEL(a, m, n); x := r; q := r <= n;"},
+        {"AlternativeSteps", "SFC",
+         step("1", "Init", "", "initialStep=\"true\"") + action("20", "1", "R", named("q")) +
+             bar("selectionDivergence", "2", {"1"}) + transition("3", "a", "2") + step("4", "L", "3") +
+             action("21", "4", "N", named("p")) + action("22", "4", "S", named("q")) + transition("5", "b", "2") +
+             step("6", "R", "5") + action("23", "6", "P1", written("x := x + m;")) + transition("7", "NOT a", "4") +
+             transition("8", "NOT b", "6") + bar("selectionConvergence", "9", {"7", "8"}) + jump("10", "Init", "9"),
+         "s, old : INT;",
+         "CASE s OF 0: IF a THEN s := 1; ELSIF b THEN s := 2; END_IF; 1: IF NOT a THEN s := 0; END_IF; "
+         "2: IF NOT b THEN s := 0; END_IF; END_CASE; p := s = 1; q := (q OR s = 1) AND s <> 0; "
+         "IF s = 2 AND old <> 2 THEN x := x + m; END_IF; old := s;"},
+        {"ParallelSteps", "SFC",
+         step("1", "Init", "", "initialStep=\"true\"") + transition("2", "a AND m > 0", "1") +
+             bar("simultaneousDivergence", "3", {"2"}) + step("4", "L", "3") + action("20", "4", "N", named("p")) +
+             step("5", "R", "3") + transition("6", "n > 0", "5") + step("7", "Later", "6") +
+             action("21", "7", "N", named("q")) + bar("simultaneousConvergence", "8", {"4", "7"}) +
+             transition("9", "b", "8") + jump("10", "Init", "9"),
+         "s : INT;",
+         "CASE s OF 0: IF a AND m > 0 THEN s := 1; END_IF; 1: IF n > 0 THEN s := 2; END_IF; 2: IF b THEN s := 0; "
+         "END_IF; END_CASE; p := s > 0; q := s = 2;"},
     };
 }
 
@@ -79,8 +136,11 @@ TEST_P(Results, OfADiagramAndOfItsGeneratedTextAreEqual) {
         "priority=\"1\"><pouInstance name=\"Drawn1\" typeName=\"Drawn\"/></task>" +
         inputs + "</resource></configuration></configurations>";
     const std::string language = row.language;
-    Imported imported = import(document(
-        pou("Drawn", "program", outputs, "<" + language + ">" + row.elements + "</" + language + ">"), {}, resource));
+    std::string body = "<" + language + ">" + row.elements + "</" + language + ">";
+    if (language == "CFC")
+        body =
+            st("") + "<addData><data name=\"http://www.3s-software.com/plcopenxml/cfc\">" + body + "</data></addData>";
+    Imported imported = import(document(pou("Drawn", "program", outputs, body), {}, resource));
     EXPECT_EQ(imported.report.losses(), 0u);
     imported.files.push_back({"src/Written.st", std::string("PROGRAM Written\nVAR p, q : BOOL; x, y : INT; ") +
                                                     row.locals + " END_VAR\n" + row.text + "\nEND_PROGRAM\n"});

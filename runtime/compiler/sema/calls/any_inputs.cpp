@@ -39,8 +39,9 @@ bool belongs(const Context& context, TypeId type, std::string_view family) {
     return own == Family::Date;
 }
 
-/// The numbers of CODESYS's TYPE_CLASS.
-int64_t classOf(const types::TypeTable& types, TypeId type) {
+} // namespace
+
+int64_t typeClassOf(const types::TypeTable& types, TypeId type) {
     switch (types.kind(type)) {
     case TypeKind::Bool:
         return 0;
@@ -93,7 +94,6 @@ int64_t classOf(const types::TypeTable& types, TypeId type) {
     }
 }
 
-/// The argument's place; a value is kept in a local. Null: it was reported.
 tree::Place* placeOfArgument(Context& context, const syntax::Expr& argument, std::vector<tree::Stmt*>& before) {
     const Denoted denoted = denote(context, argument, Access::Read);
     if (denoted.kind == Denoted::Kind::Nothing) return nullptr;
@@ -104,8 +104,6 @@ tree::Place* placeOfArgument(Context& context, const syntax::Expr& argument, std
     before.push_back(assignStmt(context, kept, given.expr, {}));
     return kept;
 }
-
-} // namespace
 
 bool isAnyInput(const World& world, const Variable& variable) {
     return world.anyInput.isValid() && variable.type == world.anyInput;
@@ -147,7 +145,7 @@ Operand anyArgument(Context& context, const Variable& parameter, const syntax::E
         tree::Place* at = fieldPlace(context, made, field->offset, field->type, -1, argument.range);
         sequence->statements.push_back(assignStmt(context, at, valueOf(field->type).expr, {}));
     };
-    const int64_t size = context.types[place->type].size, number = classOf(context.types, place->type);
+    const int64_t size = context.types[place->type].size, number = typeClassOf(context.types, place->type);
     set("TypeClass", [&](TypeId t) { return constant(context, {t, number}, argument.range); });
     set("pValue", [&](TypeId t) { return addressOf(context, place, t, argument.range); });
     set("diSize", [&](TypeId t) { return constant(context, {t, size}, argument.range); });

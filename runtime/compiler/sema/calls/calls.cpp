@@ -226,7 +226,8 @@ tree::Place* inOutTarget(Context& context, Variable& parameter, const syntax::Ar
         sameType(context.world, place->type, type) ||
         (wanted.kind == TypeKind::Block && context.types.isDerivedFrom(place->type, type)) ||
         (wanted.kind == TypeKind::Subrange && context.types.storage(place->type) == context.types.storage(type)) ||
-        (given.kind == TypeKind::Subrange && context.types.storage(place->type) == type);
+        (given.kind == TypeKind::Subrange && context.types.storage(place->type) == type) ||
+        (given.kind == TypeKind::Enum && !given.isStrict && context.types.storage(place->type) == type);
     if (wanted.kind == TypeKind::Interface && given.kind == TypeKind::Block &&
         context.types.implements(place->type, type)) {
         const Operand value = converted(context, load(context, place, range), type);

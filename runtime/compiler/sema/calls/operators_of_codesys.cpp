@@ -41,7 +41,7 @@ Operand placeText(Context& context, const syntax::Expr& e, bool isUnit) {
 Operand testAndSet(Context& context, const syntax::Expr& e) {
     if (e.arguments.size() != 1 || !e.arguments[0].value) {
         const Verbatim name("TEST_AND_SET");
-        context.emit(e.base->range, e.arguments.empty() ? findings::MissingArgument(Verbatim("IN"), name)
+        context.emit(e.base->range, e.arguments.empty() ? findings::MissingArgument(name, Verbatim("IN"))
                                                         : findings::TooManyArguments(name, 1));
         return unknown(context, e.range);
     }

@@ -1,10 +1,12 @@
 // Standard functions with rules of their own: bounds, sizes, addresses, powers, queries of interfaces.
 #include "runtime/compiler/sema/calls/special_calls.h"
 
+#include "runtime/compiler/sema/calls/any_inputs.h"
 #include "runtime/compiler/sema/calls/calls.h"
 #include "runtime/compiler/sema/calls/dynamic_memory.h"
 #include "runtime/compiler/sema/calls/operators_of_codesys.h"
 #include "runtime/compiler/sema/calls/standard_calls.h"
+#include "runtime/compiler/sema/calls/variable_info.h"
 #include "runtime/compiler/sema/context.h"
 #include "runtime/compiler/sema/layout/layout.h"
 #include "runtime/compiler/sema/names/names.h"
@@ -139,6 +141,18 @@ Operand sizeCall(Context& context, const syntax::Expr& e, TypeKind result) {
     return constant(context, {context.elementary(TypeKind::Lint), int64_t(context.types[type].size)}, e.range, true);
 }
 
+/// ADR('text'), as programs for CODESYS give texts to functions that take addresses: valid until the unit ends.
+Operand addressOfLiteral(Context& context, const syntax::Expr& argument, SourceRange range) {
+    tree::Expr* sequence = context.arena.make<tree::Expr>();
+    tree::Place* place = placeOfArgument(context, argument, sequence->statements);
+    if (!place) return unknown(context, range);
+    sequence->kind = tree::ExprKind::Sequence;
+    sequence->type = context.types.pointer(place->type);
+    sequence->range = range;
+    sequence->a = addressOf(context, place, sequence->type, range).expr;
+    return {sequence, &context.types};
+}
+
 Operand addressCall(Context& context, const syntax::Expr& e, bool isReference) {
     const library::Signature* signature = library::findSignature(isReference ? "REF" : "ADR");
     const StandardArguments arguments = standardArguments(context, *signature, e);
@@ -148,6 +162,9 @@ Operand addressCall(Context& context, const syntax::Expr& e, bool isReference) {
         return unknown(context, e.range);
     }
     const syntax::Expr& argument = *arguments.inputs[0]->value;
+    const bool isInBody = context.function && !context.isInitialiser;
+    if (!isReference && isInBody && argument.kind == syntax::ExprKind::Literal)
+        return withEnable(context, addressOfLiteral(context, argument, e.range), arguments, e.range);
     const Denoted denoted = denote(context, argument, Access::Address);
     if (denoted.kind == Denoted::Kind::Nothing) return unknown(context, e.range);
     if (denoted.kind != Denoted::Kind::Place) {
@@ -275,6 +292,7 @@ Operand specialCall(Context& context, const library::Signature& signature, const
     if (name == "SIZEOF" || name == "XSIZEOF") return sizeCall(context, e, signature.result);
     if (name == "ADR" || name == "REF") return addressCall(context, e, name == "REF");
     if (name == "__POUNAME" || name == "__POSITION") return placeText(context, e, name == "__POUNAME");
+    if (name == "__VARINFO") return variableInfo(context, e);
     if (name == "__NEW") return newCall(context, e);
     if (name == "__DELETE") return deleteCall(context, e);
     if (name == "TEST_AND_SET") return testAndSet(context, e);
