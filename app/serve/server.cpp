@@ -103,6 +103,7 @@ HttpAnswer Server::answer(const HttpRequest& request) {
     if (request.path == "/status") return {200, "application/json", statusJson(m_session, figures()), {}};
     if (request.path == "/metrics") return {200, "text/plain; version=0.0.4", prometheusText(m_session, figures()), {}};
     if (request.path == "/client/panel.css") return resource("panel.css", "text/css");
+    if (request.path == "/client/commands.js") return resource("commands.js", "text/javascript");
     if (request.path == "/client/paint.js") return resource("paint.js", "text/javascript");
     if (request.path == "/client/panel.js") return resource("panel.js", "text/javascript");
     if (request.path == "/panel" || request.path == "/panel/") {

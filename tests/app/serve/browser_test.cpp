@@ -118,7 +118,7 @@ TEST_F(Browser, WhatIsRepaintedInPartsIsThePictureOfTheWhole) {
         const QStringList urls =
             page->evaluate(
                     QStringLiteral("(() => { const p = stepwise.painter; p.paint();"
-                                   "const parts = p.canvas.toDataURL(); p.forgetFaces(); p.forgetWords();"
+                                   "const parts = p.canvas.toDataURL(); p.commands.forget(); p.forgetLooks();"
                                    "p.allDirty = true; p.paint(); return parts + ' ' + p.canvas.toDataURL(); })()"))
                 .toString()
                 .split(u' ');
