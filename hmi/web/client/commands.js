@@ -315,9 +315,9 @@ class Commands {
     }
   }
 
-  /// A text is drawn from pictures of its words, as soon as it comes a second time: outlines are filled slowly.
+  /// A text is drawn from a picture of it as soon as it comes a second time: outlines are filled slowly.
   text(from) {
-    const word = {letters: [], shape: null, box: [0, 0, 0, 0], pictures: new Map(), last: null};
+    const word = {letters: [], shape: null, box: null, pictures: new Map(), last: null};
     let x = 0, y = 0;
     for (let left = from.count(); left > 0; --left) {
       const glyph = from.count();
@@ -325,9 +325,9 @@ class Commands {
     }
     return (s, ink) => {
       if (!s.pen.value) return;
-      if (!word.shape) this.outline(word);
       const paint = s.pen.value.paint, to = s.transform.value;
-      if (!to[1] && !to[2] && to[0] === to[3] && typeof paint === 'string' && this.blitWord(word, paint, s, ink)) return;
+      if (!to[1] && !to[2] && to[0] === to[3] && typeof paint === 'string') return this.upright(word, paint, s, ink);
+      if (!word.shape) this.outline(word);
       ink.enter(s);
       ink.fillWith(paint);
       ink.context.fill(word.shape, 'nonzero');
@@ -336,20 +336,11 @@ class Commands {
 
   outline(word) {
     word.shape = new Path2D();
-    let isFirst = true;
-    for (const [id, x, y] of word.letters) {
-      const glyph = this.glyphs[id];
-      if (!glyph) continue;
-      word.shape.addPath(glyph.shape, {e: x, f: y});
-      const [left, top, right, bottom] = glyph.box, box = word.box;
-      word.box = isFirst ? [x + left, y + top, x + right, y + bottom]
-                         : [Math.min(box[0], x + left), Math.min(box[1], y + top), Math.max(box[2], x + right), Math.max(box[3], y + bottom)];
-      isFirst = false;
-    }
+    for (const [id, x, y] of word.letters)
+      if (this.glyphs[id]) word.shape.addPath(this.glyphs[id].shape, {e: x, f: y});
   }
 
-  /// Places are held to a 64th of a pixel, as they come. False: not from a picture, or not yet.
-  blitWord(word, paint, s, ink) {
+  upright(word, paint, s, ink) {
     const to = s.transform.value, size = to[0] * ink.scale, x = Math.round(to[4] * ink.scale * 64), y = Math.round(to[5] * ink.scale * 64);
     const fine = (x & 63) * 64 + (y & 63);
     let last = word.last;
@@ -358,29 +349,55 @@ class Commands {
       last = word.pictures.get(key);
       if (!last) {
         word.pictures.set(key, {paint, size, fine, picture: undefined, left: 0, top: 0});
-        return false;
+        return this.letters(word, size, x / 64, y / 64, paint, s, ink);
       }
       if (last.picture === undefined) this.makePicture(word, last);
       word.last = last;
     }
-    if (!last.picture) return false;
+    if (!last.picture) return this.letters(word, size, x / 64, y / 64, paint, s, ink);
     ink.blit(last.picture, (x >> 6) + last.left, (y >> 6) + last.top, s.clip.value, s.opacity.value);
-    return true;
+  }
+
+  letters(word, size, x, y, paint, s, ink) {
+    ink.enter(s);
+    ink.fillWith(paint);
+    ink.transform = null;
+    for (const [glyph, atX, atY] of this.placed(word, size, x, y)) {
+      ink.context.setTransform(size, 0, 0, size, atX - ink.left, atY - ink.top);
+      ink.context.fill(glyph.shape, 'nonzero');
+    }
+  }
+
+  /// Each letter in pixels, where Qt puts it: at quarters of a pixel across, at whole ones down.
+  placed(word, size, x, y) {
+    const out = [];
+    for (const [id, letterX, letterY] of word.letters)
+      if (this.glyphs[id]) out.push([this.glyphs[id], Math.floor((x + letterX * size) * 4 + 0.01) / 4, Math.round(y + letterY * size)]);
+    return out;
   }
 
   makePicture(word, one) {
-    const kMost = 65536, x = (one.fine >> 6) / 64, y = (one.fine & 63) / 64, box = word.box, size = one.size;
-    one.left = Math.floor(box[0] * size + x) - 1;
-    one.top = Math.floor(box[1] * size + y) - 1;
-    const width = Math.ceil(box[2] * size + x) + 1 - one.left, height = Math.ceil(box[3] * size + y) + 1 - one.top;
+    const kMost = 65536, size = one.size, letters = this.placed(word, size, (one.fine >> 6) / 64, (one.fine & 63) / 64);
+    let left = Infinity, top = Infinity, right = -Infinity, bottom = -Infinity;
+    for (const [glyph, x, y] of letters) {
+      left = Math.min(left, x + glyph.box[0] * size);
+      top = Math.min(top, y + glyph.box[1] * size);
+      right = Math.max(right, x + glyph.box[2] * size);
+      bottom = Math.max(bottom, y + glyph.box[3] * size);
+    }
+    one.left = Math.floor(left) - 1;
+    one.top = Math.floor(top) - 1;
+    const width = Math.ceil(right) + 1 - one.left, height = Math.ceil(bottom) + 1 - one.top;
     one.picture = null;
-    if (!this.scratch || width * height > kMost) return;
+    if (!this.scratch || !(width * height <= kMost)) return;
     this.scratch.width = width;
     this.scratch.height = height;
     const c = this.scratch.getContext('2d');
-    c.setTransform(size, 0, 0, size, x - one.left, y - one.top);
     c.fillStyle = one.paint;
-    c.fill(word.shape, 'nonzero');
+    for (const [glyph, x, y] of letters) {
+      c.setTransform(size, 0, 0, size, x - one.left, y - one.top);
+      c.fill(glyph.shape, 'nonzero');
+    }
     one.picture = this.scratch.transferToImageBitmap();
   }
 
