@@ -1,5 +1,5 @@
 // Writes the numbers of the drawing commands that a browser gets: small ones take one byte, lengths are in 1/64 pixel.
-// client/panel.js reads them. A value, any thread.
+// client/commands.js reads them. A value, any thread.
 #pragma once
 #include <QByteArray>
 #include <QColor>
@@ -41,7 +41,7 @@ public:
         const QRgb rgba = color.rgba();
         for (const int part : {qRed(rgba), qGreen(rgba), qBlue(rgba), qAlpha(rgba)}) byte(static_cast<uint8_t>(part));
     }
-    void blob(const QByteArray& bytes) {
+    void blob(QByteArrayView bytes) {
         count(static_cast<uint64_t>(bytes.size()));
         m_bytes.append(bytes);
     }

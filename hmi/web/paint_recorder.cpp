@@ -10,7 +10,7 @@ namespace plc::hmi::web {
 
 namespace {
 
-/// The commands, as client/panel.js knows them.
+/// The commands, as client/commands.js knows them.
 enum Command : uint8_t {
     SetShift = 1,
     SetTransform,

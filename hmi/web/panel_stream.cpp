@@ -8,11 +8,53 @@ namespace plc::hmi::web {
 
 namespace {
 
-/// Sections of a frame, as client/panel.js knows them.
+/// Sections of a frame, as client/paint.js knows them.
 enum Section : uint8_t { Glyph = 1, Picture, Element, Reset };
 constexpr size_t kStoreLimit = size_t(64) << 20;
 
 bool isSame(const Recording& a, size_t i, const Recording& b, size_t j) { return a.command(i) == b.command(j); }
+
+/// After `kept` commands that stay, `removed` ones give way to `added` ones.
+struct Stretch {
+    size_t kept, removed, added;
+};
+
+/// Where as many came as went, each is held against the one in its place: an element that changes in several places
+/// keeps what is between them, in the browser too.
+std::vector<Stretch> stretchesOf(const Recording& was, const Recording& is) {
+    const size_t oldSize = was.ends.size(), newSize = is.ends.size(), least = std::min(oldSize, newSize);
+    size_t head = 0, tail = 0;
+    while (head < least && isSame(was, head, is, head)) ++head;
+    while (head + tail < least && isSame(was, oldSize - 1 - tail, is, newSize - 1 - tail)) ++tail;
+    if (head + tail == oldSize && oldSize == newSize) return {};
+    if (oldSize != newSize) return {{head, oldSize - head - tail, newSize - head - tail}};
+    std::vector<Stretch> out;
+    size_t kept = 0;
+    for (size_t i = 0; i + tail < newSize; ++i) {
+        if (isSame(was, i, is, i)) {
+            ++kept;
+        } else if (kept > 0 || out.empty()) {
+            out.push_back({std::exchange(kept, 0), 1, 1});
+        } else {
+            ++out.back().removed;
+            ++out.back().added;
+        }
+    }
+    return out;
+}
+
+PaintBytes differences(const Recording& was, const Recording& is) {
+    PaintBytes out;
+    const std::vector<Stretch> stretches = stretchesOf(was, is);
+    if (!stretches.empty()) out.count(stretches.size());
+    size_t at = 0;
+    for (const auto& [kept, removed, added] : stretches) {
+        for (const size_t count : {kept, removed, added}) out.count(count);
+        at += kept;
+        for (const size_t end = at + added; at < end; ++at) out.blob(is.command(at));
+    }
+    return out;
+}
 
 } // namespace
 
@@ -110,22 +152,16 @@ void PanelStream::send(size_t index, const Piece& now, PaintBytes& out) {
     if (!moved && before.recording == now.recording) return;
     const Recording& was = before.recording ? *before.recording : kNothing;
     const Recording& is = *now.recording;
-    const size_t oldSize = was.ends.size(), newSize = is.ends.size();
-    size_t same = 0, sameTail = 0;
-    while (same < oldSize && same < newSize && isSame(was, same, is, same)) ++same;
-    while (same + sameTail < oldSize && same + sameTail < newSize &&
-           isSame(was, oldSize - 1 - sameTail, is, newSize - 1 - sameTail))
-        ++sameTail;
-    const size_t removed = oldSize - same - sameTail, added = newSize - same - sameTail;
-    if (moved || removed > 0 || added > 0) {
+    const PaintBytes changes = differences(was, is);
+    if (moved || !changes.bytes().isEmpty()) {
         out.byte(Element);
         out.count(index);
         out.byte(static_cast<uint8_t>((now.isShown ? 1 : 0) | (moved ? 2 : 0)));
         if (moved) out.rect(now.bounds);
-        out.count(same);
-        out.count(removed);
-        out.count(added);
-        for (size_t i = same; i < same + added; ++i) out.bytes().append(is.command(i));
+        if (changes.bytes().isEmpty())
+            out.count(0);
+        else
+            out.bytes().append(changes.bytes());
     }
     static_cast<Piece&>(before) = now;
 }

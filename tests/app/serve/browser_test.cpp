@@ -99,6 +99,8 @@ TEST_F(Browser, ShowsWhatQtPaints) {
         for (const QString& name : folder.entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name))
             if (!QDir(folder.filePath(name + "/hmi")).entryList({"*.panel.json"}).isEmpty()) names += name;
     }
+    // One at a time: STEPWISE_EXAMPLES=car_wash,motor
+    if (qEnvironmentVariableIsSet("STEPWISE_EXAMPLES")) names = qEnvironmentVariable("STEPWISE_EXAMPLES").split(u',');
     for (const QString& name : names) expectSamePictures(*s_chromium, name.toStdString());
 }
 
@@ -118,7 +120,7 @@ TEST_F(Browser, WhatIsRepaintedInPartsIsThePictureOfTheWhole) {
         const QStringList urls =
             page->evaluate(
                     QStringLiteral("(() => { const p = stepwise.painter; p.paint();"
-                                   "const parts = p.canvas.toDataURL(); p.forgetFaces(); p.forgetWords();"
+                                   "const parts = p.canvas.toDataURL(); p.commands.forget(); p.forgetLooks();"
                                    "p.allDirty = true; p.paint(); return parts + ' ' + p.canvas.toDataURL(); })()"))
                 .toString()
                 .split(u' ');
