@@ -109,12 +109,38 @@ try timeout 100 sh -c 'rm -rf /tmp/serve; stepwise serve /usr/share/stepwise/exa
     sleep 1; kill -TERM $!; wait $! && exit $attached'
 says IO.K1
 tried+="serve attach "
+# An example in its place is the package's: what outlives the controller goes to the user.
+try timeout 100 stepwise serve $example/motor --port 0 --trial 10s
+says 'the recording are in /root/.local/state/stepwise/motor-'
+test ! -e "$root$example/motor/.stepwise" || fail "it wrote into the installed example"
 test -s "$root/tmp/serve/access-code" && ls "$root"/tmp/serve/recording/*.rec >/dev/null
 echo "  good: it served, was attached to, kept its recording and stopped"
 for command in $commands; do [[ $tried == *" $command "* ]] || fail "nobody tried $command: add a line for it here"; done
 echo "  good: all $(wc -w <<<"$commands") commands of the table"
 try sh -c 'QT_QPA_PLATFORM=offscreen timeout 5 stepwise /tmp/try/motor; test $? = 124'
 try sh -c 'dpkg -L stepwise | while read -r file; do test -e "$file" || { echo "$file is missing"; exit 1; }; done'
+# The tarball that was made with the package: unpacked anywhere, and the packages that the page names bring every library it needs.
+tarball=$(ls "$(dirname "$package")"/stepwise-*.tar.gz 2>/dev/null | head -1 || true)
+if [ -n "$tarball" ]; then
+    rm -rf "$root/tmp/portable"
+    mkdir "$root/tmp/portable"
+    tar xzf "$tarball" -C "$root/tmp/portable" --strip-components=1
+    here=/tmp/portable/share/stepwise/examples
+    try /tmp/portable/bin/stepwise check $here/motor
+    try /tmp/portable/bin/stepwise build $here/pid_pt1 --output /tmp/pid-portable
+    try /tmp/pid-portable --for 3s --record /tmp/portable.rec
+    cmp "$root/tmp/run.rec" "$root/tmp/portable.rec"
+    try timeout 100 /tmp/portable/bin/stepwise serve $here/motor --port 0 --trial 10s
+    test ! -e "$root$here/motor/.stepwise" || fail "it wrote into the example of the tarball"
+    # shellcheck disable=SC2046
+    closure=$(bare apt-cache depends --recurse --no-recommends --no-suggests --no-conflicts --no-breaks --no-replaces --no-enhances \
+        $(tr '\n' ' ' <"$(dirname "$0")/../docs/install.md" | grep -o 'apt install lib[^`]*' | sed 's/apt install//') | grep -v '^ ')
+    for library in $(objdump -p "$root/tmp/portable/bin/stepwise" | sed -n 's/^ *NEEDED *//p'); do
+        owner=$(bare sh -c "dpkg -S '*/$library' | head -1 | cut -d: -f1")
+        grep -qx "$owner" <<<"$closure" || fail "docs/install.md does not name $owner, which has $library"
+    done
+    echo "  good: the tarball, and the packages that docs/install.md names for it"
+fi
 rm -rf "$root/root/.config" "$root/root/.local" "$root/root/.cache" "$root/root/Stepwise" "$root/root/Documents"
 bare apt-get purge -y -q stepwise >>/tmp/bare-apt.log 2>&1
 list >/tmp/bare-after.txt

@@ -6,6 +6,8 @@
 
 #include "runtime/base/text.h"
 #include "runtime/compiler/driver/object_file.h"
+#include "runtime/platform/files.h"
+#include "runtime/platform/processes.h"
 
 #include <algorithm>
 #include <array>
@@ -15,8 +17,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <sys/wait.h>
-#include <unistd.h>
 
 namespace plc::cli {
 
@@ -47,49 +47,26 @@ Result<Target> targetOf(const Arguments& arguments) {
 /// Beside the program, in the build tree as installed: bin/stepwise and lib/stepwise/runner-aarch64.o.
 Result<std::string> runnerFor(const Target& target) {
     std::error_code ignored;
-    const fs::path own = fs::read_symlink("/proc/self/exe", ignored);
-    const fs::path file =
-        own.parent_path().parent_path() / "lib" / "stepwise" / ("runner-" + std::string(target.name) + ".o");
+    const fs::path file = fs::path(platform::ownProgram()).parent_path().parent_path() / "lib" / "stepwise" /
+                          ("runner-" + std::string(target.name) + ".o");
     if (!fs::exists(file, ignored)) return Error{errors::NoRunner(file.string()), ""};
     return file.string();
-}
-
-std::optional<std::string> inPath(const std::string& name) {
-    const char* all = std::getenv("PATH");
-    std::string_view rest = all ? all : "/usr/bin:/bin";
-    while (!rest.empty()) {
-        const size_t end = std::min(rest.find(':'), rest.size());
-        const fs::path file = fs::path(rest.substr(0, end)) / name;
-        if (end > 0 && ::access(file.c_str(), X_OK) == 0) return file.string();
-        rest.remove_prefix(std::min(end + 1, rest.size()));
-    }
-    return {};
 }
 
 /// LLD links for every machine. Older ones and the GNU linker make programs of the runner that do not start.
 Result<std::string> linkerFor(const Arguments& arguments) {
     if (const auto named = arguments.value("--linker")) {
-        if (const auto found = named->find('/') == std::string::npos ? inPath(*named) : named) return *found;
+        if (const auto found = named->find('/') == std::string::npos ? platform::programInPath(*named) : named)
+            return *found;
         return Error{errors::NoSuchLinker(*named), ""};
     }
-    if (const auto found = inPath("ld.lld-19")) return *found;
+    if (const auto found = platform::programInPath("ld.lld-19")) return *found;
     return Error{errors::NoLinker(Verbatim("lld-19")), ""};
 }
 
 /// Runs it without a shell; what it says goes to stderr as it is.
 Result<void> runLinker(const std::vector<std::string>& words) {
-    std::vector<char*> argv;
-    for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
-    argv.push_back(nullptr);
-    const pid_t child = ::fork();
-    if (child == 0) {
-        ::execv(argv[0], argv.data());
-        ::_exit(127);
-    }
-    int status = 0;
-    while (child > 0 && ::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-    }
-    if (child < 0 || !WIFEXITED(status) || WEXITSTATUS(status) != 0) return Error{errors::NotLinked(words[0]), ""};
+    if (platform::runProgram(words) != 0) return Error{errors::NotLinked(words[0]), ""};
     return {};
 }
 
@@ -97,7 +74,7 @@ Result<void> runLinker(const std::vector<std::string>& words) {
 struct Temporary {
     std::string path;
     ~Temporary() {
-        if (!path.empty()) ::unlink(path.c_str());
+        if (!path.empty()) platform::removeFile(path);
     }
 };
 

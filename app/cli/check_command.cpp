@@ -4,9 +4,9 @@
 #include "app/cli/panel_findings.h"
 
 #include "projects/testing/test_run.h"
+#include "runtime/platform/streams.h"
 
 #include <iostream>
-#include <unistd.h>
 
 namespace plc::cli {
 
@@ -37,7 +37,7 @@ int check(const Arguments& arguments) {
     if (arguments.wantsJson())
         for (const devices::Finding& finding : *deviceFindings) objects.push_back(renderJson(finding));
     if (!checked.analysis->hasErrors)
-        tests = testing::checkTests(*project, arguments.wantsJson(), wantsColours(STDERR_FILENO));
+        tests = testing::checkTests(*project, arguments.wantsJson(), wantsColours(platform::kStandardError));
     if (arguments.wantsJson()) objects.insert(objects.end(), tests.begin(), tests.end());
     bool wrong = printDiagnostics(checked, arguments.wantsJson(), arguments.has("--infos") || arguments.wantsJson(),
                                   objects, Entry::Optional);

@@ -7,6 +7,7 @@
 #include "runtime/base/text.h"
 #include "runtime/compiler/jit/jit.h"
 #include "runtime/controller/controller.h"
+#include "runtime/platform/streams.h"
 
 #include "stepwise_version.h"
 
@@ -18,7 +19,6 @@
 #include <cstdlib>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
 namespace plc::cli {
 
@@ -129,7 +129,7 @@ Result<projects::Project> openNamedProject(const Arguments& arguments, const std
 
 bool printDiagnostics(const driver::Checked& checked, bool asJson, bool withInfos,
                       const std::vector<std::string>& moreJson, Entry entry) {
-    const bool colours = wantsColours(STDERR_FILENO);
+    const bool colours = wantsColours(platform::kStandardError);
     std::string out;
     size_t shown = 0;
     bool hasErrors = false;
@@ -167,12 +167,9 @@ void needApplication() {
     kit::Theme::current();
 }
 
-bool wantsColours(int fileDescriptor) { return ::isatty(fileDescriptor) && !std::getenv("NO_COLOR"); }
+bool wantsColours(int fileDescriptor) { return platform::isTerminal(fileDescriptor) && !std::getenv("NO_COLOR"); }
 bool isInterrupted() { return g_interrupts != 0; }
-void catchInterrupt() {
-    std::signal(SIGINT, onInterrupt);
-    std::signal(SIGTERM, onInterrupt);
-}
+void catchInterrupt() { platform::catchInterrupts(onInterrupt); }
 
 std::string jsonString(std::string_view text) {
     return nlohmann::json(std::string(text)).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
@@ -181,7 +178,7 @@ std::string jsonString(std::string_view text) {
 void ProgressLine::show(const std::string& text) {
     const auto now = std::chrono::steady_clock::now();
     if (now - m_begin < std::chrono::seconds(1) || now - m_last < std::chrono::milliseconds(100) ||
-        !::isatty(STDERR_FILENO))
+        !platform::isTerminal(platform::kStandardError))
         return;
     m_last = now;
     m_isShown = true;

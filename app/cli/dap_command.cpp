@@ -2,17 +2,15 @@
 
 #include "projects/debug_adapter/adapter.h"
 #include "projects/protocol/connection.h"
-
-#include <csignal>
-#include <unistd.h>
+#include "runtime/platform/streams.h"
 
 namespace plc::cli {
 
 namespace {
 
 int serveDebugger(const Arguments&) {
-    std::signal(SIGPIPE, SIG_IGN);
-    protocol::Connection connection(protocol::Framing::Heads, STDIN_FILENO, STDOUT_FILENO);
+    platform::ignoreLostReaders();
+    protocol::Connection connection(protocol::Framing::Heads, platform::kStandardInput, platform::kStandardOutput);
     dap::Adapter adapter([&](const dap::Json& message) { connection.send(protocol::toText(message)); });
     using std::chrono::milliseconds;
     while (!adapter.isOver()) {

@@ -2,9 +2,9 @@
 #include "app/cli/errors.h"
 
 #include "projects/analysis/explanation.h"
+#include "runtime/platform/streams.h"
 
 #include <iostream>
-#include <unistd.h>
 
 namespace plc::cli {
 
@@ -25,7 +25,8 @@ int explain(const Arguments& arguments) {
         const auto shown = analysis::explain(code);
         if (!shown) return wrongUse({errors::NoSuchCode(code), ""});
         for (const diagnostics::Diagnostic& finding : shown->findings)
-            std::cout << diagnostics::renderText(*shown->checkedWrong.sources, finding, wantsColours(STDOUT_FILENO));
+            std::cout << diagnostics::renderText(*shown->checkedWrong.sources, finding,
+                                                 wantsColours(platform::kStandardOutput));
         std::cout << "\nWrong:\n"
                   << analysis::numbered(shown->wrong) << "\nRight:\n"
                   << analysis::numbered(shown->right);

@@ -4,7 +4,8 @@
 #include "projects/exchange/plcopen_export.h"
 #include "projects/storage/project_file.h"
 
-#include <ctime>
+#include <chrono>
+#include <cstdio>
 #include <iostream>
 
 namespace plc::cli {
@@ -12,11 +13,16 @@ namespace plc::cli {
 namespace {
 
 std::string now() {
-    const std::time_t time = std::time(nullptr);
-    std::tm parts{};
-    ::gmtime_r(&time, &parts);
+    using namespace std::chrono;
+    const auto time = floor<seconds>(system_clock::now());
+    const auto day = floor<days>(time);
+    const year_month_day date(day);
+    const hh_mm_ss clock(time - day);
     char out[32];
-    std::strftime(out, sizeof out, "%Y-%m-%dT%H:%M:%S", &parts);
+    std::snprintf(out, sizeof out, "%04d-%02u-%02uT%02d:%02d:%02d", static_cast<int>(date.year()),
+                  static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()),
+                  static_cast<int>(clock.hours().count()), static_cast<int>(clock.minutes().count()),
+                  static_cast<int>(clock.seconds().count()));
     return out;
 }
 

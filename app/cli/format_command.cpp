@@ -4,11 +4,11 @@
 #include "projects/storage/project_file.h"
 #include "runtime/base/messages.h"
 #include "runtime/compiler/format/format.h"
+#include "runtime/platform/streams.h"
 
 #include <filesystem>
 #include <iostream>
 #include <sstream>
-#include <unistd.h>
 
 namespace plc::cli {
 
@@ -99,7 +99,7 @@ int formatFiles(const Arguments& arguments) {
                 return wrongUse(written.error());
             if (!json) std::cout << "formatted " << path << "\n";
         } else if (!json) {
-            std::cout << difference(path, before->text, after, wantsColours(STDOUT_FILENO));
+            std::cout << difference(path, before->text, after, wantsColours(platform::kStandardOutput));
         }
     }
     if (json)

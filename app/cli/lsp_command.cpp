@@ -5,9 +5,7 @@
 
 #include "projects/language_server/server.h"
 #include "projects/protocol/connection.h"
-
-#include <csignal>
-#include <unistd.h>
+#include "runtime/platform/streams.h"
 
 namespace plc::cli {
 
@@ -38,10 +36,10 @@ Result<std::shared_ptr<lsp::LiveValues>> liveValues(const Arguments& arguments) 
 }
 
 int serveEditor(const Arguments& arguments) {
-    std::signal(SIGPIPE, SIG_IGN);
+    platform::ignoreLostReaders();
     const auto values = liveValues(arguments);
     if (!values) return wrongUse(values.error());
-    protocol::Connection connection(protocol::Framing::Heads, STDIN_FILENO, STDOUT_FILENO);
+    protocol::Connection connection(protocol::Framing::Heads, platform::kStandardInput, platform::kStandardOutput);
     lsp::Server server([&](const lsp::Json& message) { connection.send(protocol::toText(message)); },
                        {arguments.values("--library"), *values});
     server.isCancelled = [&](const lsp::Json& id) {

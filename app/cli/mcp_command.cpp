@@ -2,27 +2,24 @@
 
 #include "app/mcp/server.h"
 #include "projects/protocol/connection.h"
-
-#include <csignal>
-#include <filesystem>
-#include <unistd.h>
+#include "runtime/platform/processes.h"
+#include "runtime/platform/streams.h"
 
 namespace plc::cli {
 
 namespace {
 
 int serveAssistant(const Arguments& arguments) {
-    std::signal(SIGPIPE, SIG_IGN);
-    std::error_code ignored;
+    platform::ignoreLostReaders();
     mcp::ServerSettings settings;
-    settings.program = std::filesystem::read_symlink("/proc/self/exe", ignored).string();
+    settings.program = platform::ownProgram();
     settings.allowsWrites = arguments.has("--allow-writes");
     if (const auto text = arguments.value("--timeout")) {
         const auto time = parseDuration(*text);
         if (!time) return wrongUse(time.error());
         settings.limits.time = std::chrono::duration_cast<std::chrono::milliseconds>(*time);
     }
-    protocol::Connection connection(protocol::Framing::Lines, STDIN_FILENO, STDOUT_FILENO);
+    protocol::Connection connection(protocol::Framing::Lines, platform::kStandardInput, platform::kStandardOutput);
     mcp::Server server([&](const mcp::Json& message) { connection.send(protocol::toText(message)); }, settings);
     for (;;) {
         const auto message = connection.next(std::nullopt);

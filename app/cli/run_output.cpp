@@ -3,13 +3,13 @@
 #include "app/cli/command.h"
 #include "app/cli/errors.h"
 #include "runtime/image/variable_tree.h"
+#include "runtime/platform/streams.h"
 #include "runtime/types/conversion.h"
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <unistd.h>
 
 namespace plc::cli {
 
@@ -110,8 +110,8 @@ Result<void> CsvWriter::open(const std::string& path) {
     m_isDirect =
         isOutput || (std::filesystem::exists(m_path, ignored) && !std::filesystem::is_regular_file(m_path, ignored));
     if (std::filesystem::is_directory(m_path, ignored)) return Error{errors::CsvNotWritten(errors::IsAFolder()), path};
-    m_file = isOutput ? ::fdopen(::dup(STDOUT_FILENO), "wb")
-                      : std::fopen((m_path + (m_isDirect ? "" : ".part")).c_str(), "wb");
+    m_file =
+        isOutput ? platform::openStandardOutput() : std::fopen((m_path + (m_isDirect ? "" : ".part")).c_str(), "wb");
     if (!m_file) return Error{errors::CsvNotWritten(errors::ofSystem(errno)), path};
     std::string head = "time_s,scan";
     for (const Watch& watch : m_watches) head += "," + csvCell(watch.text);

@@ -6,6 +6,7 @@
 #include "app/cli/run_output.h"
 #include "app/serve/errors.h"
 #include "app/serve/serve.h"
+#include "app/serve/state_place.h"
 
 #include <filesystem>
 #include <iostream>
@@ -43,7 +44,13 @@ Result<serve::ServeSettings> readSettings(const Arguments& arguments, const proj
     out.tokenFile = arguments.value("--access-code").value_or("");
     const std::filesystem::path home =
         project.folder.empty() ? std::filesystem::current_path() : std::filesystem::path(project.folder);
-    out.stateFolder = arguments.value("--state").value_or((home / ".stepwise" / "serve").string());
+    const auto state = arguments.value("--state");
+    out.stateFolder = state ? *state : serve::stateFolderOf(home, serve::surroundings()).string();
+    if (const auto text = arguments.value("--trial")) {
+        const auto length = parseDuration(*text);
+        if (!length) return length.error();
+        out.trial = *length;
+    }
     if (const auto text = arguments.value("--recording-size")) {
         const auto size = parseSize(*text);
         if (!size) return size.error();
@@ -154,7 +161,9 @@ Command serveCommand() {
           {"--certificate", "FILE", "serve by TLS with this certificate (PEM), and --key"},
           {"--key", "FILE", "the private key of the certificate (PEM)"},
           {"--access-code", "FILE", "the code that lets operate, not only look (default: made in the state folder)"},
-          {"--state", "DIR", "retained variables, access code and recording (default: .stepwise/serve in the project)"},
+          {"--state", "DIR",
+           "retained variables, codes and recording (default: .stepwise/serve in the project; of an installed example "
+           "in ~/.local/state/stepwise)"},
           {"--recording-size", "256M", "bytes of the recording on disk, oldest deleted first; 0 for none"},
           {"--real-time", "", "ask for locked memory and SCHED_FIFO; says what was granted"},
           {"--core", "N", "the scan thread on this core alone, with --real-time"},
@@ -162,6 +171,7 @@ Command serveCommand() {
           {"--devices", "", "connect the devices of devices.json"},
           {"--allow-breakpoints", "", "attached studios may stop the controller inside a scan"},
           {"--stats", "", "at the end how long tasks ran, how late scans began and ended, and the latest scans"},
+          {"--trial", "24h", "this much plant time as fast as the machine can, then the end: what a day needs of disk"},
           {"--start", "DT#2026-01-01-06:00:00", "calendar at the first scan"},
           {"--library", "NAME", "a library the files use, besides the standard (repeatable)"}},
          "stepwise serve projects/examples/alarm_texts --port 8080"},

@@ -4,12 +4,12 @@
 #include "app/cli/errors.h"
 #include "projects/testing/test_run.h"
 #include "runtime/base/xml_text.h"
+#include "runtime/platform/streams.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <optional>
-#include <unistd.h>
 
 namespace plc::cli {
 
@@ -152,7 +152,7 @@ int test(const Arguments& arguments) {
     testing::Options options;
     options.filter = arguments.value("--filter").value_or("");
     options.coverage = arguments.has("--coverage");
-    options.colours = wantsColours(STDERR_FILENO);
+    options.colours = wantsColours(platform::kStandardError);
     std::vector<ProjectReport> reports;
     size_t failed = 0, passed = 0, broken = 0;
     ProgressLine progress;

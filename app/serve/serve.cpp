@@ -2,17 +2,14 @@
 
 #include "app/serve/errors.h"
 #include "app/serve/service_notes.h"
+#include "runtime/platform/files.h"
 
 #include <QCoreApplication>
 #include <QRandomGenerator>
 
 #include <cerrno>
-#include <fcntl.h>
 #include <fstream>
 #include <iostream>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace plc::serve {
 
@@ -36,11 +33,10 @@ std::string newCode() {
 
 /// For its owner only.
 Result<void> writeCode(const std::string& path, const std::string& code) {
-    const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
-    const std::string line = code + "\n";
-    const bool isWritten = file >= 0 && ::write(file, line.data(), line.size()) == static_cast<ssize_t>(line.size());
+    const int file = platform::openToWrite(path, platform::Existing::Refused, platform::Readers::OwnerOnly);
+    const bool isWritten = file >= 0 && platform::writeAll(file, code + "\n");
     const int problem = errno;
-    if (file >= 0) ::close(file);
+    if (file >= 0) (void)platform::closeFile(file);
     if (!isWritten) return Error{errors::TokenNotRead(path, errors::ofSystem(problem)), {}};
     return {};
 }
@@ -91,16 +87,14 @@ void stopOf(session::Session& session) {
 Result<std::unique_ptr<StateFolder>> StateFolder::open(const std::string& folder) {
     std::error_code problem;
     fs::create_directories(fs::path(folder) / "recording", problem);
-    const int lock = problem ? -1 : ::open((fs::path(folder) / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
-    if (lock < 0) return Error{errors::StateNotWritable(folder), {}};
-    if (::flock(lock, LOCK_EX | LOCK_NB) != 0) {
-        ::close(lock);
-        return Error{errors::StateInUse(folder), {}};
-    }
+    if (problem) return Error{errors::StateNotWritable(folder), {}};
+    const int lock = platform::lockFile((fs::path(folder) / "lock").string());
+    if (lock < 0)
+        return Error{errno == EWOULDBLOCK ? errors::StateInUse(folder) : errors::StateNotWritable(folder), {}};
     return std::unique_ptr<StateFolder>(new StateFolder(lock));
 }
 
-StateFolder::~StateFolder() { ::close(m_lock); }
+StateFolder::~StateFolder() { (void)platform::closeFile(m_lock); }
 
 std::string retainFileOf(const ServeSettings& settings) {
     return (fs::path(settings.stateFolder) / "retained").string();
@@ -137,7 +131,7 @@ Result<void> serve(const hmi::PanelProject& project, session::Session& session, 
         figures.recordingFiles = now.files;
         figures.recordingProblem = now.problem;
     };
-    session.startThread({session::Pace::Real}, settings.realTime.has_value());
+    session.startThread({settings.trial ? session::Pace::Fastest : session::Pace::Real}, settings.realTime.has_value());
     if (settings.realTime) {
         for (const std::string& line : askForRealTime(*settings.realTime)) std::cout << line << "\n";
         session.start();
@@ -146,13 +140,16 @@ Result<void> serve(const hmi::PanelProject& project, session::Session& session, 
               << (hasPeople ? std::string("the users of hmi/people.json log in to operate")
                             : "the access code to operate is in " + tokenPath(settings))
               << "\n"
-              << "the code to attach a studio is in " << attachFile << std::endl;
+              << "the code to attach a studio is in " << attachFile << "\n"
+              << "retained variables and the recording are in " << settings.stateFolder << std::endl;
     const ServiceNotes notes;
     notes.ready("serving " + settings.server.name);
     Liveness liveness(*session.program());
     QTimer watch, watchdog;
-    QObject::connect(&watch, &QTimer::timeout, &watch, [&isStopping] {
-        if (isStopping()) QCoreApplication::quit();
+    QObject::connect(&watch, &QTimer::timeout, &watch, [&] {
+        const session::Status now = session.status();
+        const bool isOver = settings.trial && (now.time >= *settings.trial || now.state == controller::State::Fault);
+        if (isOver || isStopping()) QCoreApplication::quit();
     });
     QObject::connect(&watchdog, &QTimer::timeout, &watchdog, [&] {
         if (liveness.isAlive(session.status(), std::chrono::steady_clock::now())) notes.alive();

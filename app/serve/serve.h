@@ -13,7 +13,9 @@ struct ServeSettings {
     std::string tokenFile;                         // empty: "access-code" in the state folder, made when missing
     uint64_t recordingLimit = uint64_t(256) << 20; // 0: nothing is recorded on disk
     std::optional<RealTimeWishes> realTime;
-    bool allowsBreakpoints = false;           // for attached studios
+    bool allowsBreakpoints = false; // for attached studios
+    /// Virtual time as fast as the machine can, and the end after that much of it; none: real time.
+    std::optional<std::chrono::nanoseconds> trial;
     const devices::Engine* devices = nullptr; // none are connected
 };
 

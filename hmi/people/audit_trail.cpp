@@ -2,13 +2,12 @@
 
 #include "hmi/model/errors.h"
 #include "hmi/texts/csv.h"
+#include "runtime/platform/files.h"
 
 #include <QCryptographicHash>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-
-#include <unistd.h>
 
 namespace plc::hmi {
 
@@ -87,7 +86,7 @@ Result<void> AuditTrail::add(const AuditEntry& entry) {
     if (!m_file) return {};
     const QByteArray line = lineOf(entry), sum = sumOf(m_last, line);
     const QByteArray bytes = line + ',' + sum + '\n';
-    if (m_file->write(bytes) != bytes.size() || !m_file->flush() || ::fsync(m_file->handle()) != 0)
+    if (m_file->write(bytes) != bytes.size() || !m_file->flush() || !platform::syncFile(m_file->handle()))
         return Error{errors::AuditNotWritten(m_file->errorString().toStdString()), m_file->fileName().toStdString()};
     m_last = sum;
     return {};

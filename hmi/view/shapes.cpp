@@ -3,6 +3,7 @@
 #include "hmi/view/panel_scene.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace plc::hmi {
 
@@ -185,7 +186,7 @@ void PipeView::drawArrows(QPainter& painter, const QPainterPath& path, double th
     for (int i = 0; i < count; ++i) {
         const double at = path.percentAtLength(length * (i + 0.5) / count);
         const QPointF middle = path.pointAtPercent(at);
-        const double angle = path.angleAtPercent(at) * M_PI / 180;
+        const double angle = path.angleAtPercent(at) * std::numbers::pi / 180;
         const QPointF along = QPointF(std::cos(angle), -std::sin(angle)) * half * m_direction,
                       side(-along.y(), along.x());
         painter.drawPolyline(QPolygonF{middle - along + side, middle + along, middle - along - side});

@@ -1,12 +1,12 @@
 #include "projects/devices/link.h"
 
-#include <sys/prctl.h>
+#include "runtime/platform/scheduling.h"
 
 namespace plc::devices {
 
 void Link::start() {
     m_thread = std::thread([this] {
-        ::prctl(PR_SET_NAME, "device");
+        platform::nameThread("device");
         run();
     });
 }

@@ -5,22 +5,14 @@
 #include "projects/devices/link.h"
 #include "projects/devices/modbus_requests.h"
 #include "projects/devices/wire.h"
-
-#include <cerrno>
-#include <fcntl.h>
-#include <netdb.h>
-#include <netinet/in.h>
-#include <netinet/tcp.h>
-#include <poll.h>
-#include <sys/socket.h>
-#include <unistd.h>
+#include "runtime/platform/sockets.h"
 
 namespace plc::devices {
 
 namespace {
 
 constexpr size_t kMostClients = 32;
-constexpr int kRoundMs = 50;
+constexpr std::chrono::milliseconds kRound{50};
 
 struct Client {
     int socket = -1;
@@ -31,29 +23,12 @@ struct Client {
 
 /// A socket that listens, or an error.
 Result<int> listenAt(const std::string& host, uint16_t port) {
-    addrinfo hints{};
-    hints.ai_family = AF_UNSPEC;
-    hints.ai_socktype = SOCK_STREAM;
-    hints.ai_flags = AI_PASSIVE | AI_NUMERICSERV;
-    addrinfo* found = nullptr;
-    const std::string where = host + ":" + std::to_string(port);
-    if (const int problem = ::getaddrinfo(host.c_str(), std::to_string(port).c_str(), &hints, &found); problem != 0)
-        return Error{errors::CannotListen(where, errors::SystemSays(std::string(::gai_strerror(problem)))), {}};
-    int code = EADDRNOTAVAIL;
-    for (const addrinfo* each = found; each; each = each->ai_next) {
-        const int listener =
-            ::socket(each->ai_family, each->ai_socktype | SOCK_CLOEXEC | SOCK_NONBLOCK, each->ai_protocol);
-        const int on = 1;
-        if (listener >= 0) ::setsockopt(listener, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
-        if (listener >= 0 && ::bind(listener, each->ai_addr, each->ai_addrlen) == 0 && ::listen(listener, 16) == 0) {
-            ::freeaddrinfo(found);
-            return listener;
-        }
-        code = errno;
-        if (listener >= 0) ::close(listener);
-    }
-    ::freeaddrinfo(found);
-    return Error{errors::CannotListen(where, errors::ofSystem(code)), {}};
+    const platform::Listener listener = platform::listenAt(host, port);
+    if (listener.socket >= 0) return listener.socket;
+    return Error{errors::CannotListen(host + ":" + std::to_string(port), listener.says.empty()
+                                                                             ? errors::ofSystem(listener.code)
+                                                                             : errors::SystemSays(listener.says)),
+                 {}};
 }
 
 class ModbusServer final : public Link {
@@ -118,20 +93,20 @@ void ModbusServer::listenAgain() {
 }
 
 void ModbusServer::round() {
-    std::vector<pollfd> polled{{m_listener, POLLIN, 0}};
-    for (const Client& client : m_clients) polled.push_back({client.socket, POLLIN, 0});
-    (void)::poll(polled.data(), polled.size(), kRoundMs);
+    std::vector<platform::Awaited> awaited{{m_listener}};
+    for (const Client& client : m_clients) awaited.push_back({client.socket});
+    platform::waitForAny(awaited, kRound);
     takeOutputs(false);
-    for (size_t i = 1; i < polled.size(); ++i)
-        if (polled[i].revents != 0) read(m_clients[i - 1]);
+    for (size_t i = 1; i < awaited.size(); ++i)
+        if (awaited[i].isReady) read(m_clients[i - 1]);
     std::erase_if(m_clients, [](const Client& client) { return client.socket < 0; });
-    if (polled[0].revents != 0) accept();
+    if (awaited[0].isReady) accept();
     m_port.setClients(m_clients.size());
     watchSilence();
 }
 
 void ModbusServer::accept() {
-    const int socket = ::accept4(m_listener, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);
+    const int socket = platform::acceptFrom(m_listener);
     if (socket < 0) return;
     if (m_clients.size() >= kMostClients) { // who was silent longest makes room
         const auto oldest = std::min_element(m_clients.begin(), m_clients.end(),
@@ -139,29 +114,27 @@ void ModbusServer::accept() {
         drop(*oldest);
         m_clients.erase(oldest);
     }
-    const int on = 1;
-    ::setsockopt(socket, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
     m_port.countConnect();
     m_clients.push_back({socket, {}, 0, SteadyClock::now()});
 }
 
 void ModbusServer::drop(Client& client) {
-    if (client.socket >= 0) ::close(client.socket);
+    if (client.socket >= 0) platform::closeSocket(client.socket);
     client.socket = -1;
 }
 
 void ModbusServer::closeAll() {
     for (Client& client : m_clients) drop(client);
     m_clients.clear();
-    if (m_listener >= 0) ::close(m_listener);
+    if (m_listener >= 0) platform::closeSocket(m_listener);
     m_listener = -1;
 }
 
 void ModbusServer::read(Client& client) {
-    const ssize_t n = ::recv(client.socket, client.bytes.data() + client.used, client.bytes.size() - client.used, 0);
-    if (n < 0 && (errno == EAGAIN || errno == EINTR)) return;
-    if (n <= 0) return drop(client);
-    client.used += static_cast<size_t>(n);
+    const auto n = platform::receive(client.socket, std::span(client.bytes).subspan(client.used));
+    if (!n) return;
+    if (*n == 0) return drop(client);
+    client.used += *n;
     client.last = SteadyClock::now();
     while (client.socket >= 0) {
         const FrameSize size = requestSize({client.bytes.data(), client.used});

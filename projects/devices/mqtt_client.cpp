@@ -3,18 +3,13 @@
 #include "projects/devices/errors.h"
 #include "projects/devices/link.h"
 #include "projects/devices/wire.h"
+#include "runtime/platform/sockets.h"
 
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <mosquitto.h>
-#include <netdb.h>
-#include <netinet/in.h>
-#include <netinet/tcp.h>
-#include <poll.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
 namespace plc::devices {
 
@@ -26,29 +21,6 @@ struct FreeMosquitto {
 using Mosquitto = std::unique_ptr<mosquitto, FreeMosquitto>;
 
 constexpr int kShortestKeepAlive = 5; // seconds; the protocol library takes no less
-
-/// Whether somebody listens there: 0, or errno. The library would wait for minutes.
-int reach(const std::string& host, uint16_t port, Milliseconds timeout) {
-    addrinfo hints{};
-    hints.ai_family = AF_UNSPEC;
-    hints.ai_socktype = SOCK_STREAM;
-    addrinfo* found = nullptr;
-    if (::getaddrinfo(host.c_str(), std::to_string(port).c_str(), &hints, &found) != 0) return EHOSTUNREACH;
-    int code = EHOSTUNREACH;
-    for (const addrinfo* each = found; each && code != 0; each = each->ai_next) {
-        const int probe =
-            ::socket(each->ai_family, each->ai_socktype | SOCK_CLOEXEC | SOCK_NONBLOCK, each->ai_protocol);
-        if (probe < 0) continue;
-        code = ::connect(probe, each->ai_addr, each->ai_addrlen) == 0 ? 0 : errno;
-        pollfd waits{probe, POLLOUT, 0};
-        if (code == EINPROGRESS) code = ::poll(&waits, 1, static_cast<int>(timeout.count())) > 0 ? 0 : ETIMEDOUT;
-        socklen_t size = sizeof code;
-        if (code == 0) ::getsockopt(probe, SOL_SOCKET, SO_ERROR, &code, &size);
-        ::close(probe);
-    }
-    ::freeaddrinfo(found);
-    return code;
-}
 
 std::string firstLine(const std::string& path) {
     std::ifstream file(path);
@@ -129,7 +101,8 @@ bool MqttClient::setUp() {
 void MqttClient::connect() {
     const Device& device = m_port.device;
     const std::string where = device.host + ":" + std::to_string(device.port);
-    if (const int code = reach(device.host, device.port, device.timeout); code != 0)
+    // First whether somebody listens: the library would wait for minutes.
+    if (const int code = platform::reach(device.host, device.port, device.timeout); code != 0)
         return lose(errors::NotConnected(where, code == ETIMEDOUT ? errors::NoAnswer(device.timeout.count())
                                                                   : errors::ofSystem(code)));
     if (isStopping()) return;
@@ -143,9 +116,7 @@ void MqttClient::connect() {
                                                    : errors::SystemSays(std::string(mosquitto_strerror(done)));
         return lose(errors::NotConnected(where, why));
     }
-    // What was sent and not confirmed for that long is lost with the connection.
-    const int patience = static_cast<int>(device.timeout.count());
-    ::setsockopt(mosquitto_socket(m_client.get()), IPPROTO_TCP, TCP_USER_TIMEOUT, &patience, sizeof patience);
+    platform::limitUnconfirmed(mosquitto_socket(m_client.get()), device.timeout);
     m_since = SteadyClock::now();
     m_refusal = {};
 }

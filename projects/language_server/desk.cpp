@@ -1,6 +1,7 @@
 #include "projects/language_server/desk.h"
 
 #include "projects/storage/project_file.h"
+#include "runtime/platform/processes.h"
 
 #include <cstdlib>
 #include <filesystem>
@@ -20,7 +21,7 @@ fs::path libraryFolder() {
     const char* cache = std::getenv("XDG_CACHE_HOME");
     const char* home = std::getenv("HOME");
     fs::path base = cache && *cache ? fs::path(cache) : home && *home ? fs::path(home) / ".cache" : fs::path();
-    if (base.empty()) base = fs::temp_directory_path() / ("stepwise-" + std::to_string(::getuid()));
+    if (base.empty()) base = fs::temp_directory_path() / ("stepwise-" + platform::userNumber());
     return base / "stepwise";
 }
 

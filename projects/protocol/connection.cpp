@@ -1,23 +1,21 @@
 #include "projects/protocol/connection.h"
 
+#include "runtime/platform/files.h"
+#include "runtime/platform/streams.h"
+
 #include <algorithm>
-#include <cerrno>
-#include <poll.h>
-#include <unistd.h>
 
 namespace plc::protocol {
 
 bool Connection::receive(int milliseconds) {
-    pollfd file{m_in, POLLIN, 0};
-    if (::poll(&file, 1, milliseconds) <= 0) return false;
     char bytes[65536];
-    const ssize_t count = ::read(m_in, bytes, sizeof bytes);
-    if (count < 0 && (errno == EINTR || errno == EAGAIN)) return false;
-    if (count <= 0) {
+    const std::optional<size_t> count = platform::readWithin(m_in, bytes, milliseconds);
+    if (!count) return false;
+    if (*count == 0) {
         m_isOpen = false;
         return false;
     }
-    m_reader.feed({bytes, static_cast<size_t>(count)});
+    m_reader.feed({bytes, *count});
     while (auto message = m_reader.next()) m_waiting.push_back(std::move(*message));
     if (m_reader.isBroken()) m_isOpen = false;
     return true;
@@ -44,16 +42,7 @@ bool Connection::isWaiting(const std::function<bool(std::string_view)>& which) {
 }
 
 void Connection::send(std::string_view message) {
-    const std::string bytes = framed(m_framing, message);
-    for (size_t done = 0; done < bytes.size();) {
-        const ssize_t count = ::write(m_out, bytes.data() + done, bytes.size() - done);
-        if (count < 0 && errno == EINTR) continue;
-        if (count <= 0) {
-            m_isOpen = false; // nobody reads any more
-            return;
-        }
-        done += static_cast<size_t>(count);
-    }
+    if (!platform::writeAll(m_out, framed(m_framing, message))) m_isOpen = false; // nobody reads any more
 }
 
 } // namespace plc::protocol

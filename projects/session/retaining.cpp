@@ -3,9 +3,9 @@
 #include "projects/session/session_state.h"
 #include "runtime/base/messages.h"
 #include "runtime/controller/retain.h"
+#include "runtime/platform/files.h"
 
-#include <cstdio>
-#include <sys/stat.h>
+#include <filesystem>
 
 namespace plc::session {
 
@@ -16,9 +16,10 @@ void Session::State::loadRetained() {
         // What cannot be read is kept aside: it would be written over at the next save, and may be a file named by
         // mistake.
         const std::string aside = settings.retainFile + ".damaged";
-        struct stat known {};
-        const bool isKept = ::stat(settings.retainFile.c_str(), &known) == 0 && S_ISREG(known.st_mode) &&
-                            known.st_size > 0 && std::rename(settings.retainFile.c_str(), aside.c_str()) == 0;
+        std::error_code none;
+        const bool isKept = std::filesystem::is_regular_file(settings.retainFile, none) &&
+                            std::filesystem::file_size(settings.retainFile, none) > 0 &&
+                            platform::replaceFile(settings.retainFile, aside);
         shared.retainProblem = errors::withPlace(leaves.error());
         if (isKept) shared.retainProblem = errors::RetainKeptAs(shared.retainProblem, aside);
         return;

@@ -2,10 +2,9 @@
 // breakpoint (D8).
 #include "projects/session/session_state.h"
 #include "runtime/base/messages.h"
+#include "runtime/platform/scheduling.h"
 
 #include <algorithm>
-#include <ctime>
-#include <sys/prctl.h>
 
 namespace plc::session {
 
@@ -18,11 +17,7 @@ constexpr int64_t kPublishEvery = 5'000'000, kShareEvery = 5'000'000, kStatistic
 constexpr size_t kEventsKept = 100'000;
 } // namespace
 
-int64_t wallNow() {
-    timespec now{};
-    ::clock_gettime(CLOCK_MONOTONIC, &now);
-    return now.tv_sec * 1'000'000'000ll + now.tv_nsec;
-}
+int64_t wallNow() { return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 void Session::State::post(When when, std::function<void()> run) {
     if (!isQueueing.load(std::memory_order_acquire)) {
@@ -49,8 +44,8 @@ bool Session::State::scansAreWanted() const {
 }
 
 void Session::State::run() {
-    ::prctl(PR_SET_NAME, "scan"); // how a server finds it to make it urgent
-    ::prctl(PR_SET_TIMERSLACK, 1000);
+    platform::nameThread("scan"); // how a server finds it to make it urgent
+    platform::wakeExactly();
     while (!isQuitting.load(std::memory_order_acquire)) {
         drain();
         keepFaultImage();

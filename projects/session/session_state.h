@@ -4,12 +4,12 @@
 #include "projects/session/mirror.h"
 #include "projects/session/session.h"
 #include "projects/session/versions.h"
-#include "projects/session/wake_up.h"
 #include "projects/session/worker.h"
 #include "projects/session/write_queue.h"
 #include "runtime/base/mpsc_queue.h"
 #include "runtime/base/published.h"
 #include "runtime/debug/debugger.h"
+#include "runtime/platform/wake_up.h"
 
 #include <atomic>
 
@@ -38,7 +38,7 @@ struct Session::State final : controller::ScanObserver {
 
     // --- posting
     MpscQueue<Command> commands;
-    WakeUp wakeUp;
+    platform::WakeUp wakeUp;
     std::atomic<bool> isQueueing{false}; // a thread drains the commands; else they run where they are posted
     std::atomic<bool> isQuitting{false};
     std::thread thread;

@@ -1,10 +1,9 @@
 #include "projects/storage/leftovers.h"
 
-#include <cerrno>
+#include "runtime/platform/processes.h"
+
 #include <cstdlib>
 #include <filesystem>
-#include <signal.h>
-#include <unistd.h>
 #include <vector>
 
 namespace plc::projects {
@@ -21,12 +20,12 @@ bool isLeftOver(const std::string& name) {
     const std::string number = name.substr(mark + std::string(kMark).size());
     if (number.empty() || number.find_first_not_of("0123456789") != std::string::npos) return false;
     const long process = std::strtol(number.c_str(), nullptr, 10);
-    return process > 0 && process < INT32_MAX && ::kill(static_cast<pid_t>(process), 0) != 0 && errno == ESRCH;
+    return platform::isGone(process);
 }
 
 } // namespace
 
-std::string nameWhileSaving(const std::string& path) { return path + kMark + std::to_string(::getpid()); }
+std::string nameWhileSaving(const std::string& path) { return path + kMark + std::to_string(platform::processId()); }
 
 void removeLeftovers(const std::string& folder) {
     for (const char* part : {"", "src", "tests", "hmi", "traces"}) {

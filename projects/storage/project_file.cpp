@@ -4,16 +4,14 @@
 #include "runtime/base/messages.h"
 #include "runtime/base/read_json.h"
 #include "runtime/base/text.h"
+#include "runtime/platform/files.h"
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <fcntl.h>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace plc::projects {
 
@@ -23,8 +21,7 @@ using Json = nlohmann::ordered_json;
 Result<std::string> readFile(const std::string& path) {
     std::error_code ignored;
     if (fs::is_directory(path, ignored)) return Error{errors::FolderNotFile(), path};
-    struct stat known {};
-    if (::stat(path.c_str(), &known) == 0 && (S_ISCHR(known.st_mode) || S_ISBLK(known.st_mode)))
+    if (fs::is_character_file(path, ignored) || fs::is_block_file(path, ignored))
         return Error{errors::DeviceNotFile(), path};
     std::ifstream in(path, std::ios::binary);
     if (!in) return Error{errors::FileNotRead(errors::ofSystem(errno)), path};
@@ -34,28 +31,14 @@ Result<std::string> readFile(const std::string& path) {
     return text.str();
 }
 
-namespace {
-
-/// False: errno says why.
-bool writeAll(int file, std::string_view content) {
-    while (!content.empty()) {
-        const ssize_t n = ::write(file, content.data(), content.size());
-        if (n < 0 && errno == EINTR) continue;
-        if (n <= 0) return false;
-        content.remove_prefix(static_cast<size_t>(n));
-    }
-    return true;
-}
-
-} // namespace
-
 Result<void> writeNewFile(const std::string& path, std::string_view content) {
-    const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    const bool isOpen = file >= 0, isWritten = isOpen && writeAll(file, content);
-    int code = errno;
-    if (isOpen && ::close(file) != 0 && isWritten) return Error{errors::FileNotWritten(errors::ofSystem(errno)), path};
+    const int file = platform::openToWrite(path, platform::Existing::Refused);
+    const bool isOpen = file >= 0, isWritten = isOpen && platform::writeAll(file, content);
+    const int code = errno;
+    if (isOpen && !platform::closeFile(file) && isWritten)
+        return Error{errors::FileNotWritten(errors::ofSystem(errno)), path};
     if (isWritten) return {};
-    if (isOpen) ::unlink(path.c_str());
+    if (isOpen) platform::removeFile(path);
     Message why = errors::ofSystem(code);
     if (code == ENOSPC) why = errors::FreeSpace(std::move(why));
     return Error{errors::FileNotWritten(std::move(why)), path};
@@ -65,37 +48,32 @@ Result<void> writeFileAtomically(const std::string& path, std::string_view conte
     if (std::error_code ignored; fs::is_regular_file(path, ignored)) {
         if (const auto old = readFile(path); old && *old == content) return {};
     }
-    struct stat known {};
-    if (::stat(path.c_str(), &known) == 0 && !S_ISREG(known.st_mode)) return Error{errors::NotReplaceable(), path};
-    // A link is followed, so that the file it names is exchanged and the link stays.
     std::error_code ignored;
+    if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored)) return Error{errors::NotReplaceable(), path};
+    // A link is followed, so that the file it names is exchanged and the link stays.
     const fs::path target = fs::is_symlink(path, ignored) ? fs::canonical(path, ignored) : fs::path(path);
     const std::string temporary = nameWhileSaving(target.string());
     const auto fail = [&](const auto& what) -> Error {
         const int code = errno;
-        ::unlink(temporary.c_str());
+        platform::removeFile(temporary);
         Message why = errors::ofSystem(code);
         if (code == ENOSPC) why = errors::FreeSpace(std::move(why));
         if (code == EACCES) why = errors::CheckPermissions(std::move(why));
         return {what(std::move(why)), path};
     };
-    const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    const int file = platform::openToWrite(temporary, platform::Existing::Emptied);
     if (file < 0) return fail(errors::FileNotWritten);
     if (std::error_code none; fs::exists(target, none))
         fs::permissions(temporary, fs::status(target, none).permissions(), none);
-    if (!writeAll(file, content) || ::fsync(file) != 0) {
+    if (!platform::writeAll(file, content) || !platform::syncFile(file)) {
         const int code = errno;
-        ::close(file);
+        (void)platform::closeFile(file);
         errno = code;
         return fail(errors::FileNotWritten);
     }
-    ::close(file);
-    if (::rename(temporary.c_str(), target.c_str()) != 0) return fail(errors::FileNotReplaced);
-    const std::string folder = target.parent_path().empty() ? "." : target.parent_path().string();
-    if (const int directory = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); directory >= 0) {
-        ::fsync(directory);
-        ::close(directory);
-    }
+    (void)platform::closeFile(file);
+    if (!platform::replaceFile(temporary, target.string())) return fail(errors::FileNotReplaced);
+    platform::syncFolder(target.parent_path().empty() ? "." : target.parent_path().string());
     return {};
 }
 

@@ -4,14 +4,13 @@
 #include "runtime/base/text.h"
 #include "runtime/controller/controller.h"
 #include "runtime/controller/retained_places.h"
+#include "runtime/platform/files.h"
 
 #include <cerrno>
 #include <cstring>
-#include <fcntl.h>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace plc::controller {
 
@@ -85,8 +84,9 @@ std::vector<RetainedLeaf> retainedLeaves(const image::Layout& layout, std::span<
 }
 
 Result<void> saveRetain(const std::string& file, const std::vector<RetainedLeaf>& leaves) {
-    struct stat known {};
-    if (::stat(file.c_str(), &known) == 0 && !S_ISREG(known.st_mode)) return Error{errors::NotReplaceable(), file};
+    std::error_code none;
+    if (std::filesystem::exists(file, none) && !std::filesystem::is_regular_file(file, none))
+        return Error{errors::NotReplaceable(), file};
     std::string text(kFirstLine);
     text += "\n";
     for (const RetainedLeaf& leaf : leaves) text += leaf.path + "\t" + leaf.type + "\t" + hex(leaf.bytes) + "\n";
@@ -95,36 +95,31 @@ Result<void> saveRetain(const std::string& file, const std::vector<RetainedLeaf>
     text += std::string("end ") + sum + "\n";
 
     const std::string aside = file + ".new";
-    const int handle = ::open(aside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+    const int handle = platform::openToWrite(aside, platform::Existing::Emptied);
     if (handle < 0) return notWritten(file);
-    size_t done = 0;
-    while (done < text.size()) {
-        const ssize_t n = ::write(handle, text.data() + done, text.size() - done);
-        if (n < 0 && errno == EINTR) continue;
-        if (n <= 0) {
-            const Error error = notWritten(file);
-            ::close(handle);
-            ::unlink(aside.c_str());
-            return error;
-        }
-        done += static_cast<size_t>(n);
+    const auto refused = [&] {
+        platform::removeFile(aside);
+        return notWritten(file);
+    };
+    if (!platform::writeAll(handle, text) || !platform::syncFile(handle)) {
+        const int code = errno;
+        (void)platform::closeFile(handle);
+        errno = code;
+        return refused();
     }
-    const bool isSafe = ::fsync(handle) == 0;
-    if (::close(handle) != 0 || !isSafe || ::rename(aside.c_str(), file.c_str()) != 0) {
-        const Error error = notWritten(file);
-        ::unlink(aside.c_str());
-        return error;
-    }
+    if (!platform::closeFile(handle) || !platform::replaceFile(aside, file)) return refused();
     return {};
 }
 
 Result<std::vector<RetainedLeaf>> loadRetain(const std::string& file) {
-    struct stat known {};
-    if (::stat(file.c_str(), &known) == 0 && !S_ISREG(known.st_mode)) return Error{errors::RetainNotAFile(), file};
+    std::error_code none;
+    if (std::filesystem::exists(file, none) && !std::filesystem::is_regular_file(file, none))
+        return Error{errors::RetainNotAFile(), file};
     std::ifstream in(file, std::ios::binary);
     if (!in) {
-        if (::access(file.c_str(), F_OK) != 0) return std::vector<RetainedLeaf>{};
-        return Error{errors::RetainNotRead(errors::ofSystem(errno)), file};
+        const int code = errno;
+        if (code == ENOENT || code == ENOTDIR) return std::vector<RetainedLeaf>{};
+        return Error{errors::RetainNotRead(errors::ofSystem(code)), file};
     }
     std::stringstream buffer;
     buffer << in.rdbuf();

@@ -3,13 +3,12 @@
 // tells a damaged file.
 #include "runtime/base/messages.h"
 #include "runtime/history/history_state.h"
+#include "runtime/platform/files.h"
 
 #include <algorithm>
 #include <cerrno>
-#include <fcntl.h>
+#include <filesystem>
 #include <fstream>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace plc::history {
 
@@ -73,13 +72,7 @@ public:
 
 private:
     void flush() {
-        size_t done = 0;
-        while (m_isGood && done < m_buffer.size()) {
-            const ssize_t n = ::write(m_file, m_buffer.data() + done, m_buffer.size() - done);
-            if (n < 0 && errno == EINTR) continue;
-            m_isGood = n > 0;
-            if (n > 0) done += static_cast<size_t>(n);
-        }
+        m_isGood = m_isGood && platform::writeAll(m_file, {m_buffer.data(), m_buffer.size()});
         m_buffer.clear();
     }
     int m_file;
@@ -187,16 +180,17 @@ Result<void> History::save(const std::string& path, Progress* progress) const {
 }
 
 Result<Position> History::saveRange(const std::string& path, PositionRange range, Progress* progress) const {
-    struct stat known {};
-    if (::stat(path.c_str(), &known) == 0 && !S_ISREG(known.st_mode)) return Error{errors::NotReplaceable(), path};
+    std::error_code none;
+    if (std::filesystem::exists(path, none) && !std::filesystem::is_regular_file(path, none))
+        return Error{errors::NotReplaceable(), path};
     const std::string aside = path + ".new";
     const auto refused = [&](int handle) -> Error {
         Error error{errors::RecordingNotWritten(errors::ofSystem(errno)), path};
-        if (handle >= 0) ::close(handle);
-        ::unlink(aside.c_str());
+        if (handle >= 0) (void)platform::closeFile(handle);
+        platform::removeFile(aside);
         return error;
     };
-    const int handle = ::open(aside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+    const int handle = platform::openToWrite(aside, platform::Existing::Emptied);
     if (handle < 0) return refused(handle);
     std::vector<ProgramOrigin> origins;
     std::vector<Branch> branches;
@@ -238,8 +232,8 @@ Result<Position> History::saveRange(const std::string& path, PositionRange range
         out.text(errors::packed(mark.text));
     }
     const auto cancelled = [&] {
-        ::close(handle);
-        ::unlink(aside.c_str());
+        (void)platform::closeFile(handle);
+        platform::removeFile(aside);
         return Error{errors::Cancelled(), path};
     };
     Position last = range.begin;
@@ -257,8 +251,8 @@ Result<Position> History::saveRange(const std::string& path, PositionRange range
     }
     out.number(~uint64_t(0)); // no more segments
     if (isCancelled(progress)) return cancelled();
-    if (!out.finish() || ::fsync(handle) != 0) return refused(handle);
-    if (::close(handle) != 0 || ::rename(aside.c_str(), path.c_str()) != 0) return refused(-1);
+    if (!out.finish() || !platform::syncFile(handle)) return refused(handle);
+    if (!platform::closeFile(handle) || !platform::replaceFile(aside, path)) return refused(-1);
     return last;
 }
 

@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <cstring>
-#include <strings.h>
 
 using plc::image::RuntimeContext;
 

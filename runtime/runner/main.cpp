@@ -6,12 +6,13 @@
 #include "runtime/history/history.h"
 #include "runtime/image/portable_program.h"
 #include "runtime/image/written_pages.h"
+#include "runtime/platform/scheduling.h"
+#include "runtime/platform/streams.h"
 #include "runtime/runner/errors.h"
 #include "runtime/runner/options.h"
 
 #include <csignal>
 #include <cstdio>
-#include <ctime>
 #include <thread>
 
 // What the object file defines.
@@ -88,25 +89,22 @@ Result<void> checkNames(const Options& options, const controller::Controller& co
     return {};
 }
 
-/// The wall time of the scan to come, by an absolute clock: no drift, and a signal wakes it.
-void waitUntil(const timespec& begin, std::chrono::nanoseconds due) {
-    const int64_t at = begin.tv_sec * 1'000'000'000ll + begin.tv_nsec + due.count();
-    const timespec wanted{static_cast<time_t>(at / 1'000'000'000), static_cast<long>(at % 1'000'000'000)};
-    while (!isInterrupted() && ::clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &wanted, nullptr) != 0) {
+/// The wall time of the scan to come; a signal wakes it.
+void waitUntil(std::chrono::steady_clock::time_point when) {
+    while (!isInterrupted() && !platform::sleepUntil(when)) {
     }
 }
 
 Result<void> runScans(const Options& options, controller::Controller& controller) {
     auto length = options.length;
     if (!length && !options.scans && !options.isReal) length = std::chrono::seconds(10);
-    timespec begin{};
-    ::clock_gettime(CLOCK_MONOTONIC, &begin);
+    const auto begin = std::chrono::steady_clock::now();
     controller.start();
     size_t next = 0;
     for (uint64_t done = 0; !isInterrupted() && controller.state() == controller::State::Running; ++done) {
         const std::chrono::nanoseconds due = controller.nextDue();
         if ((length && due >= *length) || (options.scans && done >= *options.scans)) break;
-        if (options.isReal) waitUntil(begin, due);
+        if (options.isReal) waitUntil(begin + due);
         if (isInterrupted()) break;
         for (; next < options.writes.size() && options.writes[next].at <= due; ++next)
             if (auto written = apply(controller, options.writes[next]); !written) return written;
@@ -176,8 +174,7 @@ int main(int argc, char** argv) {
                    stdout);
         return kGood;
     }
-    std::signal(SIGINT, onInterrupt);
-    std::signal(SIGTERM, onInterrupt);
+    platform::catchInterrupts(onInterrupt);
     portable->program->quick = linkedCode(*portable->program);
     return run(*options, *portable);
 }

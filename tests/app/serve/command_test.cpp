@@ -4,13 +4,18 @@
 #include "service.h"
 
 #include "projects/session/versions.h"
+#include "runtime/controller/retain.h"
 
 #include <QDir>
+#include <QDirIterator>
 #include <QFile>
 #include <QJsonDocument>
 #include <QProcess>
+#include <QTcpServer>
 #include <QTcpSocket>
 #include <csignal>
+#include <cstring>
+#include <iostream>
 
 namespace plc::serve {
 namespace {
@@ -131,6 +136,126 @@ TEST(ServeCommand, SaysWhyItCannotStart) {
     EXPECT_NE(answer({"--state", files.state}).find("Another server already works"), std::string::npos);
     EXPECT_NE(answer({"--state", files.folder.filePath("other"), "--port", port}).find("Nothing can listen at"),
               std::string::npos);
+}
+
+// ---------------------------------------------------------------- a day in test time
+
+constexpr const char* kPlant = R"(
+PROGRAM Main
+VAR RETAIN n : DINT; END_VAR
+VAR level AT %IW0 : INT; set AT %QW0 : INT; isGood : BOOL; heard : DINT; END_VAR
+n := n + 1;
+set := DINT_TO_INT(n MOD 30_000);
+IF isGood AND level > 0 THEN heard := heard + 1; END_IF;
+END_PROGRAM
+CONFIGURATION C RESOURCE R ON PLC
+    TASK T(INTERVAL := T#10ms, PRIORITY := 1);
+    PROGRAM Main WITH T : Main;
+END_RESOURCE END_CONFIGURATION
+)";
+
+/// A plant with two devices: a server that shows what it sets, and a client that reads it there again.
+struct Plant {
+    QTemporaryDir folder;
+    QString project = folder.filePath("plant"), state = folder.filePath("state");
+    Plant() {
+        QTcpServer probe;
+        EXPECT_TRUE(probe.listen(QHostAddress::LocalHost));
+        const QString port = QString::number(probe.serverPort());
+        probe.close();
+        EXPECT_TRUE(QDir().mkpath(project + "/src"));
+        write("project.json", "{\"name\": \"Plant\"}\n");
+        write("src/main.st", kPlant);
+        write("devices.json",
+              R"({"devices": [{"name": "Panel", "protocol": "modbus-server", "host": "127.0.0.1", "port": %1,
+                    "channels": [{"name": "Set", "variable": "%QW0", "address": 0}]},
+                   {"name": "Pump", "protocol": "modbus-tcp", "host": "127.0.0.1", "port": %1, "poll": "20ms",
+                    "channels": [{"name": "Level", "variable": "%IW0", "address": 0, "quality": "Main.isGood"}]}]})");
+        replace("devices.json", port);
+    }
+    void write(const QString& name, const QByteArray& text) const {
+        QFile file(project + "/" + name);
+        EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(text);
+    }
+    void replace(const QString& name, const QString& port) const {
+        QFile file(project + "/" + name);
+        EXPECT_TRUE(file.open(QIODevice::ReadOnly));
+        const QByteArray text = file.readAll().replace("\"port\": %1", "\"port\": " + port.toUtf8());
+        file.close();
+        write(name, text);
+    }
+};
+
+/// What the process holds in memory, in bytes.
+double residentOf(const QProcess& process) {
+    QFile file(QStringLiteral("/proc/%1/statm").arg(process.processId()));
+    if (!file.open(QIODevice::ReadOnly)) return 0;
+    return file.readAll().split(' ').value(1).toDouble() * 4096;
+}
+
+double bytesBelow(const QString& folder) {
+    double bytes = 0;
+    for (QDirIterator it(folder, QDir::Files, QDirIterator::Subdirectories); it.hasNext();) {
+        it.next();
+        bytes += static_cast<double>(it.fileInfo().size());
+    }
+    return bytes;
+}
+
+double retainedCount(const QString& state) {
+    const auto leaves = controller::loadRetain((state + "/retained").toStdString());
+    EXPECT_TRUE(leaves);
+    if (!leaves || leaves->empty()) return -1;
+    int32_t count = 0;
+    EXPECT_EQ(leaves->front().bytes.size(), sizeof count);
+    std::memcpy(&count, leaves->front().bytes.data(), sizeof count);
+    return count;
+}
+
+/// The whole service in virtual time, with its devices, ring, retain and pages: every scan of the task is made, memory
+/// and disk stay within what they may take, and the end is as exact as any.
+TEST(ServeCommand, ADayOnTrialIsWholeAndStaysWithinItsLimits) {
+    const Plant plant;
+    const int hours = qEnvironmentVariableIsSet("STEPWISE_LONG") ? 24 : 1;
+    const double scans = hours * 3600 * 100.0, limit = 4 << 20;
+    Service service({plant.project, "--state", plant.state, "--devices", "--recording-size", "4M", "--trial",
+                     QStringLiteral("%1h").arg(hours)});
+    double most = 0, early = 0, disk = 0;
+    ASSERT_TRUE(waitUntil(
+        [&] {
+            most = std::max(most, residentOf(service.process));
+            disk = std::max(disk, bytesBelow(plant.state));
+            if (early == 0 && service.process.state() == QProcess::Running &&
+                service.status()["scans"].toDouble() >= scans / 4)
+                early = most;
+            return service.process.state() == QProcess::NotRunning;
+        },
+        1'200'000));
+    EXPECT_EQ(service.process.exitCode(), 0) << service.process.readAllStandardError().toStdString();
+    const QString said = QString::fromUtf8(service.process.readAllStandardOutput());
+    const double done = said.section("stopped after ", 1).section(' ', 0, 0).toDouble();
+    EXPECT_GE(done, scans) << said.toStdString();
+    EXPECT_EQ(retainedCount(plant.state), done) << "what is retained is of the last scan";
+    const QFileInfoList files = QDir(plant.state + "/recording").entryInfoList({"*.rec"}, QDir::Files, QDir::Name);
+    ASSERT_FALSE(files.isEmpty());
+    EXPECT_EQ(lastScanOf(files.last().filePath()), done - 1) << "the recording has the last scan";
+    std::cout << done << " scans; memory " << early / 1048576 << " MB early, " << most / 1048576 << " MB at most; disk "
+              << disk / 1048576 << " MB at most\n";
+    constexpr double kHistory = 64 << 20, kSlack = 24 << 20;
+    if (early > 0) EXPECT_LE(most, early + kHistory + kSlack);
+    EXPECT_LE(disk, 3 * limit) << "the ring, the file that is being written, and the ten worst scans";
+}
+
+/// An example of the package is not written into.
+TEST(ServeCommand, SaysWhereItKeepsWhatOutlivesIt) {
+    const Files files;
+    Service service({files.program, "--state", files.state});
+    ASSERT_TRUE(waitUntil([&] { return service.status()["scans"].toDouble() > 0; }));
+    ::kill(static_cast<pid_t>(service.process.processId()), SIGTERM);
+    ASSERT_TRUE(service.process.waitForFinished(20'000));
+    EXPECT_TRUE(service.process.readAllStandardOutput().contains("retained variables and the recording are in " +
+                                                                 files.state.toUtf8()));
 }
 
 } // namespace

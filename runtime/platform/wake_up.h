@@ -3,7 +3,7 @@
 #pragma once
 #include <cstdint>
 
-namespace plc::session {
+namespace plc::platform {
 
 class WakeUp {
 public:
@@ -19,4 +19,4 @@ private:
     int m_event;
 };
 
-} // namespace plc::session
+} // namespace plc::platform

@@ -1,4 +1,4 @@
-#include "projects/session/wake_up.h"
+#include "runtime/platform/wake_up.h"
 
 #include "runtime/base/assert.h"
 
@@ -7,7 +7,7 @@
 #include <sys/eventfd.h>
 #include <unistd.h>
 
-namespace plc::session {
+namespace plc::platform {
 
 WakeUp::WakeUp() : m_event(::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)) { PLC_ASSERT(m_event >= 0, return ); }
 WakeUp::~WakeUp() { ::close(m_event); }
@@ -28,4 +28,4 @@ void WakeUp::wait(int64_t nanoseconds) {
     }
 }
 
-} // namespace plc::session
+} // namespace plc::platform
