@@ -3,6 +3,7 @@
 #include "app/design_findings.h"
 #include "app/device_connections.h"
 #include "app/devices_view.h"
+#include "app/dock_tabs.h"
 #include "app/editor_tabs.h"
 #include "app/guide_view.h"
 #include "app/inside_views.h"
@@ -60,6 +61,22 @@ namespace {
 
 QString titleOfMenu(const char* english) { return QCoreApplication::translate("plc::app::Menu", english); }
 
+/// Qt's own action closes a dock that is behind another one's tab; this one brings it to the front.
+QAction* makeToggle(MainWindow& window, QDockWidget& dock) {
+    auto* toggle = new QAction(dock.windowTitle(), &window);
+    toggle->setObjectName("dock." + dock.objectName());
+    toggle->setCheckable(true);
+    QObject::connect(&dock, &QDockWidget::visibilityChanged, toggle, &QAction::setChecked);
+    QObject::connect(toggle, &QAction::triggered, &window, [&window, &dock, toggle](bool isWanted) {
+        if (isWanted)
+            window.showDock(dock.objectName());
+        else
+            dock.close();
+        toggle->setChecked(dock.isVisible()); // one that slides out over the others is still behind its button
+    });
+    return toggle;
+}
+
 } // namespace
 
 MainWindow::MainWindow(QWidget* parent)
@@ -88,6 +105,7 @@ void MainWindow::build() {
     m_live = new LiveViews(*m_workspace, *m_control, this);
     m_perspectives = new Perspectives(*this);
     m_sideBars = new SideBars(*this);
+    new DockTabs(*this);
     takeRecordingSettings();
     for (QWidget* page : {static_cast<QWidget*>(m_startPage), static_cast<QWidget*>(m_tabs)})
         page->setMinimumSize(240, 120); // the page in the back does not keep docks small
@@ -264,8 +282,7 @@ void MainWindow::makeActions() {
     QMenu* view = menus[titleOfMenu("View")];
     view->addSeparator();
     for (QDockWidget* each : findChildren<QDockWidget*>()) {
-        QAction* toggle = each->toggleViewAction();
-        toggle->setObjectName("dock." + each->objectName());
+        QAction* toggle = makeToggle(*this, *each);
         toggle->setIcon(each->windowIcon());
         toggle->setShortcut(m_settings.shortcut(toggle->objectName(), {}));
         view->addAction(toggle);

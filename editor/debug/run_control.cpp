@@ -13,14 +13,42 @@
 #include <QDir>
 
 #include <algorithm>
+#include <mutex>
+#include <set>
 
 namespace plc::editor {
 
 namespace {
 constexpr int kFrameMs = 33;
+/// The controls that live: another thread may let go of what it holds when the window is gone already.
+class LivingControls {
+public:
+    static LivingControls& all() {
+        static LivingControls instance;
+        return instance;
+    }
+    void add(RunControl& control) {
+        const std::lock_guard lock(m_mutex);
+        m_controls.insert(&control);
+    }
+    void remove(RunControl& control) {
+        const std::lock_guard lock(m_mutex);
+        m_controls.erase(&control);
+    }
+    /// On the control's thread, and not at all if it is gone.
+    template <class Call> void post(RunControl* control, Call call) {
+        const std::lock_guard lock(m_mutex);
+        if (m_controls.count(control)) kit::post(control, std::move(call));
+    }
+
+private:
+    std::mutex m_mutex;
+    std::set<const RunControl*> m_controls;
+};
 } // namespace
 
 RunControl::RunControl(Workspace& workspace, QObject* parent) : QObject(parent), m_workspace(workspace) {
+    LivingControls::all().add(*this);
     m_timer.setInterval(kFrameMs);
     connect(&m_timer, &QTimer::timeout, this, &RunControl::tick);
     followWorkspace();
@@ -39,6 +67,7 @@ void RunControl::followWorkspace() {
 }
 
 RunControl::~RunControl() {
+    LivingControls::all().remove(*this);
     if (m_building) m_building->cancel();
     if (m_builder.joinable()) m_builder.join();
 }
@@ -100,7 +129,7 @@ void RunControl::build(std::function<void(bool)> then) {
 RunControl::Hold RunControl::hold() {
     if (auto held = m_hold.lock()) return held;
     const Hold made(this, [](RunControl* self) {
-        kit::post(self, [self] {
+        LivingControls::all().post(self, [self] {
             for (const auto& each : std::exchange(self->m_afterHold, {})) each();
         });
     });

@@ -51,6 +51,14 @@ QColor inkOf(const QStyleOption* option) {
     return option->state & QStyle::State_Enabled ? colors().text : colors().disabled;
 }
 
+/// The tab that shows its picture alone; null for any other.
+const QStyleOptionTab* asPicture(const QStyleOption* option, const QWidget* widget) {
+    const auto* bar = qobject_cast<const QTabBar*>(widget);
+    const auto* tab = qstyleoption_cast<const QStyleOptionTab*>(option);
+    const bool isNarrow = bar && tab && bar->property(kNarrowTabs).toBool();
+    return isNarrow && tab->tabIndex != bar->currentIndex() && !tab->icon.isNull() ? tab : nullptr;
+}
+
 } // namespace
 
 StudioStyle::StudioStyle() : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusion"))) {}
@@ -163,6 +171,9 @@ QSize StudioStyle::sizeFromContents(ContentsType type, const QStyleOption* optio
         break;
     case CT_MenuBarItem:
         result += QSize(4, 4);
+        break;
+    case CT_TabBarTab:
+        if (const QStyleOptionTab* tab = asPicture(option, widget)) result.setWidth(tab->iconSize.width() + 18);
         break;
     case CT_ToolButton:
         result = result.expandedTo(QSize(26, 26));
@@ -393,6 +404,12 @@ void StudioStyle::drawControl(ControlElement element, const QStyleOption* option
     switch (element) {
     case CE_TabBarTabShape:
         if (drawTab(option, painter)) return;
+        break;
+    case CE_TabBarTabLabel:
+        if (const QStyleOptionTab* tab = asPicture(option, widget)) {
+            tab->icon.paint(painter, tab->rect, Qt::AlignCenter);
+            return;
+        }
         break;
     case CE_MenuBarItem:
         if (drawMenuBarItem(option, painter, widget)) return;

@@ -6,6 +6,9 @@
 
 namespace plc::kit {
 
+/// A property of a tab bar: only the tab in front has a name, the others their picture.
+inline constexpr char kNarrowTabs[] = "narrowTabs";
+
 class StudioStyle : public QProxyStyle {
     Q_OBJECT
 public:

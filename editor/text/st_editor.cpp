@@ -9,9 +9,7 @@
 #include "editor/text/st_marks.h"
 #include "runtime/base/text.h"
 
-#include <QContextMenuEvent>
 #include <QHelpEvent>
-#include <QMenu>
 #include <QMimeData>
 #include <QRegularExpression>
 #include <QToolTip>
@@ -423,45 +421,6 @@ void StEditor::setFaultLine(int line) {
 }
 
 // ------------------------------------------------------------------ menus, tips
-
-void StEditor::contextMenuEvent(QContextMenuEvent* event) {
-    const std::unique_ptr<QMenu> menu(createStandardContextMenu());
-    QAction* first = menu->actions().isEmpty() ? nullptr : menu->actions().first();
-    const auto add = [&](kit::Icon icon, const QString& text, const QKeySequence& keys, auto&& run) {
-        auto* action = new QAction(kit::icon(icon), text, menu.get());
-        action->setShortcut(keys);
-        connect(action, &QAction::triggered, this, run);
-        menu->insertAction(first, action);
-    };
-    const uint32_t at = cursorOffset();
-    add(kit::Icon::Forward, tr("Go to Definition"), Qt::Key_F12, [this, at] { emit definitionRequested(m_file, at); });
-    add(kit::Icon::Find, tr("Find References"), Qt::SHIFT | Qt::Key_F12,
-        [this, at] { emit usesRequested(m_file, at); });
-    add(kit::Icon::Rename, tr("Rename…"), Qt::Key_F2, [this, at] { emit renameRequested(m_file, at); });
-    add(kit::Icon::Watch, tr("Add to Watch"), {},
-        [this] { emit watchRequested(hasSelectedText() ? selectedText() : wordUnderCursor()); });
-    add(kit::Icon::Breakpoint, tr("Toggle Breakpoint"), Qt::Key_F9, [this] {
-        int line = 0, column = 0;
-        getCursorPosition(&line, &column);
-        emit breakpointToggled(m_file, line + 1);
-    });
-    if (const auto asked = m_onlineValues ? askedAbout() : std::nullopt) {
-        menu->insertSeparator(first);
-        kit::addWhyActions(
-            *menu, [this, asked](kit::AskWhy question) { emit whyRequested(question, asked->name, asked->pou); },
-            first);
-    }
-    if (const auto variable = variableAt(at);
-        variable && m_onlineValues && !m_onlineValues({{variable->name, variable->pou}}).empty()) {
-        menu->insertSeparator(first);
-        add(kit::Icon::Write, tr("Write a Value…"), {}, [this, v = *variable] { emit writeRequested(v.name, v.pou); });
-        add(kit::Icon::Force, tr("Force…"), {}, [this, v = *variable] { emit forceRequested(v.name, v.pou); });
-        add(kit::Icon::Unforce, tr("Release the Force"), {},
-            [this, v = *variable] { emit unforceRequested(v.name, v.pou); });
-    }
-    menu->insertSeparator(first);
-    menu->exec(event->globalPos());
-}
 
 bool StEditor::event(QEvent* event) {
     if (event->type() == QEvent::KeyPress && isReadOnly()) { // Tab writes nothing here: it goes on to the next field

@@ -142,6 +142,16 @@ TEST_F(WhyViewTest, WhyNotNamesTheChangesThatWouldMakeIt) {
     EXPECT_NE(answer().find("start were TRUE"), std::string::npos) << answer();
 }
 
+TEST_F(WhyViewTest, AQuestionMayOutliveTheWindow) {
+    runUntilLamp();
+    // A thread that nobody waits for any more lets go of the session after the window is gone.
+    editor::RunControl::Hold held = window->control().hold();
+    window->control().disconnectSession();
+    window.reset();
+    std::thread([&held] { held.reset(); }).join();
+    QTest::qWait(10);
+}
+
 TEST_F(WhyViewTest, AQuestionCanBeCancelledAndANewOneReplacesIt) {
     runUntilLamp();
     // The desk is busy with something long, so that the questions wait; it looks whether anybody still does.
