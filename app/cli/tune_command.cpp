@@ -30,7 +30,7 @@ bool isRecording(const std::string& path) {
 
 bool isTable(const std::string& path) {
     const std::string extension = std::filesystem::path(path).extension().string();
-    return extension == ".csv" || extension == ".tsv" || extension == ".txt";
+    return extension == ".csv" || extension == ".tsv" || extension == ".txt" || extension == ".trace";
 }
 
 /// What was asked for, checked before anything long runs.
