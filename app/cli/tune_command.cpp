@@ -60,6 +60,8 @@ Result<Question> questionOf(const Arguments& arguments) {
     out.channels = {arguments.value("--input").value_or(""), arguments.value("--output").value_or(""),
                     arguments.value("--setpoint").value_or("")};
     if (out.channels.input.empty() != out.channels.output.empty()) return Error{errors::TuneNeedsBoth(), ""};
+    if (!out.channels.input.empty() && out.channels.input == out.channels.output)
+        return Error{errors::TuneSameSignal(Verbatim(out.channels.input)), ""};
     if (out.loop && !out.channels.input.empty()) return Error{errors::TuneLoopOrSignals(), ""};
     if (const auto text = arguments.value("--rule")) {
         const auto rule = tuning::parseRule(*text);

@@ -213,6 +213,7 @@ struct Reading {
 } // namespace
 
 Result<Table> parseTable(const std::string& text) {
+    if (text.find('\0') != std::string::npos) return Error{errors::CsvNotText(), ""};
     if (isCodesysTraceCsv(text)) return parseCodesysTraceCsv(text);
     const auto head = headOf(text);
     if (!head) return head.error();
