@@ -100,7 +100,9 @@ TEST_P(BlockKinds, RepeatsItsRecordingBitForBit) {
     EXPECT_GT(greatest - least, 1) << "nothing moves: nothing is compared";
 
     plan->writes = {{kind.gain, 1.3000001}}; // the last bit of a REAL
-    if (const auto other = tryOut(session.history(), *plan, std::nullopt)) EXPECT_TRUE(other->firstDifference);
+    const auto other = tryOut(session.history(), *plan, std::nullopt);
+    ASSERT_TRUE(other) << other.error().english();
+    EXPECT_TRUE(other->firstDifference);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, BlockKinds, ::testing::ValuesIn(kKinds),
