@@ -24,7 +24,7 @@ using tuning::ControllerKind;
 
 bool isTable(const std::string& path) {
     const std::string extension = std::filesystem::path(path).extension().string();
-    return extension == ".csv" || extension == ".tsv" || extension == ".txt";
+    return extension == ".csv" || extension == ".tsv" || extension == ".txt" || extension == ".trace";
 }
 
 /// What was asked for, checked before anything long runs.
@@ -54,6 +54,8 @@ Result<Question> questionOf(const Arguments& arguments) {
     out.channels = {arguments.value("--input").value_or(""), arguments.value("--output").value_or(""),
                     arguments.value("--setpoint").value_or("")};
     if (out.channels.input.empty() != out.channels.output.empty()) return Error{errors::TuneNeedsBoth(), ""};
+    if (!out.channels.input.empty() && out.channels.input == out.channels.output)
+        return Error{errors::TuneSameSignal(Verbatim(out.channels.input)), ""};
     if (out.loop && !out.channels.input.empty()) return Error{errors::TuneLoopOrSignals(), ""};
     if (const auto text = arguments.value("--rule")) {
         const auto rule = tuning::parseRule(*text);

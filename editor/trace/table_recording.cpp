@@ -109,7 +109,7 @@ private:
 
 bool isTableFile(const std::string& path) {
     const std::string ending = lower(std::filesystem::path(path).extension().string());
-    return ending == ".csv" || ending == ".tsv" || ending == ".txt";
+    return ending == ".csv" || ending == ".tsv" || ending == ".txt" || ending == ".trace";
 }
 
 std::vector<std::string> pathsOf(const waveform::Table& table) {

@@ -79,7 +79,7 @@ void TraceView::makeActions(QToolBar* bar) {
         }
         const QString path =
             QFileDialog::getOpenFileName(this, tr("Recording to draw beneath"), inProject({}),
-                                         tr("Recordings and tables (*.rec *.csv *.tsv *.txt);;All files (*)"));
+                                         tr("Recordings and tables (*.rec *.csv *.tsv *.txt *.trace);;All files (*)"));
         if (!path.isEmpty()) report(compareWith(path));
     });
 
@@ -123,7 +123,7 @@ void TraceView::makeActions(QToolBar* bar) {
     files->addAction(tr("Open recording…"), this, [this] {
         const QString path =
             QFileDialog::getOpenFileName(this, tr("Open recording"), inProject({}),
-                                         tr("Recordings and tables (*.rec *.csv *.tsv *.txt);;All files (*)"));
+                                         tr("Recordings and tables (*.rec *.csv *.tsv *.txt *.trace);;All files (*)"));
         if (!path.isEmpty()) report(openRecording(path));
     });
     files->addAction(tr("Add channel of another file…"), this, &TraceView::askChannelsFrom);

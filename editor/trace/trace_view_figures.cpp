@@ -150,7 +150,7 @@ void TraceView::addChannelOf(const QString& file, const QString& expression) {
 void TraceView::askChannelsFrom() {
     const QString path =
         QFileDialog::getOpenFileName(this, tr("File to add a channel of"), inProject({}),
-                                     tr("Recordings and tables (*.rec *.csv *.tsv *.txt);;All files (*)"));
+                                     tr("Recordings and tables (*.rec *.csv *.tsv *.txt *.trace);;All files (*)"));
     if (!path.isEmpty()) report(addChannelsFrom(path));
 }
 

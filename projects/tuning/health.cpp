@@ -22,70 +22,133 @@ std::vector<double> errorsOf(const LoopSeries& series) {
     return out;
 }
 
+/// Where the error is but for a twentieth of the time on each side, and at most.
+struct Band {
+    double low = 0, high = 0, least = 0, greatest = 0;
+};
+
+Band bandOf(std::vector<double> errors) {
+    Band out;
+    const auto [least, greatest] = std::minmax_element(errors.begin(), errors.end());
+    out.least = *least, out.greatest = *greatest;
+    const auto at = [&](size_t i) {
+        std::nth_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(i), errors.end());
+        return errors[i];
+    };
+    out.low = at(errors.size() / 20);
+    out.high = at(errors.size() - 1 - errors.size() / 20);
+    return out;
+}
+
 /// A half wave between two changes of sign that noise does not make.
 struct HalfWave {
     size_t begin = 0, end = 0;
     double peak = 0;
 };
 
-std::vector<HalfWave> halfWaves(const std::vector<double>& errors, double dead) {
+std::vector<HalfWave> halfWaves(const std::vector<double>& errors, double dead, double middle = 0) {
     std::vector<HalfWave> out;
     int sign = 0;
     for (size_t i = 0; i < errors.size(); ++i) {
-        const int now = errors[i] > dead ? 1 : errors[i] < -dead ? -1 : 0;
+        const double away = errors[i] - middle;
+        const int now = away > dead ? 1 : away < -dead ? -1 : 0;
         if (now != 0 && now != sign) {
             if (!out.empty()) out.back().end = i;
             out.push_back({i, errors.size(), 0});
             sign = now;
         }
-        if (!out.empty()) out.back().peak = std::max(out.back().peak, std::abs(errors[i]));
+        if (!out.empty()) out.back().peak = std::max(out.back().peak, std::abs(away));
     }
     return out;
 }
 
-/// The longest row of half waves about as long and as high as each other.
+/// The longest row of half waves about as long and as high as those on the same side before them: a valve that sticks
+/// may stay on one side for longer than on the other.
 std::pair<size_t, size_t> longestRow(const std::vector<HalfWave>& waves) {
     std::pair<size_t, size_t> best{0, 0};
     size_t begin = 0;
-    for (size_t i = 1; i <= waves.size(); ++i) {
+    for (size_t i = 2; i <= waves.size(); ++i) {
         const auto length = [&](size_t k) { return static_cast<double>(waves[k].end - waves[k].begin); };
         constexpr double kAlike = 2.0, kAsHigh = 1.6;
         const auto alike = [&](double a, double b, double factor) { return a < factor * b && b < factor * a; };
-        if (i < waves.size() && alike(length(i), length(i - 1), kAlike) &&
-            alike(waves[i].peak, waves[i - 1].peak, kAsHigh))
+        if (i < waves.size() && alike(length(i), length(i - 2), kAlike) &&
+            alike(waves[i].peak, waves[i - 2].peak, kAsHigh))
             continue;
         if (i - begin > best.second - best.first) best = {begin, i};
-        begin = i;
+        begin = i - 1;
     }
     return best;
 }
 
-/// Mean distance from the middle as a share of the greatest: 0.5 of a triangle, 0.64 of a sine, 1 of a rectangle.
-double fullness(const std::vector<double>& values, size_t begin, size_t end) {
-    const auto [low, high] = std::minmax_element(values.begin() + static_cast<std::ptrdiff_t>(begin),
-                                                 values.begin() + static_cast<std::ptrdiff_t>(end));
-    const double middle = (*low + *high) / 2, half = (*high - *low) / 2;
-    if (half <= 0) return 0;
-    double sum = 0;
-    for (size_t i = begin; i < end; ++i) sum += std::abs(values[i] - middle);
-    return sum / static_cast<double>(end - begin) / half;
+/// How much of a half wave is left by the best sine and the best triangle, their peaks where they fit best.
+struct Misfit {
+    double sine = 0, triangle = 0;
+};
+
+double leftBy(const std::vector<double>& values, const HalfWave& wave, double middle, double peakAt, bool isSine) {
+    const auto count = static_cast<double>(wave.end - wave.begin);
+    double products = 0, squares = 0, total = 0;
+    for (size_t i = wave.begin; i < wave.end; ++i) {
+        const double x = (static_cast<double>(i - wave.begin) + 0.5) / count;
+        const double rise = x < peakAt ? x / peakAt : (1 - x) / (1 - peakAt);
+        const double shape = isSine ? std::sin(rise * std::numbers::pi / 2) : rise;
+        const double value = values[i] - middle;
+        products += shape * value, squares += shape * shape, total += value * value;
+    }
+    return total - products * products / squares;
 }
 
+void addMisfit(const std::vector<double>& values, const HalfWave& wave, double middle, Misfit& sum) {
+    double sine = 1e300, triangle = 1e300;
+    for (const double peakAt : {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9}) {
+        sine = std::min(sine, leftBy(values, wave, middle, peakAt, true));
+        triangle = std::min(triangle, leftBy(values, wave, middle, peakAt, false));
+    }
+    sum.sine += sine, sum.triangle += triangle;
+}
+
+/// Whether the half waves are triangles rather than sines.
+bool isTriangular(const std::vector<double>& values, size_t begin, size_t end) {
+    std::vector<double> stretch(values.begin() + static_cast<std::ptrdiff_t>(begin),
+                                values.begin() + static_cast<std::ptrdiff_t>(end));
+    const auto [low, high] = std::minmax_element(stretch.begin(), stretch.end());
+    const double middle = std::accumulate(stretch.begin(), stretch.end(), 0.0) / static_cast<double>(stretch.size());
+    const double dead = 0.1 * (*high - *low);
+    for (double& value : stretch) value -= middle;
+    const std::vector<HalfWave> waves = halfWaves(stretch, dead);
+    Misfit misfit;
+    constexpr size_t kLeast = 8; // samples that have a shape
+    for (size_t i = 1; i + 1 < waves.size(); ++i) {
+        HalfWave whole = waves[i]; // from where it crosses the middle to where it comes back
+        while (whole.begin > 0 && stretch[whole.begin - 1] * stretch[waves[i].begin] > 0) --whole.begin;
+        while (whole.end > whole.begin + 1 && stretch[whole.end - 1] * stretch[waves[i].begin] < 0) --whole.end;
+        if (whole.end - whole.begin >= kLeast) addMisfit(stretch, whole, 0, misfit);
+    }
+    constexpr double kClearly = 1.15;
+    return misfit.triangle > 0 && misfit.sine > kClearly * misfit.triangle;
+}
+
+/// A valve that sticks moves in jumps, so that what comes behind the first integral of the loop is made of ramps: the
+/// output of the controller, or of a process that integrates the measured value. A loop that its settings make
+/// oscillate, and one that is moved from outside, go in sines.
 Cause causeOf(const LoopSeries& series, size_t begin, size_t end, double period, const LoopLimits& limits) {
-    // a valve that sticks: the integral moves the output evenly, the process answers in jumps
-    if (fullness(series.input, begin, end) < 0.57 && fullness(series.output, begin, end) > 0.72) return Cause::Stiction;
     const double frequency = 2 * std::numbers::pi / period;
-    constexpr double kLively = 2.0, kNear = 1.8;
-    const bool isLively = limits.sensitivity > kLively && limits.crossover > 0;
-    if (isLively && frequency < kNear * limits.crossover && limits.crossover < kNear * frequency) return Cause::Tuning;
+    constexpr double kLively = 2.0, kAtTheEdge = 5.0, kNear = 1.8;
+    const bool isNear =
+        limits.crossover > 0 && frequency < kNear * limits.crossover && limits.crossover < kNear * frequency;
+    if (isNear && limits.sensitivity > kAtTheEdge) return Cause::Tuning;
+    if (isTriangular(series.input, begin, end) || isTriangular(series.output, begin, end)) return Cause::Stiction;
+    if (isNear && limits.sensitivity > kLively) return Cause::Tuning;
     return Cause::Outside;
 }
 
 std::optional<OscillationFinding> oscillationOf(const LoopSeries& series, const std::vector<double>& errors,
                                                 double noise, const LoopLimits& limits) {
-    const auto [low, high] = std::minmax_element(errors.begin(), errors.end());
-    const double dead = std::max(3 * noise, 0.01 * (*high - *low));
-    const std::vector<HalfWave> waves = halfWaves(errors, dead);
+    const Band band = bandOf(errors);
+    const double dead = std::max({3 * noise, 0.05 * (band.high - band.low), 0.002 * (band.greatest - band.least)});
+    // an offset of a controller without integral part
+    const bool isAround = band.low <= 0 && band.high >= 0;
+    const std::vector<HalfWave> waves = halfWaves(errors, dead, isAround ? 0 : (band.low + band.high) / 2);
     const auto [begin, end] = longestRow(waves);
     constexpr size_t kLeast = 8; // half waves in a row
     if (end - begin < kLeast) return std::nullopt;

@@ -72,6 +72,7 @@ private:
     double m_threshold = 0, m_inputLow = 0, m_inputHigh = 0;
     double m_level = 0; // of the error at rest
     size_t m_calm = 0;  // samples in a row
+    double m_calmSum = 0;
     size_t m_since = 0; // of what moves the process
     size_t m_floor = 0; // where it was at rest again
     bool m_isAtRest = false, m_mustMove = false;
@@ -92,11 +93,13 @@ void LoadFinder::knownChange(const FoundStep& step) {
 
 /// At rest after a while near the set point: longer after what took longer.
 void LoadFinder::rest(size_t i) {
-    if (++m_calm < std::max(kCalm, (i - m_since) / 4) || m_mustMove) return;
+    if (++m_calm == 1) m_calmSum = 0;
+    m_calmSum += m_error[i];
+    if (m_calm < std::max(kCalm, (i - m_since) / 4) || m_mustMove) return;
     if (m_load) close(i, true);
     m_isAtRest = true;
     m_floor = i + 1 - m_calm;
-    m_level = meanBetween(m_error, m_floor, i + 1);
+    m_level = m_calmSum / static_cast<double>(m_calm);
 }
 
 size_t LoadFinder::onset(size_t i) const {

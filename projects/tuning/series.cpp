@@ -3,11 +3,21 @@
 #include "projects/tuning/errors.h"
 #include "projects/waveform/table.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace plc::tuning {
 
 namespace {
+
+/// The rows above the first in which every column has a value: nobody knows what it was.
+void dropUnknown(LoopSeries& series) {
+    size_t first = 0;
+    for (const std::vector<double>* column : {&series.input, &series.output, &series.setPoint})
+        while (first < column->size() && std::isnan((*column)[first])) ++first;
+    for (std::vector<double>* column : {&series.time, &series.input, &series.output, &series.setPoint})
+        column->erase(column->begin(), column->begin() + static_cast<std::ptrdiff_t>(std::min(first, column->size())));
+}
 
 Result<LoopSeries> seriesOf(const waveform::Table& table, const CsvColumns& columns) {
     LoopSeries series;
@@ -19,9 +29,8 @@ Result<LoopSeries> seriesOf(const waveform::Table& table, const CsvColumns& colu
         const auto column = waveform::columnOf(table, name);
         if (!column) return column.error();
         series.*target = table.columns[*column].value;
-        for (double& value : series.*target) // those before the first one
-            if (std::isnan(value)) value = 0;
     }
+    dropUnknown(series);
     if (auto checked = checkSeries(series); !checked) return checked.error();
     return series;
 }

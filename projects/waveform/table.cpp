@@ -1,13 +1,15 @@
 #include "projects/waveform/table.h"
 
+#include "projects/waveform/codesys_trace.h"
 #include "projects/waveform/errors.h"
+#include "projects/waveform/table_parts.h"
 #include "runtime/base/text.h"
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <map>
@@ -19,60 +21,6 @@ namespace plc::waveform {
 namespace {
 
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
-
-std::string lower(std::string text) {
-    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return text;
-}
-
-std::string withoutBlanks(const std::string& text) {
-    const size_t first = text.find_first_not_of(" \t");
-    if (first == std::string::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
-/// One line into cells; quotes as in RFC 4180. Returns where the next line starts.
-size_t splitLine(const std::string& text, size_t at, char separator, std::vector<std::string>& cells) {
-    cells.clear();
-    std::string cell;
-    bool isQuoted = false;
-    for (; at < text.size(); ++at) {
-        const char c = text[at];
-        if (isQuoted) {
-            if (c != '"')
-                cell += c;
-            else if (at + 1 < text.size() && text[at + 1] == '"')
-                cell += text[++at];
-            else
-                isQuoted = false;
-        } else if (c == '"') {
-            isQuoted = true;
-        } else if (c == separator) {
-            if (separator != ' ' || !cell.empty()) cells.push_back(std::move(cell));
-            cell.clear();
-        } else if (c == '\n') {
-            ++at;
-            break;
-        } else if (c != '\r') {
-            cell += c;
-        }
-    }
-    if (separator != ' ' || !cell.empty()) cells.push_back(withoutBlanks(cell));
-    return at;
-}
-
-double numberOf(std::string cell, char separator) {
-    if (separator != ',') std::replace(cell.begin(), cell.end(), ',', '.');
-    const size_t begin = cell.find_first_not_of(" +");
-    if (begin == std::string::npos) return kNoNumber;
-    const std::string word = lower(withoutBlanks(cell));
-    if (word == "true") return 1;
-    if (word == "false") return 0;
-    double value = 0;
-    const auto [end, problem] = std::from_chars(cell.data() + begin, cell.data() + cell.size(), value);
-    if (problem != std::errc() || !std::isfinite(value)) return kNoNumber;
-    return value;
-}
 
 /// "2026-03-01 06:00:00.250" or with a T, in seconds since 1970.
 double dateOf(const std::string& cell) {
@@ -98,15 +46,40 @@ std::string nameOf(const std::string& cell, std::string& unit) {
 
 /// The unit that a column of times is in [s]; none: not a column of times.
 std::optional<double> unitOfTime(const std::string& name) {
-    static const std::map<std::string, double> kKnown = {
-        {"times", 1},      {"time", 1},           {"t", 1},
-        {"ts", 1},         {"seconds", 1},        {"timestamp", 1},
-        {"timems", 1e-3},  {"tms", 1e-3},         {"cycle", 1e-3},
-        {"timestamps", 1}, {"timestampms", 1e-3}, {"milliseconds", 1e-3},
-        {"timeus", 1e-6},  {"tus", 1e-6},         {"timestampus", 1e-6},
-        {"timens", 1e-9},  {"tns", 1e-9},         {"timestampns", 1e-9},
-        {"date", 1},       {"datetime", 1}};
-    std::string word = lower(name);
+    static const std::map<std::string, double> kKnown = {{"times", 1},
+                                                         {"time", 1},
+                                                         {"t", 1},
+                                                         {"ts", 1},
+                                                         {"seconds", 1},
+                                                         {"timestamp", 1},
+                                                         {"timems", 1e-3},
+                                                         {"tms", 1e-3},
+                                                         {"cycle", 1e-3},
+                                                         {"timestamps", 1},
+                                                         {"timestampms", 1e-3},
+                                                         {"milliseconds", 1e-3},
+                                                         {"timeus", 1e-6},
+                                                         {"tus", 1e-6},
+                                                         {"timestampus", 1e-6},
+                                                         {"timens", 1e-9},
+                                                         {"tns", 1e-9},
+                                                         {"timestampns", 1e-9},
+                                                         {"date", 1},
+                                                         {"datetime", 1},
+                                                         {"zeit", 1},
+                                                         {"zeits", 1},
+                                                         {"zeitms", 1e-3},
+                                                         {"zeitstempel", 1},
+                                                         {"zeitstempelms", 1e-3},
+                                                         {"zeitstempelus", 1e-6},
+                                                         {"horodatagems", 1e-3},
+                                                         {"horodatageus", 1e-6},
+                                                         {"temps", 1},
+                                                         {"tempss", 1},
+                                                         {"tempsms", 1e-3}};
+    std::string word = lowered(name);
+    for (const std::string_view micro : {"\xC2\xB5", "\xCE\xBC"}) // the sign, and the Greek letter
+        if (const size_t at = word.find(micro); at != std::string::npos) word.replace(at, micro.size(), "u");
     std::erase_if(word, [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); });
     // "0.Timestamp": the time of the first channel
     word.erase(0, word.find_first_not_of("0123456789"));
@@ -122,10 +95,30 @@ struct Head {
 };
 
 char separatorOf(const std::string& line) {
+    // TwinCAT Scope: the word and whatever was chosen to separate
+    for (const std::string_view word : {"Name", "\"Name\""})
+        if (line.starts_with(word) && line.size() > word.size() &&
+            !std::isalnum(static_cast<unsigned char>(line[word.size()])))
+            return line[word.size()];
     const auto count = [&](char c) { return std::count(line.begin(), line.end(), c); };
     if (count('\t') > 0 && count('\t') >= count(';') && count('\t') >= count(',')) return '\t';
     if (count(';') > 0 && count(';') >= count(',')) return ';';
     return count(',') > 0 || count(' ') == 0 ? ',' : ' ';
+}
+
+/// The symbols as names; a variable that is there several times gets numbers.
+std::vector<std::string> symbolsOf(const std::vector<std::string>& cells) {
+    std::vector<std::string> out;
+    std::map<std::string, int> seen;
+    for (const std::string& cell : cells) {
+        if (cell == "SymbolName") {
+            out.emplace_back("Name");
+            continue;
+        }
+        const int number = ++seen[cell];
+        out.push_back(number > 1 ? cell + "_" + std::to_string(number) : cell);
+    }
+    return out;
 }
 
 /// As TwinCAT Scope exports: a block of lines, each with its own word in the columns of times and what it says of each
@@ -136,11 +129,16 @@ bool readScopeHead(const std::string& text, Head& head) {
     std::vector<std::string> names = head.cells, cells;
     size_t at = head.next, line = head.line;
     bool isScope = false;
+    size_t count = 0; // of columns
     while (at < text.size()) {
         const size_t next = splitLine(text, at, head.separator, cells);
-        const std::string word = cells.empty() ? "" : lower(cells[0]);
+        const std::string word = cells.empty() ? "" : lowered(cells[0]);
         if (word.empty() || !std::isnan(numberOf(cells[0], head.separator))) break;
         isScope = isScope || word == "data-type" || word == "sampletime[ms]";
+        // blanks separate, and there is one in a name: the symbols have none
+        if (word == "data-type") count = cells.size();
+        if (word == "symbolname" && count > 0 && names.size() != count && cells.size() == count)
+            names = symbolsOf(cells);
         for (size_t i = 0; word == "unit" && i < std::min(cells.size(), names.size()); ++i)
             if (names[i] != "Name" && !names[i].empty() && cells[i] != "(None)" && !cells[i].empty())
                 names[i] += " [" + cells[i].substr(0, cells[i].find(' ')) + "]"; // "dV (Voltage)"
@@ -183,30 +181,26 @@ Result<Head> headOf(const std::string& text) {
     return Error{errors::CsvHasNoTime(), ""};
 }
 
-/// Several columns of times: each column of values follows its own; they meet on all instants there are.
-Table merged(const std::vector<Samples>& pairs, std::vector<Column> columns) {
-    Table out;
-    for (const Samples& pair : pairs) out.time.insert(out.time.end(), pair.time.begin(), pair.time.end());
-    std::sort(out.time.begin(), out.time.end());
-    out.time.erase(std::unique(out.time.begin(), out.time.end()), out.time.end());
-    for (size_t c = 0; c < columns.size(); ++c) {
-        size_t next = 0;
-        double held = kNoNumber;
-        for (const double time : out.time) {
-            for (; next < pairs[c].size() && pairs[c].time[next] <= time; ++next) held = pairs[c].value[next];
-            columns[c].value.push_back(held);
-        }
+/// As UTF-8: spreadsheets and some tools write UTF-16 or the characters of Windows.
+std::string decoded(std::string bytes) {
+    const bool isLittle = bytes.starts_with("\xFF\xFE"), isBig = bytes.starts_with("\xFE\xFF");
+    if (!isLittle && !isBig) return firstInvalidUtf8(bytes) ? latin1ToUtf8(bytes) : bytes;
+    std::u16string units;
+    for (size_t i = 2; i + 1 < bytes.size(); i += 2) {
+        const auto first = static_cast<unsigned char>(bytes[i]), second = static_cast<unsigned char>(bytes[i + 1]);
+        units += static_cast<char16_t>(isLittle ? first | second << 8 : first << 8 | second);
     }
-    out.columns = std::move(columns);
-    return out;
+    return utf16ToUtf8(units);
 }
 
 Result<std::string> wholeFile(const std::string& path) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored)) return Error{errors::ofSystem(EISDIR), path};
     std::ifstream in(path, std::ios::binary);
     if (!in) return Error{errors::ofSystem(errno), path};
     std::stringstream text;
     text << in.rdbuf();
-    return text.str();
+    return std::move(text).str();
 }
 
 /// What the cells of one column say, and whose times they have.
@@ -219,6 +213,8 @@ struct Reading {
 } // namespace
 
 Result<Table> parseTable(const std::string& text) {
+    if (text.find('\0') != std::string::npos) return Error{errors::CsvNotText(), ""};
+    if (isCodesysTraceCsv(text)) return parseCodesysTraceCsv(text);
     const auto head = headOf(text);
     if (!head) return head.error();
     std::vector<Column> columns;
@@ -264,7 +260,7 @@ Result<Table> parseTable(const std::string& text) {
             if (!std::isnan(value)) {
                 reading.held = value;
                 reading.hasNumber = true;
-                const std::string word = lower(withoutBlanks(cell));
+                const std::string word = lowered(trimmed(cell));
                 reading.onlyBool = reading.onlyBool && (word == "true" || word == "false");
             }
             if (times == 1) {
@@ -294,9 +290,9 @@ Result<Table> parseTable(const std::string& text) {
 }
 
 Result<Table> readTable(const std::string& path) {
-    const auto text = wholeFile(path);
+    auto text = wholeFile(path);
     if (!text) return text.error();
-    auto table = parseTable(*text);
+    auto table = isCodesysTraceXml(*text) ? parseCodesysTraceXml(*text) : parseTable(decoded(std::move(*text)));
     if (!table) return Error{table.error().message, path};
     return table;
 }

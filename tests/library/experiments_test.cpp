@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace plc::test {
 namespace {
@@ -73,6 +74,35 @@ TEST(RelayTest, SaysWhyItDoesNotRun) {
     }
 }
 
+TEST(RelayTest, ASensorThatIsCutEndsIt) {
+    for (const double cut :
+         {std::numeric_limits<double>::quiet_NaN(), -std::numeric_limits<double>::infinity(), -1.0}) {
+        Bench bench = relayBench();
+        bench.set("on", 1);
+        bench.scan(100);
+        ASSERT_TRUE(bench.is("r.q_xBusy"));
+        bench.set("c", cut);
+        bench.scan();
+        EXPECT_EQ(bench.integer("r.q_uiErrId"), 3) << cut;
+        EXPECT_DOUBLE_EQ(bench.real("y"), 50) << cut;
+        EXPECT_FALSE(bench.is("r.q_xDone"));
+    }
+}
+
+TEST(RelayTest, AProcessThatRunsAwayEndsIt) {
+    // pushed by something else, beyond what the relay can hold
+    Bench bench = relayBench();
+    bench.set("high", 130);
+    bench.set("on", 1);
+    bench.scan(100);
+    for (int n = 0; n < 2000 && bench.is("r.q_xBusy"); ++n) {
+        bench.set("a", 180);
+        bench.scan();
+    }
+    EXPECT_EQ(bench.integer("r.q_uiErrId"), 3);
+    EXPECT_DOUBLE_EQ(bench.real("y"), 50);
+}
+
 TEST(RelayTest, EndsWhenItTakesTooLong) {
     Bench bench = relayBench();
     bench.set("ampl", 0.01); // never leaves the hysteresis
@@ -109,8 +139,11 @@ TEST(StepTest, HoldsStepsAndComesBack) {
 }
 
 TEST(StepTest, AbortsAtALimitAndByHand) {
-    for (const auto& [variable, value, error] : {std::tuple{"pv", 25.0, 3}, std::tuple{"abort", 1.0, 5},
-                                                 std::tuple{"step", 0.0, 1}, std::tuple{"high", -1.0, 2}}) {
+    // a sensor that is cut says 0, its greatest value or nothing that is a number
+    const double cut = std::numeric_limits<double>::quiet_NaN();
+    for (const auto& [variable, value, error] :
+         {std::tuple{"pv", 25.0, 3}, std::tuple{"pv", -0.1, 3}, std::tuple{"pv", cut, 3}, std::tuple{"abort", 1.0, 5},
+          std::tuple{"step", 0.0, 1}, std::tuple{"high", -1.0, 2}}) {
         Bench bench = stepBench();
         bench.set("on", 1);
         bench.scan(15);

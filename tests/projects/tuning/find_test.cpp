@@ -141,6 +141,25 @@ TEST(Study, ModelsTheProcessInAClosedLoop) {
     }
 }
 
+TEST(Study, RoundedTimesShiftNoSample) {
+    // another tool writes whole milliseconds, or nine digits; the scans are even all the same
+    for (const double digits : {1e3, 1e7}) {
+        ProcessModel process = equalLags(1, 0.5, 0.5, 0.2);
+        process.isIntegrating = true;
+        const Excerpt ideal = stepOf(process, 14, 0, 1, 1, 600);
+        LoopSeries series;
+        for (size_t i = 0; i < ideal.input.size(); ++i)
+            series.time.push_back(std::round(static_cast<double>(i) * ideal.interval * digits) / digits);
+        series.input = ideal.input;
+        series.output = ideal.output;
+        const auto found = study(series);
+        ASSERT_TRUE(found);
+        const ProcessModel& model = found->models.front().model;
+        EXPECT_NEAR(model.deadTime, 0.5, 0.005) << formula(model);
+        EXPECT_NEAR(model.gain, 0.2, 0.002) << formula(model);
+    }
+}
+
 TEST(Study, AControllerAtItsLimitIsSaturated) {
     const auto steps = findSteps(closedLoop(equalLags(1, 8, 2, 1.5), 1.5, 8, 5.5, 0));
     ASSERT_EQ(steps.size(), 3U);
@@ -179,6 +198,16 @@ TEST(Csv, ReadsWhatOtherToolsWrite) {
     EXPECT_DOUBLE_EQ(series->time[1], 0.1);
     EXPECT_DOUBLE_EQ(series->input[15], 1.5);
     EXPECT_DOUBLE_EQ(series->output[3], 1.25);
+}
+
+TEST(Csv, RowsBeforeTheFirstValueAreLeftOut) {
+    std::string text = "time_s,u,y\n0,,\n1,5,\n";
+    for (int i = 2; i < 40; ++i) text += std::to_string(i) + ",5," + std::to_string(i) + "\n";
+    const auto series = parseCsv(text, {"u", "y", ""});
+    ASSERT_TRUE(series);
+    EXPECT_EQ(series->time.front(), 2);
+    EXPECT_EQ(series->output.front(), 2);
+    EXPECT_EQ(series->size(), 38U);
 }
 
 TEST(Csv, NamesWhatIsWrong) {

@@ -109,6 +109,19 @@ TEST(FindLoads, ALoopAtRestHasNone) {
     EXPECT_TRUE(loadsOf(findSteps(play(plan))).empty());
 }
 
+TEST(FindLoads, ALongRestIsSearchedInOneGo) {
+    // an hour in scans of a millisecond; looking back over the rest at each of its samples takes minutes
+    Plan plan;
+    plan.samples = 3'600'000;
+    plan.noise = 0.1;
+    plan.setPoints = {{300, 10}};
+    plan.loads = {{3'590'000, -3}};
+    const auto found = loadsOf(findSteps(play(plan)));
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_NEAR(static_cast<double>(found[0].step), 3'590'000, 60);
+    EXPECT_TRUE(found[0].isUsable()) << found[0].reason.english();
+}
+
 TEST(FindLoads, SaysWhyOneIsNotUsable) {
     Plan plan;
     plan.setPoints = {{500, 10}, {2100, 12}};

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 
 using namespace plc::waveform;
 
@@ -13,6 +14,11 @@ Table read(const std::string& text) {
     auto table = parseTable(text);
     EXPECT_TRUE(table) << (table ? "" : table.error().message.english());
     return table ? *table : Table();
+}
+
+void expectTimes(const Table& table, const std::vector<double>& times) {
+    ASSERT_EQ(table.time.size(), times.size());
+    for (size_t i = 0; i < times.size(); ++i) EXPECT_NEAR(table.time[i], times[i], 1e-12);
 }
 
 } // namespace
@@ -80,6 +86,130 @@ TEST(Table, OfAScopeWithItsHeadOfSeveralLines) {
     ASSERT_EQ(dates.columns.size(), 2U);
     EXPECT_NEAR(dates.time[1] - dates.time[0], 0.001, 1e-5);
     EXPECT_EQ(dates.columns[1].value, (std::vector<double>{2, 4}));
+}
+
+TEST(Table, OfAScopeSeparatedByAnyCharacter) {
+    const Table table =
+        read("Name:scope:\nFile:C\n\nName:speed:torque:\nData-Type:REAL32:REAL32:\nUnit:(None):V (Voltage):\n\n"
+             "0:1.5:2:\n1:2.5:3:\n");
+    ASSERT_EQ(table.columns.size(), 2U);
+    EXPECT_EQ(table.columns[0].name, "speed");
+    EXPECT_EQ(table.columns[1].unit, "V");
+    EXPECT_EQ(table.columns[1].value, (std::vector<double>{2, 3}));
+}
+
+TEST(Table, OfAScopeSeparatedByBlanksWithABlankInANameHasTheSymbolsInstead) {
+    const Table table = read("Name scope\n\nName the speed torque\nData-Type REAL32 REAL32\nSampleTime[ms] 1 1\n"
+                             "SymbolName MAIN.drive MAIN.drive\n\n0 1 10\n1 2 20\n");
+    ASSERT_EQ(table.columns.size(), 2U);
+    EXPECT_EQ(table.columns[0].name, "MAIN.drive");
+    EXPECT_EQ(table.columns[1].name, "MAIN.drive_2");
+    EXPECT_EQ(table.columns[1].value, (std::vector<double>{10, 20}));
+}
+
+namespace {
+
+std::string codesysTrace(const char* flags) {
+    return std::string("[key]; [value]\r\nVersion; 0x03050000\r\nName; Application.Trace\r\nIecTaskName; MainTask\r\n"
+                       "Comment; \r\nBufferEntries; 1000\r\nFlags; ") +
+           flags +
+           "\r\n0.Variable; PLC_PRG.level\r\n0.Class; 14\r\n0.Data; \r\n; 51; 1.5\r\n; 102; 2.5\r\n; 152; 3.5\r\n"
+           "1.Variable; PLC_PRG.on\r\n1.Data; \r\n; 51; FALSE\r\n; 152; TRUE\r\n"
+           "2.Variable; PLC_PRG.name\r\n2.Data; \r\n; 51; a; b\r\n";
+}
+
+} // namespace
+
+TEST(Table, OfACodesysTraceAsCsv) {
+    const Table table = read(codesysTrace("16"));
+    ASSERT_EQ(table.columns.size(), 2U); // the text is none
+    expectTimes(table, {0.051, 0.102, 0.152});
+    EXPECT_EQ(table.columns[0].name, "PLC_PRG.level");
+    EXPECT_EQ(table.columns[0].value, (std::vector<double>{1.5, 2.5, 3.5}));
+    EXPECT_EQ(table.columns[1].value, (std::vector<double>{0, 0, 1}));
+    EXPECT_TRUE(table.columns[1].isBool);
+    // with a condition, too, its bit is beside that of the unit
+    for (const char* flags : {"32", "36", "0x20"})
+        EXPECT_NEAR(read(codesysTrace(flags)).time[0], 51e-6, 1e-12) << flags;
+}
+
+TEST(Table, OfACodesysTraceAsText) {
+    const Table table = read("Editor V3.5 SP20 Trace: Trace\nC:\\Line 2\\plant.project\n"
+                             "Zeitstempel(ms) PLC_PRG.level PLC_PRG.on\n18 714.325 TRUE\n48 716.325 FALSE\n");
+    ASSERT_EQ(table.columns.size(), 2U);
+    EXPECT_EQ(table.columns[0].value, (std::vector<double>{714.325, 716.325}));
+    EXPECT_DOUBLE_EQ(table.time[1], 0.048);
+    EXPECT_DOUBLE_EQ(read("Editor Trace: a\nx\nTimestamp(\xC2\xB5s) a b\n1000 1 2\n2000 1 3\n").time[1], 0.002);
+}
+
+namespace {
+
+std::string codesysXml(const std::string& micro, const std::string& times) {
+    return "<Trace><TraceConfiguration><Single Name=\"Record\"><Single Name=\"MicroSeconds\" Type=\"bool\">" + micro +
+           "</Single></Single></TraceConfiguration><TraceData Version=\"1.0.0.0\"><TraceRecord>"
+           "<TraceVariable VarName=\"PLC_PRG.level\" Type=\"System.Double\"><Values>1.5,2.5,3.5</Values><Timestamps>" +
+           times +
+           "</Timestamps></TraceVariable><TraceVariable VarName=\"PLC_PRG.on\" Type=\"System.Boolean\">"
+           "<Values>False,True</Values><Timestamps>18,79</Timestamps></TraceVariable></TraceRecord></TraceData></"
+           "Trace>";
+}
+
+/// In a file of its own, as bytes.
+plc::Result<Table> readFile(const std::string& bytes) {
+    const std::string path = testing::TempDir() + "table_test.trace";
+    std::ofstream(path, std::ios::binary) << bytes;
+    return readTable(path);
+}
+
+} // namespace
+
+TEST(Table, OfACodesysTraceFile) {
+    const std::string text = codesysXml("False", "18,48,79");
+    std::string wide = "\xFF\xFE"; // as it is saved
+    for (const char c : text) wide += std::string{c, '\0'};
+    for (const std::string& bytes : {text, wide}) {
+        const auto table = readFile(bytes);
+        ASSERT_TRUE(table) << table.error().message.english();
+        ASSERT_EQ(table->columns.size(), 2U);
+        expectTimes(*table, {0.018, 0.048, 0.079});
+        EXPECT_EQ(table->columns[0].value, (std::vector<double>{1.5, 2.5, 3.5}));
+        EXPECT_EQ(table->columns[1].value, (std::vector<double>{0, 0, 1}));
+        EXPECT_TRUE(table->columns[1].isBool);
+    }
+    EXPECT_NEAR(readFile(codesysXml("True", "18,48,79"))->time[1], 48e-6, 1e-12);
+}
+
+TEST(Table, ABrokenCodesysTraceSaysWhatIsWrong) {
+    for (const auto& [bytes, words] :
+         {std::pair{codesysXml("False", "18,48"), "3 values but 2 times"},
+          std::pair{codesysXml("False", "18,9,79"), "run backwards"},
+          std::pair{codesysXml("False", "18,48,79").substr(0, 300), "cannot be read as XML"},
+          std::pair{std::string("<Trace></Trace>"), "no column of numbers"},
+          std::pair{std::string("[key]; [value]\n0.Variable; a\n0.Data; \n"), "no rows"},
+          std::pair{std::string("[key]; [value]\n; 5; 1\n"), "Line 2 is not a sample"},
+          std::pair{std::string("0.Variable; a\n; x; 1\n"), "Line 2 is not a sample"},
+          std::pair{std::string("0.Variable; a\n; 5; 1\n; 4; 1\n"), "line 3"}}) {
+        const auto table = readFile(bytes);
+        ASSERT_FALSE(table) << bytes;
+        EXPECT_NE(table.error().message.english().find(words), std::string::npos) << table.error().message.english();
+    }
+}
+
+TEST(Table, InTheCharactersOfWindowsAndOfWideText) {
+    const auto narrow = readFile("time_s;Temp [\xB0"
+                                 "C]\n0;1,5\n1;2,5\n");
+    ASSERT_TRUE(narrow);
+    EXPECT_EQ(narrow->columns[0].unit, "\xC2\xB0"
+                                       "C");
+    std::string wide = "\xFE\xFF";
+    for (const char c : std::string("time_s\tLevel\n0\t1,5\n")) wide += std::string{'\0', c};
+    const auto table = readFile(wide);
+    ASSERT_TRUE(table) << table.error().message.english();
+    EXPECT_EQ(table->columns[0].value, (std::vector<double>{1.5}));
+    EXPECT_FALSE(readTable(testing::TempDir())); // a folder
+    const auto noise = readFile(std::string("PK\3\4\0\0time_s,a\n0,1\n", 19));
+    ASSERT_FALSE(noise);
+    EXPECT_NE(noise.error().message.english().find("not a table"), std::string::npos);
 }
 
 TEST(Table, WithDatesAndDecimalCommas) {

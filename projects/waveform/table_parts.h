@@ -1,0 +1,37 @@
+// What the readers of tables share: cells, numbers, and columns that have their own times each. Functions, any thread.
+#pragma once
+#include "projects/waveform/samples.h"
+#include "projects/waveform/table.h"
+
+namespace plc::waveform {
+
+/// Without blanks around it.
+[[nodiscard]] std::string trimmed(const std::string& text);
+[[nodiscard]] std::string lowered(std::string text);
+/// TRUE is 1; where the comma does not separate, it may be the decimal point. Not a number: none.
+[[nodiscard]] double numberOf(std::string cell, char separator);
+/// One line into cells; quotes as in RFC 4180. Returns where the next line starts.
+size_t splitLine(const std::string& text, size_t at, char separator, std::vector<std::string>& cells);
+/// Several columns of times: each column of values follows its own; they meet on all instants there are.
+[[nodiscard]] Table merged(const std::vector<Samples>& pairs, std::vector<Column> columns);
+
+/// A column with times of its own, sample by sample.
+class OwnTimes {
+public:
+    explicit OwnTimes(std::string name);
+    /// False: the time is before that of the sample above. A cell without a number is left out, and so is a time that
+    /// was written twice.
+    bool add(double time, const std::string& cell);
+    [[nodiscard]] bool isEmpty() const { return m_samples.size() == 0; }
+    [[nodiscard]] const Samples& samples() const { return m_samples; }
+    [[nodiscard]] Column column() const;
+
+private:
+    std::string m_name;
+    Samples m_samples;
+    bool m_onlyBool = true;
+};
+/// The columns that have a number, on all their instants.
+[[nodiscard]] Result<Table> tableOf(const std::vector<OwnTimes>& columns);
+
+} // namespace plc::waveform

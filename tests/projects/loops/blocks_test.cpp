@@ -1,0 +1,109 @@
+// Every kind of controller block that can be tuned, in a loop that moves: tried with its own parameters it repeats what
+// was recorded, bit for bit; with others it does not.
+#include "projects/loops/trial.h"
+#include "projects/session/session.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+
+using namespace plc;
+using namespace plc::loops;
+
+namespace {
+
+struct Kind {
+    const char* name; // of the loop
+    const char* declaration;
+    const char* call;
+    const char* output; // what goes to the process
+    const char* gain;   // written by the counter-check
+};
+
+const Kind kKinds[] = {
+    {"Main.c", "c : FB_P;", "c(i_xEn := TRUE, i_rSp := SetPoint, i_rActVal := Measured, i_rKp := Kp);", "c.q_rOput",
+     "Main.Kp"},
+    {"Main.c",
+     "c : FB_PI; para : stPiPara := (tCyclTime := T#20ms, tTn := T#900ms, rKp := 1.3, rMaxLim := 60.0, rMinLim := "
+     "-60.0);",
+     "c(i_xEn := TRUE, i_rSp := SetPoint, i_rActVal := Measured, i_stPara := para);", "c.q_rOput", "Main.para.rKp"},
+    {"Main.c",
+     "c : FB_PID; para : stPid := (xActValType := TRUE, rTargCyclTime := 20.0, rLowLim := -60.0, rHighLim := 60.0);",
+     "c(i_xEn := TRUE, i_rSp := SetPoint, i_rPv1 := Measured, i_rKp := Kp, i_rTn := 800.0, i_rTv := 90.0, "
+     "i_rTd := 30.0, i_stPid := para);",
+     "c.q_rPidOput", "Main.Kp"},
+    {"Main.c.PI",
+     "c : FB_PI_PID; inner : stPIPIDOutLoop := (rKp := 0.9, tTn := T#700ms, rMaxLim := 60.0, rMinLim := -60.0); "
+     "outer : stPIPIDInLoop := (tCyclTime := T#20ms, rKp := 1.1, tTn := T#2s, rMaxLim := 80.0, rMinLim := -80.0);",
+     "c(i_xEn := TRUE, i_rSp := SetPoint, i_rActValPI := Measured, i_rActValPID := Middle, i_stParaPID := inner, "
+     "i_stParaPI := outer);",
+     "c.q_rOput", "Main.outer.rKp"},
+    {"Main.c.PID",
+     "c : FB_PI_PID; inner : stPIPIDOutLoop := (rKp := 0.9, tTn := T#700ms, rMaxLim := 60.0, rMinLim := -60.0); "
+     "outer : stPIPIDInLoop := (tCyclTime := T#20ms, rKp := 1.1, tTn := T#2s, rMaxLim := 80.0, rMinLim := -80.0);",
+     "c(i_xEn := TRUE, i_rSp := SetPoint, i_rActValPI := Measured, i_rActValPID := Middle, i_stParaPID := inner, "
+     "i_stParaPI := outer);",
+     "c.q_rOput", "Main.inner.rKp"},
+    {"Main.c", "c : util.PID;",
+     "c(ACTUAL := Measured, SET_POINT := SetPoint, KP := Kp, TN := 0.9, TV := 0.05, Y_MIN := -60.0, Y_MAX := 60.0);",
+     "c.Y", "Main.Kp"},
+    {"Main.c", "c : util.PID_FIXCYCLE;",
+     "c(ACTUAL := Measured, SET_POINT := SetPoint, KP := Kp, TN := 0.9, TV := 0.05, Y_MIN := -60.0, Y_MAX := 60.0, "
+     "CYCLE := 0.02);",
+     "c.Y", "Main.Kp"},
+    {"Main.c", "c : analog.PID;",
+     "c(AUTO := TRUE, PV := Measured, SP := SetPoint, KP := -Kp, TR := 0.9, TD := 0.05, CYCLE := T#20ms);", "c.XOUT",
+     "Main.c.TR"},
+};
+
+std::string programOf(const Kind& kind) {
+    return std::string("PROGRAM Main\nVAR\n    Kp : REAL := 1.3; SetPoint, Measured, Middle, Drive : REAL; "
+                       "Count, Chance : UDINT := 1;\n    ") +
+           kind.declaration +
+           "\nEND_VAR\nCount := Count + 1;\nSetPoint := SEL(Count / 150 MOD 2 = 1, 3.3, -7.7);\n"
+           "Chance := Chance * 1664525 + 1013904223;\n" +
+           kind.call + "\nDrive := " + kind.output +
+           ";\nMiddle := Middle + 0.11 * (Drive - Middle);\nMeasured := Measured + 0.07 * (Middle - Measured) + "
+           "0.02 * (UDINT_TO_REAL(SHR(Chance, 16)) / 32768.0 - 1.0);\nEND_PROGRAM\n"
+           "CONFIGURATION Plc\n    RESOURCE Cpu ON Pc\n        TASK Mast(INTERVAL := T#20ms, PRIORITY := 1);\n"
+           "        PROGRAM Main WITH Mast : Main;\n    END_RESOURCE\nEND_CONFIGURATION\n";
+}
+
+} // namespace
+
+class BlockKinds : public ::testing::TestWithParam<Kind> {};
+
+TEST_P(BlockKinds, RepeatsItsRecordingBitForBit) {
+    const Kind& kind = GetParam();
+    driver::BuildInput input;
+    input.files = {{"main.st", programOf(kind)}};
+    input.libraries = {"toolbox", "util", "analog"};
+    const driver::Built built = driver::build(input);
+    ASSERT_TRUE(built.program) << kind.declaration;
+    session::Session session(built);
+    session.runHere([](const controller::Controller& c) { return c.nextScan() >= 1000; });
+    const auto loop = findLoop(*built.program, kind.name);
+    ASSERT_TRUE(loop) << loop.error().english();
+    auto plan = planFor(*loop, session.history(), 40, 1000);
+    ASSERT_TRUE(plan) << plan.error().english();
+
+    const auto same = tryOut(session.history(), *plan, std::nullopt);
+    ASSERT_TRUE(same) << same.error().english();
+    ASSERT_EQ(same->scans, 959U);
+    EXPECT_FALSE(same->firstDifference) << kind.declaration << " scan " << same->firstDifference.value_or(0);
+    double least = 1e30, greatest = -1e30;
+    for (size_t i = 0; i < same->series.size(); ++i) {
+        ASSERT_EQ(std::bit_cast<uint64_t>(same->series.input[i]), std::bit_cast<uint64_t>(same->before.input[i])) << i;
+        least = std::min(least, same->series.input[i]);
+        greatest = std::max(greatest, same->series.input[i]);
+    }
+    EXPECT_GT(greatest - least, 1) << "nothing moves: nothing is compared";
+
+    plan->writes = {{kind.gain, 1.3000001}}; // the last bit of a REAL
+    const auto other = tryOut(session.history(), *plan, std::nullopt);
+    ASSERT_TRUE(other) << other.error().english();
+    EXPECT_TRUE(other->firstDifference);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, BlockKinds, ::testing::ValuesIn(kKinds),
+                         [](const auto& info) { return "Number" + std::to_string(info.index); });
