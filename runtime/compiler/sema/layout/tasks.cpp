@@ -25,6 +25,7 @@ bool hasSimulation(const std::vector<syntax::Pragma>& pragmas) {
     });
 }
 
+// Everything of a task is constant: its times are known before the first scan.
 /// Reads one TASK of a resource. Lives for that.
 class TaskReader {
 public:
@@ -47,6 +48,8 @@ public:
     }
 
 private:
+    // INTERVAL := 10 is an error in the standard and milliseconds in the tools that accept it: it is read as those, so
+    // that the rest of the project can be checked.
     /// A constant TIME; a number is told and read as milliseconds.
     std::optional<std::chrono::nanoseconds> duration(const syntax::Expr& e) {
         Context checker(m_world, m_scope, m_world.sink, m_world.arena);
@@ -155,20 +158,25 @@ void TaskReader::tellFreewheeling() {
             {fixes::Insert(std::string(start)), {{{range.file, at, at}, std::string(start) + (isEmpty ? "" : ", ")}}});
 }
 
+// Two functions for an instance (NAME.IN and NAME.OUT), because the task calls them around the body and debugging shows
+// them as no part of it.
 /// Assigns inputs before a program's body, outputs behind it.
 void connect(WorldBuilder& world, Instance& instance, image::TaskProgram& entry) {
     Unit& unit = *instance.variable->program;
     const Scope scope = instance.scope;
     const auto build = [&](bool isInput) -> uint32_t {
+        // Copies come from VAR_CONFIG: variables that got their address only there (configuration.cpp).
         const bool copies = std::any_of(world.copies.begin(), world.copies.end(),
                                         [&](const Copy& c) { return c.root == instance.root && c.isInput == isInput; });
         const bool connects = instance.declaration && !instance.declaration->connections.empty();
+        // 0 is no function: nothing is called.
         if (!copies && !connects) return 0;
         const tree::FunctionId id = newFunction(world, instance.variable->name + (isInput ? ".IN" : ".OUT"), nullptr);
         tree::Function& function = world.functions[id.index()];
         Context checker(world, scope, world.sink, world.arena);
         checker.function = &function;
         checker.functionId = id;
+        // The process image first, then the connections, which may read what was copied.
         for (const Copy& copy : world.copies) {
             if (copy.root != instance.root || copy.isInput != isInput) continue;
             tree::Place* data = absolutePlace(checker, copy.data.offset, copy.data.type, copy.data.bit, {});
@@ -191,6 +199,7 @@ void connect(WorldBuilder& world, Instance& instance, image::TaskProgram& entry)
             Variable& parameter = *member.variable;
             refer(world, argument.name.range, parameter.symbol, isOutput, !isOutput);
             const TypeId type = typeOf(world, parameter);
+            // From outside, so that an input that only the task sets is not reported as never written.
             ++parameter.writes;
             if (parameter.isInOut()) {
                 tree::Place* target = place(checker, *argument.value, Access::ReadWrite);
@@ -214,6 +223,7 @@ void connect(WorldBuilder& world, Instance& instance, image::TaskProgram& entry)
                 parameter.storage == Storage::Absolute
                     ? absolutePlace(checker, parameter.offset, type, parameter.bit, argument.range)
                     : absolutePlace(checker, instance.variable->offset + parameter.offset, type, -1, argument.range);
+            // PROGRAM A WITH T : P(speed := %ID4) with speed : REAL: the register holds the bits of a REAL.
             // an address of the type's size takes the value as it is: %IX0.0 for a BOOL, %IW2 for an INT
             const auto raw = [&](tree::Place* place) {
                 if (argument.value->kind != syntax::ExprKind::Address) return false;
@@ -282,10 +292,12 @@ public:
         : m_world(world), m_declared(declaredTasks(world)), m_simulations(m_declared.size()) {
         m_free.name = "Free";
         m_simulation.name = "Simulation";
+        // Behind every priority that can be written: what has no task runs when nothing else has to.
         for (image::Task* task : {&m_free, &m_simulation}) {
             task->kind = image::TaskKind::Freewheeling;
             task->priority = 1'000'000;
         }
+        // The model of the plant runs in a copy of the task of what it simulates, after it and with its interval.
         for (size_t i = 0; i < m_declared.size(); ++i) m_simulations[i] = m_declared[i].task;
     }
 
@@ -296,6 +308,7 @@ public:
             const bool simulates =
                 instance.variable->program->isSimulation || hasSimulation(instance.declaration->pragmas);
             m_world.program->layout.roots[instance.root].isSimulation = simulates;
+            // A CONFIGURATION that only places models does not take away the default task.
             m_isConfigured = m_isConfigured || !simulates;
             const syntax::Name& name = instance.declaration->task;
             for (const syntax::Argument& block : instance.declaration->blockTasks) addBlock(instance, block, simulates);
@@ -320,6 +333,7 @@ public:
         }
         if (m_isConfigured) return;
         if (!byDefault.empty()) return addMain(byDefault);
+        // A project of libraries alone needs no program; one with files of its own is asked for one, not scolded.
         if (m_simulation.programs.empty() &&
             std::any_of(m_world.fileOf.begin(), m_world.fileOf.end(),
                         [](const syntax::SyntaxFile* f) { return f && f->library.empty(); }))
@@ -338,6 +352,7 @@ public:
                 task.isSimulation = true;
                 all.push_back(std::move(task));
             }
+        // Equal priorities keep the order of the text (2.7.2).
         std::stable_sort(all.begin(), all.end(),
                          [](const image::Task& a, const image::Task& b) { return a.priority < b.priority; });
         return all;
@@ -363,6 +378,7 @@ private:
         const Member member = findMember(*instance.variable->program, m_world.key(block.name.text));
         Variable* variable = member.variable;
         Unit* unit = variable ? m_world.unitOf(typeOf(m_world, *variable)) : nullptr;
+        // Only what is in the program's instance has a place of its own that another task could call.
         if (!unit || unit->kind != UnitKind::Block || variable->storage != Storage::Instance || variable->isInOut())
             return (void)m_world.emit(block.name.range, findings::BlockTask(block.name.text));
         refer(m_world, block.name.range, variable->symbol, false, true);
@@ -385,6 +401,7 @@ private:
 
     void addMain(const std::vector<Instance*>& byDefault) {
         Instance* chosen = byDefault.size() == 1 ? byDefault.front() : nullptr;
+        // The later name wins: a project with both was converted from CODESYS and then given a Main.
         for (const std::string_view name : {"PLC_PRG", "Main"})
             for (Instance* instance : byDefault)
                 if (equalsIgnoringCase(instance->variable->name, name)) chosen = instance;
