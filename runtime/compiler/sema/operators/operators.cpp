@@ -185,6 +185,7 @@ Operand binary(Context& context, const syntax::Expr& e, TypeId hint) {
                     : combine(context, *op, spelling, a, b, e.range, e.operatorRange, hint);
 }
 
+// Two blocks of code instead of one operation: the right side may be p^.x behind p <> 0.
 /// AND_THEN, OR_ELSE: the right side is computed only when it decides.
 static Operand shortCircuit(Context& context, const syntax::Expr& e) {
     const TypeId boolean = context.elementary(TypeKind::Bool);
@@ -208,6 +209,7 @@ static Operand shortCircuit(Context& context, const syntax::Expr& e) {
 
 Operand logical(Context& context, const syntax::Expr& e, TypeId hint) {
     if (e.op == TokenKind::AndThen || e.op == TokenKind::OrElse) return shortCircuit(context, e);
+    // 16#FF AND 16#0F for a BYTE: literals are read as bits of the type that is wanted.
     const bool wantsBits =
         hint.isValid() && (context.types.family(hint) == Family::Bool || types::isInteger(context.types.family(hint)));
     Operand a = expression(context, *e.base, wantsBits ? hint : TypeId());
@@ -218,6 +220,8 @@ Operand logical(Context& context, const syntax::Expr& e, TypeId hint) {
 
 Operand intrinsic(Context& context, library::Intrinsic code, TypeId result, std::vector<Operand> operands,
                   SourceRange range, int64_t selector) {
+    // Folded with the library's own evaluator, which the code generator is compared with: a constant is what the code
+    // would compute.
     bool allConstant = !operands.empty();
     for (const Operand& operand : operands) {
         if (operand.isUnknown()) return unknown(context, range);
@@ -228,6 +232,8 @@ Operand intrinsic(Context& context, library::Intrinsic code, TypeId result, std:
         for (const Operand& operand : operands) values.push_back(operand.expr->value);
         const library::Evaluated folded =
             library::evaluateIntrinsic(context.types, code, result, values, nullptr, selector);
+        // What fails (a division, a position beyond a text) is left to the code: it then faults or clears ENO where it
+        // runs.
         if (folded.error == library::EvaluationError::None && folded.ok && folded.value.hasValue()) {
             types::Value value = folded.value;
             value.type = result;
