@@ -126,6 +126,7 @@ std::vector<llvm::Value*> FunctionEmitter::callArguments(const Call& call) {
         }
         values.push_back(pointer(a));
     }
+    // By local and not by argument: a call may name its arguments in any order, and leave some out.
     std::vector<Value*> all;
     for (uint32_t i = 0; i < callee.locals.size(); ++i) {
         const Local& local = callee.locals[i];
@@ -220,6 +221,7 @@ void FunctionEmitter::takeOutputs(const Call& call, Value* returned, Value* fram
 FunctionEmitter::Returned FunctionEmitter::call(const Call& call) {
     const uint32_t callee = call.callee.value;
     const FunctionFacts& facts = m.facts[callee];
+    // THIS of functions is the image itself at 0; nobody reads it.
     Value* self64 = int64(0);
     Value* self = m_image;
     if (call.dispatch == Call::Dispatch::Interface && call.interface) {

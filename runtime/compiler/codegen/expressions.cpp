@@ -384,6 +384,7 @@ void FunctionEmitter::aggregateInto(const Expr& expr, const Address& target) {
         Block* lastBlock = newBlock("last");
         // As library/intrinsics.cpp: a negative K takes the first operand, one beyond the last takes the last.
         k = b.CreateSelect(b.CreateICmpSLT(k, int64(0)), int64(0), k);
+        // Aggregates are not evaluated before the choice: only one of them is copied.
         llvm::SwitchInst* choice = b.CreateSwitch(k, lastBlock);
         for (int64_t i = 0; i <= last; ++i) {
             Block* block = i == last ? lastBlock : newBlock("choice");
@@ -407,12 +408,14 @@ void FunctionEmitter::aggregateInto(const Expr& expr, const Address& target) {
 Range FunctionEmitter::rangeOf(const Expr& expr) {
     const Family family = m.types().family(expr.type);
     // Of types of eight bytes nothing is assumed: ULINT does not fit into a Range.
+    // What any value of the type can be; every rule below may only narrow it.
     Range own;
     if (m.isScalar(expr.type) && (types::isInteger(family) || family == Family::Bool) &&
         m.types()[m.types().storage(expr.type)].size < 8) {
         const auto [low, high] = types::TypeTable::integerRange(m.types().storageKind(expr.type));
         own = {low, static_cast<int64_t>(high)};
     }
+    // A result beyond the type's range wraps, and then nothing is known.
     const auto within = [&](Range r) { return r.low >= own.low && r.high <= own.high ? r : own; };
     switch (expr.kind) {
     case ExprKind::Constant:
@@ -440,6 +443,7 @@ Range FunctionEmitter::rangeOf(const Expr& expr) {
             if (__builtin_sub_overflow(a.low, c.high, &r.low) || __builtin_sub_overflow(a.high, c.low, &r.high))
                 return own;
             return within(r);
+        // Only by a constant that is not negative: otherwise the ends may change places.
         case BinaryOp::Multiply:
             if (c.low != c.high || c.low < 0 || __builtin_mul_overflow(a.low, c.low, &r.low) ||
                 __builtin_mul_overflow(a.high, c.low, &r.high))
@@ -453,6 +457,7 @@ Range FunctionEmitter::rangeOf(const Expr& expr) {
             if (c.low != c.high || c.low <= 0 || (family == Family::Unsigned && a.low < 0)) return own;
             if (family == Family::Bits && a.low < 0) return own;
             return within({a.low / c.low, a.high / c.low});
+        // i AND 16#F is within 0..15, which is how rings are indexed.
         case BinaryOp::And:
             if (c.low == c.high && c.low >= 0) return within({0, c.low});
             return own;

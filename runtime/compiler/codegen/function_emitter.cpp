@@ -1,3 +1,5 @@
+// One function of the program as one LLVM function. Quick code (each statement stops on demand, everything in memory)
+// and optimised code come from the same emitter; where they differ, isQuick() is asked.
 #include "runtime/compiler/codegen/emitter.h"
 
 #include <algorithm>
@@ -11,6 +13,7 @@ using types::TypeKind;
 
 namespace {
 /// The slots of VAR_IN_OUT that a body follows, and those that it binds itself.
+// Walks the body once before it is emitted: what is followed at the entry has to be known there.
 class SlotFinder : public Walker {
 public:
     std::vector<const tree::Place*> slots, bound;

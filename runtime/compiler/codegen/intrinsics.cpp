@@ -1,4 +1,5 @@
-// Standard functions in LLVM; library/intrinsics.cpp is the reference.
+// A case here and one in library/intrinsics.cpp have the same meaning; tests compare them on random arguments, and what
+// can be said once is in intrinsic_meanings.def. Standard functions in LLVM; library/intrinsics.cpp is the reference.
 #include "runtime/compiler/codegen/emitter.h"
 
 #include <numbers>

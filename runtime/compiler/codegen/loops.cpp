@@ -358,6 +358,8 @@ void FunctionEmitter::countedLoop(const ForLoop& loop) {
     // One step past the limit, where the type has such a value.
     enter(finished);
     Value* lastValue = b.CreateLoad(m.i64, counter);
+    // FOR i := 1 TO 10 leaves 11 in i, as a loop that is written out would; at the end of the type it keeps the last
+    // value.
     auto [past, exists] = stepped(loop, lastValue);
     storeCounter(loop, b.CreateSelect(exists, past, lastValue));
     b.CreateBr(done);
@@ -367,6 +369,7 @@ void FunctionEmitter::countedLoop(const ForLoop& loop) {
 /// The body (or something it calls) may write the variable: every pass reads it again and is charged by itself.
 void FunctionEmitter::steppedLoop(const ForLoop& loop) {
     using P = llvm::CmpInst;
+    // Slots and not values: a jump into the body from elsewhere does not pass the head that computed them.
     llvm::AllocaInst* last = newSlot(m.i64, "last");
     llvm::AllocaInst* step = newSlot(m.i64, "step");
     b.CreateStore(loop.last, last);
@@ -376,6 +379,7 @@ void FunctionEmitter::steppedLoop(const ForLoop& loop) {
         ForLoop now = loop;
         now.last = b.CreateLoad(m.i64, last);
         now.step = llvm::isa<llvm::ConstantInt>(loop.step) ? loop.step : b.CreateLoad(m.i64, step);
+        // The address was computed at the head as well.
         if (hasLabels) now.variable = address(*loop.stmt.place);
         return now;
     };
@@ -386,6 +390,7 @@ void FunctionEmitter::steppedLoop(const ForLoop& loop) {
     Block* done = newBlock("done");
     b.CreateCondBr(b.CreateICmpEQ(loop.step, int64(0)), done, head);
     enter(head);
+    // Read from memory in each pass: the body may have set it.
     const ForLoop atHead = here();
     Value* current = widen(loop, load(atHead.variable));
     Value* isUp = b.CreateICmpSGT(atHead.step, int64(0));

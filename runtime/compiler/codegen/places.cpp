@@ -182,6 +182,7 @@ Address FunctionEmitter::address(const Place& place) {
         a.bit = place.bit;
         return a;
     }
+    // A character is where it is; that it exists is checked at each use, because texts grow and shrink.
     case PlaceKind::TextIndex:
         return textIndexAddress(place, Purpose::Write);
     case PlaceKind::Deref:

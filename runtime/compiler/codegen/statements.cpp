@@ -8,8 +8,9 @@ using tree::StmtKind;
 using types::TypeKind;
 
 namespace {
+// Fewer outside of loops: there the cut costs nothing, in a loop it is paid in each pass.
 constexpr uint32_t kStraight = 40, kStraightInLoop = 200; // statements in a row
-}
+} // namespace
 
 void FunctionEmitter::body(const std::vector<Stmt*>& statements) {
     uint32_t inARow = 0;
@@ -207,6 +208,7 @@ void FunctionEmitter::ifStatement(const Stmt& first) {
         const uint64_t top = m_temporaryTop;
         Value* condition = scalar(*stmt->a);
         Block* yes = newBlock("then");
+        // Without ELSE the condition branches past the statement.
         Block* no = stmt->elseBody.empty() ? done : newBlock("else");
         b.CreateCondBr(condition, yes, no);
         enter(yes);
@@ -243,6 +245,7 @@ void FunctionEmitter::caseStatement(const Stmt& stmt) {
     for (const tree::CaseArm& arm : stmt.arms) {
         arms.push_back(newBlock("arm"));
         for (const tree::CaseRange& range : arm.ranges) {
+            // Without a sign: from the least to the greatest number is more than a signed one can hold.
             const uint64_t count = static_cast<uint64_t>(range.high) - static_cast<uint64_t>(range.low);
             if (isUnsigned ? static_cast<uint64_t>(range.high) < static_cast<uint64_t>(range.low)
                            : range.high < range.low)

@@ -147,6 +147,7 @@ void FunctionEmitter::textInto(const Expr& expr, const Text& target) {
 
 void FunctionEmitter::plainTextInto(const Expr& expr, const Text& target) {
     switch (expr.kind) {
+    // The callee's result is in its frame and is copied before the next call uses that room.
     case ExprKind::Call: {
         const Returned returned = call(*expr.call);
         Address from;
@@ -177,6 +178,7 @@ void FunctionEmitter::plainTextInto(const Expr& expr, const Text& target) {
         storeOk(expr, b.getTrue());
         return;
     }
+    // Written into the target by either branch: a pointer to one of two temporaries would outlive it.
     case ExprKind::Conditional: {
         Value* condition = scalar(*expr.a);
         Block* yes = newBlock("yes");

@@ -210,6 +210,7 @@ private:
         Trial trial(m_check, m_scope);
         trial.checker.isMuted = true;
         const Denoted denoted = denote(trial.checker, *item.base, Access::Read);
+        // Whether it is a repetition is all that was asked: the real look comes later.
         trial.drop();
         return denoted.kind == Denoted::Kind::Value && denoted.value.isConstant() &&
                std::holds_alternative<int64_t>(denoted.value.expr->value.data);

@@ -73,6 +73,7 @@ private:
     }
 
     void readPriority(const syntax::Expr& e) {
+        // 0 is the most urgent (edition 2, 2.7.2). A million is kept free for what has no task.
         const auto priority = constantInteger(m_world, &e, m_scope);
         if (!priority) return;
         if (*priority < 0 || *priority > 1'000'000)
@@ -84,6 +85,7 @@ private:
     void readInterval(const syntax::Expr& e) {
         const auto interval = duration(e);
         if (!interval) return;
+        // INTERVAL := T#0s is written by converters for "as often as possible".
         m_isIntervalZero = interval->count() == 0;
         if (interval->count() < 0)
             m_world.emit(e.range, findings::ConstantOutOfRange(types::durationText(interval->count()),
@@ -94,12 +96,14 @@ private:
 
     void readTrigger(const syntax::Expr& e) {
         Context checker(m_world, m_scope, m_world.sink, m_world.arena);
+        // The trigger counts as a use of its variable.
         checker.isMuted = false;
         const Denoted denoted = denote(checker, e, Access::Read);
         const bool isBool =
             denoted.kind == Denoted::Kind::Place && m_world.types.storageKind(denoted.place->type) == TypeKind::Bool;
         const tree::Place* place = denoted.place;
         if (isBool && place->kind == tree::PlaceKind::Bit && place->base &&
+            // SINGLE := word.3: the bit of a byte, which is all that the scheduler knows to look at.
             place->base->kind == tree::PlaceKind::Absolute) {
             m_task.kind = image::TaskKind::Event;
             m_task.trigger = image::Place{place->type, place->base->offset + static_cast<uint32_t>(place->bit) / 8,
@@ -107,6 +111,7 @@ private:
         } else if (isBool && place->kind == tree::PlaceKind::Absolute) {
             m_task.kind = image::TaskKind::Event;
             m_task.trigger = image::Place{place->type, place->offset, place->bit};
+            // A constant has no rising edge: the task is started by nothing, as it says.
         } else if (denoted.kind == Denoted::Kind::Value && denoted.value.isConstant() && !m_declared.interval) {
             m_task.kind = image::TaskKind::Freewheeling; // SINGLE := FALSE
         } else if (denoted.kind != Denoted::Kind::Nothing && denoted.kind != Denoted::Kind::Value) {
@@ -116,6 +121,7 @@ private:
     }
 
     void readOther(const syntax::Argument& argument) {
+        // WATCHDOG and SENSITIVITY are CODESYS's: a fault after so many scans in a row that took longer.
         if (equalsIgnoringCase(argument.name.text, "WATCHDOG")) {
             if (const auto limit = duration(*argument.value)) m_task.watchdog = *limit;
         } else if (equalsIgnoringCase(argument.name.text, "SENSITIVITY")) {
@@ -152,6 +158,7 @@ void TaskReader::tellFreewheeling() {
     const size_t open = text.find('(', range.end);
     if (open == std::string_view::npos || open >= m_declared.range.end) return;
     const auto at = static_cast<uint32_t>(open + 1);
+    // TASK Slow() needs no comma behind what is inserted.
     const bool isEmpty = text.find_first_not_of(" \t\r\n", at) == text.find(')', at);
     for (const std::string_view start : {"INTERVAL := T#10ms", "SINGLE := FALSE"})
         diagnostic.fixes.push_back(
@@ -251,6 +258,7 @@ void connect(WorldBuilder& world, Instance& instance, image::TaskProgram& entry)
 }
 
 /// A TASK that was declared, and where.
+// Tasks are found by name within their RESOURCE: two resources may each have a Fast.
 struct DeclaredTask {
     image::Task task;
     const syntax::ResourceDecl* resource = nullptr;
@@ -412,6 +420,7 @@ private:
         }
         m_main.emplace();
         m_main->name = "Main";
+        // With the interval and priority that image::Task begins with.
         m_main->kind = image::TaskKind::Cyclic;
         m_main->declaration = chosen->variable->range;
         m_main->programs.push_back(entryOf(m_world, *chosen));

@@ -347,10 +347,12 @@ Denoted denoteBase(Context& context, const syntax::Expr& e, Access access, TypeI
             return {};
         }
     }
+    // Lib.F where Lib is a namespace and nothing else; a unit of that name wins.
     if (!isOwn && result.space && !result.entity.unit && !result.entity.type && !result.member) {
         return found(context, lookupIn(*result.space, id), e.name, access, hint);
     }
     isWhole = false;
+    // What is found for the base decides how the name behind the dot is read.
     if (from.kind != DK::Nothing) return from;
     return found(context, result, base.name, baseAccess, {});
 }

@@ -139,6 +139,7 @@ void bindReference(Context& context, tree::Place* raw, const syntax::Expr& value
     if (denoted.kind == Denoted::Kind::Nothing) return;
     Operand source;
     if (denoted.kind == Denoted::Kind::Place) {
+        // What fits: the same type, a block derived from it, or a pointer to it, whose address is taken over.
         const TypeId given = denoted.place->type;
         const bool fitsElement =
             sameType(context.world, given, element) ||
