@@ -36,12 +36,14 @@ llvm::Value* FunctionEmitter::pushCall(Value* function, Value* self, Value* fram
     return depth;
 }
 
+// The depth that pushCall found, not "one less": a callee that faulted and was caught may have left it anywhere.
 void FunctionEmitter::popCall(Value* depth) { storeContext(depth, offsetof(RuntimeContext, depth)); }
 
 /// The implementation for the block that lies at `self64`, after checking that one with this method lies there.
 llvm::Value* FunctionEmitter::resolveTarget(const Call& call, Value* self64, Value*& functionId) {
     // `number` is read from wherever the reference leads, so it may be anything: every use of it is checked first.
     const uint32_t method = call.callee.value;
+    // One table for each method: code, number and size of the block, by block number.
     llvm::GlobalVariable* table = m.dispatchTable(method);
     Value* number =
         b.CreateZExt(b.CreateAlignedLoad(m.i32, b.CreateInBoundsGEP(m.i8, m_image, self64), llvm::Align(1)), m.i64);
@@ -156,6 +158,7 @@ std::vector<llvm::Value*> FunctionEmitter::callArguments(const Call& call) {
     return all;
 }
 
+// Outputs in the order: those in the frame, then those in registers. The frame is the one that is overwritten first.
 void FunctionEmitter::takeOutputs(const Call& call, Value* returned, Value* frame) {
     const uint32_t calleeIndex = call.callee.value;
     const tree::Function& callee = m.program.functions[calleeIndex];
@@ -218,6 +221,8 @@ void FunctionEmitter::takeOutputs(const Call& call, Value* returned, Value* fram
     }
 }
 
+// The order of evaluation: the instance, the arguments as written, then the dispatch, so that an argument which changes
+// an interface variable does not change whom this call reaches.
 FunctionEmitter::Returned FunctionEmitter::call(const Call& call) {
     const uint32_t callee = call.callee.value;
     const FunctionFacts& facts = m.facts[callee];

@@ -61,6 +61,7 @@ llvm::Value* FunctionEmitter::convert(Value* value, types::TypeId from, types::T
     // By storage: a subrange or an enumeration is converted as its base.
     if (source == target) return value;
     const Family fromFamily = m.types().family(from), toFamily = m.types().family(to);
+    // From real, from time, from everything else: within each, special targets first.
     if (fromFamily == Family::Real) {
         if (toFamily == Family::Real) return b.CreateFPCast(value, wanted);
         if (isTime(toFamily)) {
@@ -93,6 +94,7 @@ llvm::Value* FunctionEmitter::convert(Value* value, types::TypeId from, types::T
     return castInteger(value, from, wanted);
 }
 
+// A conversion as it is in the tree, with ENO where the call had one.
 llvm::Value* FunctionEmitter::convertExpr(const Expr& expr) {
     if (m.types().isText(expr.a->type)) {
         Value* result = convertText(*expr.a, expr.type);

@@ -346,6 +346,7 @@ Address FunctionEmitter::plainAggregate(const Expr& expr) {
     }
 }
 
+// Straight into the target where that is possible: an aggregate of a megabyte should be copied once.
 void FunctionEmitter::aggregateInto(const Expr& expr, const Address& target) {
     const uint32_t size = m.types()[expr.type].size;
     if (expr.kind == ExprKind::Call) {
@@ -405,6 +406,8 @@ void FunctionEmitter::aggregateInto(const Expr& expr, const Address& target) {
 
 // ---------------------------------------------------------------- what is known about a value
 
+// What values an index can have, from its types, constants and counters: enough to leave out most checks of loops over
+// arrays. Everything here has to be true for every value that the code can compute.
 Range FunctionEmitter::rangeOf(const Expr& expr) {
     const Family family = m.types().family(expr.type);
     // Of types of eight bytes nothing is assumed: ULINT does not fit into a Range.

@@ -112,6 +112,7 @@ void FunctionEmitter::storeContext(Value* value, size_t at) {
     if (!m.isQuick()) stored->setMetadata(llvm::LLVMContext::MD_tbaa, m.contextTag());
 }
 
+// Sites that do not stop (inside of a statement) still name the place of a fault.
 void FunctionEmitter::setSite(const tree::Stmt& stmt) {
     const auto [site, stops] = m.facts.sites().at(stmt);
     if (site == 0) return;
@@ -162,6 +163,8 @@ FunctionEmitter::Block* FunctionEmitter::emitEntry() {
     return start;
 }
 
+// The order is the promise: room for the frame is asked for before anything is written into it, the budget is paid
+// before work begins, and parameters are stored before initial values, which may use them.
 void FunctionEmitter::emitPrologue() {
     // Temporaries begin behind the locals.
     m_temporaryTop = m_frameSize = m_facts.frame.size;
@@ -274,6 +277,7 @@ void FunctionEmitter::emitPrologue() {
         if (!m_tree.locals[i].isInOut && m_tree.locals[i].kind != LocalKind::Input) initialiseLocal(i);
 }
 
+// Locals begin in each call with what their type or declaration says; what a frame held before must not be seen.
 void FunctionEmitter::initialiseLocal(uint32_t index) {
     const Local& local = m_tree.locals[index];
     const types::Type& type = m.types()[local.type];

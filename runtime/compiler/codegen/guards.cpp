@@ -69,6 +69,7 @@ llvm::Value* FunctionEmitter::isLive(Value* at, Value* size) {
 
 /// A pointer is an offset into the image, so that it can be checked: it lies within declared data, or within a frame
 /// that is alive. Data is asked first, because nearly every pointer leads there.
+// Called for each use of a pointer, also twice in a row for the same one: LLVM removes what is known already.
 void FunctionEmitter::guardReference(Value* at, Value* size) {
     const image::Layout& layout = m.program.layout;
     const int64_t dataBegin = sizeof(image::ImageHeader);
@@ -146,6 +147,7 @@ void FunctionEmitter::charge(Value* amount) {
     enter(ok);
 }
 
+// 0: the facts say that this path is paid for elsewhere.
 void FunctionEmitter::chargeUnits(uint64_t units) {
     if (units > 0) charge(int64(static_cast<int64_t>(units)));
 }

@@ -85,6 +85,7 @@ llvm::Value* FunctionEmitter::absolute(const Expr& expr) {
                           value);
 }
 
+// Positions, lengths and counts of shifts: any integer type, as 64 bits with a sign.
 llvm::Value* FunctionEmitter::countOf(const Expr& expr) {
     Value* raw = scalar(expr);
     if (raw->getType()->isFloatingPointTy()) raw = convert(raw, expr.type, types::TypeTable::of(TypeKind::Lint));
@@ -119,6 +120,7 @@ llvm::Value* FunctionEmitter::better(Value* candidate, Value* best, types::TypeI
         best);
 }
 
+// MIN and MAX of any number of operands, from left to right.
 llvm::Value* FunctionEmitter::extreme(const Expr& expr) {
     Value* best = nullptr;
     for (const Expr* operand : expr.operands) {
@@ -156,6 +158,7 @@ llvm::Value* FunctionEmitter::durationTimes(const Expr& expr, bool isDivision) {
     return b.CreateMul(duration, castInteger(scalar(number), number.type, m.i64));
 }
 
+// Through an integer of the same width: LLVM has no cast from float to a wider integer.
 llvm::Value* FunctionEmitter::sameBits(const Expr& expr) {
     Value* value = scalar(*expr.operands[0]);
     llvm::Type* to = m.scalarType(expr.type);

@@ -17,6 +17,7 @@ constexpr uint64_t kPortionUnits = 65'536;
 constexpr int64_t kEndless = int64_t(1) << 62;
 } // namespace
 
+// CONTINUE goes to `next`, EXIT to `exit`; the end of the body goes to `next` as well.
 void FunctionEmitter::loopBody(const std::vector<Stmt*>& statements, Block* exit, Block* next) {
     m_loops.push_back({exit, next});
     body(statements);
@@ -187,6 +188,7 @@ llvm::Value* FunctionEmitter::widen(const ForLoop& loop, Value* value) {
     return loop.isSigned ? b.CreateSExt(value, m.i64) : b.CreateZExt(value, m.i64);
 }
 
+// Start, end and step are computed once, before the variable is written: FOR i := i TO i + 3 reads the old i.
 void FunctionEmitter::forLoop(const Stmt& stmt) {
     const types::TypeId type = stmt.place->type;
     const types::TypeId counted = stmt.operandType.isValid() ? stmt.operandType : type;

@@ -259,6 +259,7 @@ Address FunctionEmitter::slotAddress(const Place& place) {
     return a;
 }
 
+// An in-out of a block: the slot holds where its argument is, as the last call bound it.
 Address FunctionEmitter::followSlot(const Place& place) {
     const bool isOpen = m.types().kind(place.type) == TypeKind::OpenArray;
     // The offset from THIS as fixedFromThis counts it in the prologue.
@@ -396,6 +397,7 @@ Address FunctionEmitter::textIndexAddress(const Place& place, Purpose purpose) {
     return a;
 }
 
+// A pointer may hold anything that a program can compute; what is used is checked here, each time.
 Address FunctionEmitter::derefAddress(const Place& place) {
     Value* at = scalar(*place.pointer);
     at = b.CreateZExtOrTrunc(at, m.i64);

@@ -134,6 +134,7 @@ FunctionEmitter::Block* FunctionEmitter::labelBlock(tree::LabelId label) {
     return m_labels[label.index()];
 }
 
+// By kind of value: texts and aggregates are made in place where no part of the target is read meanwhile.
 void FunctionEmitter::assign(const Stmt& stmt) {
     const tree::Place& place = *stmt.place;
     if (m.types().isText(place.type)) {
@@ -158,6 +159,7 @@ void FunctionEmitter::assign(const Stmt& stmt) {
     aggregateInto(*stmt.a, address(place));
 }
 
+// An in-out or a reference gets its address: 0 where nothing is bound.
 void FunctionEmitter::bind(const Stmt& stmt) {
     const tree::Place& place = *stmt.place;
     Value* at = int64(0);

@@ -145,6 +145,7 @@ void FunctionEmitter::textInto(const Expr& expr, const Text& target) {
     watchTextWrite(target);
 }
 
+// Into a place of its own type: what is too long is cut there, once, at the end.
 void FunctionEmitter::plainTextInto(const Expr& expr, const Text& target) {
     switch (expr.kind) {
     // The callee's result is in its frame and is copied before the next call uses that room.
@@ -209,6 +210,7 @@ void FunctionEmitter::plainTextInto(const Expr& expr, const Text& target) {
 
 /// The text operands of an intrinsic, all of one width; what a later operand could change is copied first.
 std::vector<Text> FunctionEmitter::textOperands(const Expr& expr) {
+    // Left to right, as every operand.
     std::vector<Text> texts;
     bool isWide = false;
     const auto isTextual = [&](const Expr* e) {

@@ -168,6 +168,7 @@ tree::Expr* held(Context& context, tree::Expr* value, std::vector<tree::Stmt*>& 
     return load(context, place, value->range).expr;
 }
 
+// What an input has when a call leaves it out (2.5.1.1).
 tree::Expr* defaultOf(Context& context, Variable& parameter, SourceRange range) {
     const TypeId type = typeOf(context, parameter);
     if (parameter.declaration && parameter.declaration->initial) {
@@ -498,6 +499,7 @@ Operand withEnable(Context& context, Operand value, const StandardArguments& arg
 }
 
 ///   wrong: x := block.Speed;  where Speed has only SET (P2023)
+// Reading a property is a call of its GET.
 Operand propertyValue(Context& context, const Denoted& denoted, SourceRange range) {
     Property& property = *denoted.property;
     if (!property.get) {

@@ -130,6 +130,7 @@ void sayWhatIsConverted(Context& context, const Operand& operand, TypeId to, std
 } // namespace
 
 ///   ok:    INT_TO_REAL(i)      wrong: INT_TO_REAL(s)  with s : STRING (P2003)
+// By the name alone: INT_TO_REAL, TO_REAL, REAL_TRUNC_INT; library::findConversion has taken it apart.
 Operand conversionCall(Context& context, const library::Conversion& conversion, std::string_view name,
                        const syntax::Expr& e, TypeId hint) {
     // Conversions have no entry in the table of signatures (they are all pairs of types): one with a single input is

@@ -148,6 +148,7 @@ Operand sizeCall(Context& context, const syntax::Expr& e, TypeKind result) {
     return constant(context, {context.elementary(TypeKind::Lint), int64_t(context.types[type].size)}, e.range, true);
 }
 
+// REF is the standard's (edition 3, 6.4.4.10), ADR CODESYS's; both give a pointer to the variable.
 Operand addressCall(Context& context, const syntax::Expr& e, bool isReference) {
     const library::Signature* signature = library::findSignature(isReference ? "REF" : "ADR");
     const StandardArguments arguments = standardArguments(context, *signature, e);

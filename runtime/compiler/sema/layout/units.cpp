@@ -52,6 +52,7 @@ bool isFoldable(const types::TypeTable& types, TypeId type) {
     return types::isElementary(kind) || kind == TypeKind::String || kind == TypeKind::Wstring;
 }
 
+// Only which there are and in which order; their types may still be open. Calls and overriding need no more.
 void collectParameters(WorldBuilder& world, Unit& unit) {
     if (unit.memberProgress == Progress::Done) return;
     unit.memberProgress = Progress::Done;
@@ -393,6 +394,7 @@ void completeFunction(WorldBuilder& world, Unit& unit) {
 }
 
 /// Blocks with methods, interfaces or relatives carry their number at offset 0 of each instance.
+// A block without any of these is never asked what it is, and its instances save the eight bytes.
 void markHeaders(WorldBuilder& world) {
     // Numbers follow the order of declaration and are made again at each build; a recording keeps those of its own
     // version.

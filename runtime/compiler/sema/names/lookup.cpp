@@ -28,6 +28,7 @@ Member findInInterfaces(Unit& first, NameId id) {
     return {};
 }
 
+// The unit's own before its base's: overriding and hiding are the same look-up.
 Member findMember(Unit& unit, NameId id) {
     if (unit.kind == UnitKind::Interface) return findInInterfaces(unit, id);
     for (Unit* at = &unit; at; at = at->base) {

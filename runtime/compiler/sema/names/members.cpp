@@ -359,6 +359,8 @@ Denoted denoteBase(Context& context, const syntax::Expr& e, Access access, TypeI
 
 } // namespace
 
+// By what is in front of the dot. Names of units, lists and namespaces are no values, so they are looked up before
+// anything is evaluated.
 Denoted denoteMember(Context& context, const syntax::Expr& e, Access access, TypeId hint) {
     if (!e.base) return {};
     if (!e.name.isValid()) return {};

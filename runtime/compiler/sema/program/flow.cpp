@@ -74,6 +74,8 @@ void checkUnusedActions(WorldBuilder& world) {
 
 ///   ok:    VAR x : INT := 1; y : INT; END_VAR y := x;
 ///   advice: VAR x : INT; END_VAR  that nothing names (P3005)   y := x;  where nothing writes x (P3006)
+// All of these are advice: a program runs as well with an unused variable. Names that something outside of the text
+// uses (panels, traces, devices) are given by who asks for the check.
 void checkUsage(WorldBuilder& world) {
     gatherConfigured(world);
     checkUnusedGlobals(world);

@@ -303,6 +303,7 @@ void assignSlots(WorldBuilder& world) {
     }
 }
 
+// Rows by block number, columns by slot; what is not filled is a method that the block does not have.
 void buildDispatch(WorldBuilder& world) {
     uint32_t blocks = 0;
     for (const Unit& unit : world.units)

@@ -140,6 +140,7 @@ void statement(Context& context, const syntax::Stmt& stmt, std::vector<tree::Stm
     }
 }
 
+// What holds behind the IF is what holds behind each of its branches that can be left at its end.
 void ifStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out) {
     const Flow before = context.flow;
     Flow joined{false, true};

@@ -323,6 +323,7 @@ void initialiseStruct(WorldBuilder& world, StructType& made, TypeId base, const 
 
 } // namespace
 
+// Fields, then places, then initial bytes: each step needs the one before it of every field.
 void completeStruct(WorldBuilder& world, StructType& made) {
     if (made.progress != Progress::Open) return;
     made.progress = Progress::Working;

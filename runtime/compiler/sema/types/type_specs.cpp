@@ -452,6 +452,8 @@ TypeId typeOf(const Check& check, Variable& variable) {
     return check.builder ? typeOf(*check.builder, variable) : variable.type;
 }
 
+// Types with a name are the same only as themselves (name equivalence); arrays, pointers and texts by what they are
+// made of.
 bool sameType(const World& world, TypeId a, TypeId b) {
     // Deeper than any type may be nested; never a loop.
     for (int guard = 0; guard < 64; ++guard) {

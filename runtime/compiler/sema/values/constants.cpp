@@ -156,6 +156,7 @@ const types::Value* fold(WorldBuilder& world, Variable& variable) {
     return &variable.value;
 }
 
+// By now every type is complete, so the order no longer matters.
 void checkConstants(WorldBuilder& world) {
     const auto check = [&](Variable& variable) {
         if (variable.isConstant && variable.kind != syntax::SectionKind::External &&
