@@ -1,3 +1,6 @@
+// The controller makes scans on whatever thread calls it, always the same one at a time; it starts no thread and takes
+// no lock. The image is its alone while a scan runs. Everything that others want (writes, forces, halts, a new program)
+// waits until the session calls it between two scans.
 #include "runtime/controller/controller.h"
 
 #include "runtime/base/assert.h"
@@ -14,6 +17,7 @@ Controller::Controller(std::shared_ptr<const image::CompiledProgram> program, Se
     : m(std::make_unique<State_>(settings)) {
     State_* state = m.get();
     m->exit.self = state;
+    // Plain functions and a pointer: generated code calls them through C, and a fault leaves them by longjmp.
     m->exit.refill = [](void* self) { return static_cast<State_*>(self)->refill(); };
     m->exit.atSite = [](void* self, uint32_t site, uint32_t instance, uint32_t frame) {
         auto& s = *static_cast<State_*>(self);
@@ -39,6 +43,7 @@ Controller::~Controller() = default;
 
 void Controller::addObserver(ScanObserver& observer) {
     m->observers.push_back(&observer);
+    // Whoever comes late begins with the program that runs.
     observer.programChanged(m->program);
 }
 const image::CompiledProgram& Controller::program() const { return *m->program; }
@@ -70,9 +75,12 @@ std::vector<FaultFrame> Controller::callPath(uint32_t site) const {
 
 void Controller::State_::setProgram(std::shared_ptr<const image::CompiledProgram> next) {
     program = std::move(next);
+    // A program without any variable still has a header.
     image.resize(std::max<size_t>(program->layout.imageSize, sizeof(image::ImageHeader)));
+    // Sites count from 1; flags are forgotten with the program, and the debugger sets its own again.
     siteFlags.assign(program->sites.size() + 1, 0);
     dirtyPages.assign(image::dirtyPageCount(static_cast<uint32_t>(image.span().size())) + 1, 0);
+    // The history compares pages that are marked; after a change of the whole image all of them are.
     isAllDirty = true;
     schedule.setTasks(program->tasks, settings.freewheelingInterval);
     schedule.rebase(time);
@@ -91,6 +99,7 @@ void Controller::State_::prepareContext(std::byte* bytes, int64_t units) {
     context->currentSite = 0;
     context->fault = image::FaultCode::None;
     context->faultSite = 0;
+    // Portions are added below: the code counts them down and asks for more at zero.
     context->loopBudget = 0;
     budget = budgetLeft = units;
     takePortion();
@@ -98,6 +107,7 @@ void Controller::State_::prepareContext(std::byte* bytes, int64_t units) {
 
 void Controller::State_::takePortion() {
     constexpr int64_t kPortion = 100'000; // some milliseconds at most
+    // In real time the number of portions is not limited: refill looks at the clock instead.
     const int64_t portion = isRealTime ? kPortion : std::min(kPortion, budgetLeft);
     budgetLeft -= portion;
     context->loopBudget += portion;
@@ -106,11 +116,13 @@ void Controller::State_::takePortion() {
 /// In virtual time all portions together are the budget, so that the watchdog comes at the same place on each machine;
 /// in real time the clock decides.
 FaultExit::Refill Controller::State_::refill() {
+    // Asked here because only here does a loop that never ends come by.
     if (exit.wantsToLeave && exit.wantsToLeave()) {
         wantsAbandon = true;
         return FaultExit::Refill::Leave;
     }
     if (isRealTime) {
+        // taskStart is moved on while a breakpoint holds the scan.
         if (clock->nowNs() - taskStart > watchdogNs() * std::max<uint32_t>(1, task ? task->watchdogSensitivity : 1))
             return FaultExit::Refill::UsedUp;
         context->loopBudget = 0;
@@ -123,6 +135,7 @@ FaultExit::Refill Controller::State_::refill() {
 
 const image::Code* Controller::State_::currentCode() const {
     if (rerunCode) return rerunCode.get();
+    // Optimised code appears while the program runs, at the border of a scan; quick code stays for the debugger.
     if (!wantsQuick || !program->quick)
         if (const image::Code* optimised = program->optimised.load(std::memory_order_acquire)) return optimised;
     return program->quick.get();
@@ -153,6 +166,7 @@ struct TaskCall {
 void callEntry(const TaskCall& call, uint32_t function, uint32_t instance) {
     if (function == 0 || function >= call.code->entries.size() || !call.code->entries[function]) return;
     call.entry->function = function;
+    // Each entry begins with an empty call path, also behind one that was left by a fault.
     call.context->depth = 0;
     call.context->frameTop = call.program->layout.frameBegin;
     call.code->entries[function](call.context, call.context->image, instance);
@@ -163,6 +177,7 @@ void callTask(void* argument) {
     for (const image::TaskProgram& part : call.task->programs) {
         const uint32_t instance = call.program->layout.roots[part.root].offset;
         *call.entry = image::CallRecord{0, part.function, instance, call.program->layout.frameBegin};
+        // Inputs, body, outputs of one instance before the next one: the order of the task's list (2.7.2).
         callEntry(call, part.connectIn, instance);
         callEntry(call, part.function, instance);
         callEntry(call, part.connectOut, instance);
@@ -174,6 +189,7 @@ void callTask(void* argument) {
 bool Controller::State_::initialise(std::span<std::byte> bytes) {
     isAllDirty = true;
     const std::vector<std::byte>& initial = program->initialImage;
+    // The initial image ends with the data; frames and padding are zeros.
     const size_t known = std::min(initial.size(), bytes.size());
     std::memcpy(bytes.data(), initial.data(), known);
     std::memset(bytes.data() + known, 0, bytes.size() - known);
@@ -181,12 +197,14 @@ bool Controller::State_::initialise(std::span<std::byte> bytes) {
     if (!program->initializer || !start || program->initializer >= start->entries.size() ||
         !start->entries[program->initializer])
         return true;
+    // Initial values are computed on nobody's clock: a fixed amount of work, the same on each machine.
     isRealTime = false;
     task = nullptr;
     prepareContext(bytes.data(), std::min(kInitialBudget, settings.loopBudgetPerScan));
     entry = image::CallRecord{0, program->initializer, 0, program->layout.frameBegin};
     InitialiserCall call{context, start->entries[program->initializer]};
     const bool good = exit.run(&callInitialiser, &call);
+    // `bytes` may be another buffer, that of a program which is only about to run.
     context->image = image.get();
     return good;
 }
@@ -198,6 +216,7 @@ void Controller::State_::keepSafeOutputs() {
 
 void Controller::State_::makeOutputsSafe() {
     isAllDirty = true;
+    // Forces are put over it: whoever forces an output wants it also now.
     if (!safeOutputs.empty()) std::memcpy(image.get() + layout().outputs.begin, safeOutputs.data(), safeOutputs.size());
     applyForces();
 }
@@ -226,6 +245,7 @@ bool Controller::runFunction(uint32_t function, uint32_t instance) {
 
 void Controller::start() {
     if (m->state == State::Fault || m->state == State::Running) return;
+    // The program can ask whether a scan is its first after a stop.
     if (m->state == State::Stopped) m->firstPending = true;
     if (!m->plcRuns()) m->touch(image::OutsideKind::Started);
     m->state = State::Running;
@@ -247,6 +267,7 @@ void Controller::stop() {
 }
 
 void Controller::reset(ResetKind kind) {
+    // All of it is kept, because what survives depends on the kind of reset and on the new initial values.
     ImageBuffer before;
     before.resize(m->image.span().size());
     std::memcpy(before.get(), m->image.get(), m->image.span().size());
@@ -274,6 +295,7 @@ void Controller::reset(ResetKind kind) {
             if (root.isSimulation) keep({root.type, root.offset, root.bit});
         const image::AreaRange& inputs = m->layout().inputs;
         std::memcpy(m->image.get() + inputs.begin, before.get() + inputs.begin, inputs.size);
+        // Only a reset to the origin begins the count of scans again.
         m->header() = header; // the clock goes on: the plant may be timing something
     } else {
         m->simulationFault.reset();
@@ -283,6 +305,7 @@ void Controller::reset(ResetKind kind) {
     }
     m->firstPending = true;
     m->applyForces();
+    // Tasks are due from now on, not from when they last ran.
     m->schedule.rebase(m->time);
     m->schedule.restoreTriggers(m->image.get());
     m->schedule.skip(false);
@@ -300,7 +323,9 @@ bool Controller::scan(std::optional<Nanoseconds> at) {
     s.isRealTime = at.has_value();
     int64_t instant = s.schedule.nextDue();
     if (at) {
+        // Called too early: nothing is due yet.
         if (at->count() < instant) return true;
+        // Late by several intervals: one scan is made for the last of them and the others count as skipped.
         instant = s.schedule.lastInstant(at->count());
     }
     return s.scanAt(instant, at ? at->count() : instant);
@@ -311,10 +336,13 @@ bool Controller::State_::scanAt(int64_t instant, int64_t at) {
     if (!code) return true;
     if (exit.edge && !letDevicesIn()) [[unlikely]]
         return false;
+    // What somebody changed since the last scan is noted first, so that the journal has it before the scan that sees
+    // it.
     if (isTouched) [[unlikely]]
         tellOutside();
     isScanning = true;
     wantsAbandon = false;
+    // Quick code does not mark pages.
     isAllDirty = isAllDirty || !code->marksWrites;
     const bool isRunning = plcRuns();
     const bool isFirst = firstPending && isRunning;

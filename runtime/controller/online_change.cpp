@@ -26,6 +26,9 @@ bool isReferenceKind(TypeKind kind) {
     return kind == TypeKind::Pointer || kind == TypeKind::Reference || kind == TypeKind::Interface;
 }
 
+// Takes values from an image of one layout into that of another. By name from the roots down, never by offset: what has
+// the same name and a type that still holds it keeps its value, and everything else is reported (kept, initialised,
+// lost, nulled).
 class Carrier {
 public:
     Carrier(const Layout& from, std::span<const std::byte> old, const Layout& to, std::span<std::byte> fresh)
@@ -36,6 +39,7 @@ public:
         copyArea(Area::Output, m_from.outputs.begin, m_to.outputs.begin);
         copyArea(Area::Memory, m_from.memory.begin, m_to.memory.begin);
         copyHierarchical();
+        // What is left in it at the end is gone in the new program.
         std::unordered_map<std::string, const Root*> oldRoots;
         for (const Root& root : m_from.roots) oldRoots.emplace(key(root), &root);
         for (const Root& root : m_to.roots) {
@@ -47,7 +51,9 @@ public:
             }
             const Root* before = found->second;
             oldRoots.erase(found);
+            // A constant has the value that the new text says.
             if (root.constant) continue;
+            // Hidden roots (second names, the compiler's own) are carried, but nobody reads about them.
             m_isQuiet = root.isHidden;
             carryBitOr({before->type, before->offset, before->bit}, {root.type, root.offset, root.bit}, path);
         }
@@ -59,6 +65,7 @@ public:
     }
 
 private:
+    // Located variables without a name go by their address.
     static std::string key(const Root& root) {
         return foldCase(root.space + "/" + root.list + "/" + (root.name.empty() ? root.address : root.name));
     }
@@ -101,6 +108,8 @@ private:
 
     /// Bytes of the one are bytes of the other: same structure, no references, same block numbers.
     bool areIdentical(TypeId oldId, TypeId newId) {
+        // False while it is compared: types that refer to themselves do so by references, which are not identical
+        // anyway.
         const auto [entry, isNew] = m_identical.try_emplace({oldId.value, newId.value}, false);
         if (!isNew) return entry->second;
         const bool result = compare(oldId, newId);
@@ -109,6 +118,7 @@ private:
     bool compare(TypeId oldId, TypeId newId) {
         const Type& a = m_fromTypes[oldId];
         const Type& b = m_toTypes[newId];
+        // References are offsets into the old image and have to be looked at one by one.
         if (a.kind != b.kind || a.size != b.size || isReferenceKind(a.kind) || a.kind == TypeKind::OpenArray)
             return false;
         switch (a.kind) {
@@ -131,10 +141,12 @@ private:
         case TypeKind::Struct:
         case TypeKind::Union:
         case TypeKind::Block:
+            // Block numbers are in the instances: other numbers, other bytes.
             if (a.kind == TypeKind::Block && (a.blockNumber != b.blockNumber || !isSameBlock(a, b))) return false;
             return std::equal(a.fields.begin(), a.fields.end(), b.fields.begin(), b.fields.end(),
                               [&](const Field& x, const Field& y) {
                                   return x.offset == y.offset && x.bit == y.bit && x.section == y.section &&
+                                         // In-outs are references as well.
                                          !y.constant && y.section != FieldSection::InOut &&
                                          equalsIgnoringCase(x.name, y.name) &&
                                          (y.section == FieldSection::External || areIdentical(x.type, y.type));
@@ -162,6 +174,7 @@ private:
         if (from.bit < 0 && to.bit < 0) return carry(from.type, from.offset, to.type, to.offset, path);
         if (m_fromTypes.storageKind(from.type) != TypeKind::Bool || m_toTypes.storageKind(to.type) != TypeKind::Bool)
             return retyped(path);
+        // BOOL as a bit and BOOL as a byte are the same variable to the user.
         const auto byte = static_cast<uint8_t>(m_old[from.offset]);
         const bool value = from.bit < 0 ? byte != 0 : (byte >> from.bit & 1) != 0;
         std::byte& target = m_fresh[to.offset];
@@ -176,6 +189,7 @@ private:
         const Type& a = m_fromTypes[oldId];
         const Type& b = m_toTypes[newId];
         if (areIdentical(oldId, newId)) {
+            // Most of every image goes this way, in one piece.
             copy(from, to, b.size);
             return kept(path);
         }
@@ -209,6 +223,7 @@ private:
     /// When all of a variable was kept, it is reported as one.
     template <class Work> void summedUp(const std::string& path, Work work) {
         const size_t before = m_report.kept.size();
+        // Nested: an inner part that lost something makes all around it less than whole.
         const bool wasWhole = m_isWhole;
         m_isWhole = true;
         work();
@@ -223,7 +238,9 @@ private:
         const size_t length = path.size();
         const bool wasQuiet = m_isQuiet;
         for (const Field& field : b.fields) {
+            // VAR_EXTERNAL is stored elsewhere.
             if (field.section == FieldSection::External || field.constant) continue;
+            // One string grows and shrinks: paths of large arrays would otherwise be most of the work.
             path += "." + field.name;
             m_isQuiet = wasQuiet || field.isPrivate;
             const auto old = std::find_if(a.fields.begin(), a.fields.end(),
@@ -276,6 +293,7 @@ private:
         const size_t last = common.size() - 1;
         std::vector<int64_t> index;
         for (const Dimension& d : common) index.push_back(d.low);
+        // Only what both have; what is new in the larger one keeps its initial value.
         for (;;) { // one row of the last dimension at a time
             const uint32_t oldAt = from + number(a, index) * oldSize;
             const uint32_t newAt = to + number(b, index) * newSize;

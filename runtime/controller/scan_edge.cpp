@@ -1,3 +1,5 @@
+// Where devices touch the image: between two scans, on the scan thread. What they write is noted for the journal with
+// its origin, and a forced place keeps its value.
 #include "runtime/controller/scan_edge.h"
 
 #include "runtime/controller/controller_state.h"
@@ -18,6 +20,7 @@ public:
     explicit Edge(State_& state) : m_state(state) {}
     void put(const image::Place& place, std::span<const std::byte> bytes, const std::string& origin) override;
     void fault(Message why) override {
+        // The first of several stops the controller; while it is stopped anyway nothing is to be said.
         if (problem.isEmpty() && plcRuns()) problem = std::move(why);
     }
     [[nodiscard]] bool plcRuns() const override { return m_state.plcRuns(); }
@@ -38,6 +41,7 @@ void Controller::State_::Edge::put(const image::Place& place, std::span<const st
     if (place.bit >= 0) {
         const auto mask = std::byte(1u << static_cast<unsigned>(place.bit));
         const std::byte wanted = bytes[0] != std::byte{} ? *at | mask : *at & ~mask;
+        // Unchanged is no write: otherwise every poll would fill the journal.
         if (wanted == *at || isHeld(place)) return;
         *at = wanted;
     } else {
@@ -45,6 +49,7 @@ void Controller::State_::Edge::put(const image::Place& place, std::span<const st
         std::memcpy(at, bytes.data(), bytes.size());
     }
     markWritten(m_state.dirtyPages, place.offset, place.bit >= 0 ? 1 : static_cast<uint32_t>(bytes.size()));
+    // The last note that is made is for all further ones.
     if (++m_noted > kNotesOfAScan) return;
     m_state.origin = origin;
     if (m_noted < kNotesOfAScan)
@@ -66,6 +71,7 @@ bool Controller::State_::letDevicesIn() {
 void Controller::State_::enterFaultFromOutside(Message why) {
     Fault f;
     f.message = std::move(why);
+    // The last scan that was made: the fault is seen before the next one begins.
     f.scan = scan > 0 ? scan - 1 : 0;
     f.time = Nanoseconds(header().timeNs);
     Message text = f.message;

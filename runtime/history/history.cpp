@@ -1,3 +1,6 @@
+// Every scan that was made, as segments: a keyframe and, for each block of the image, what changed scan by scan. One
+// thread appends (the scan's), any thread reads without a lock: a segment is published when it can be read and given
+// back only when no reader can hold it any more (epochs).
 #include "runtime/history/history.h"
 
 #include "runtime/history/history_state.h"
@@ -27,6 +30,7 @@ History::State::~State() {
     const auto freePages = [&](Segment& s) {
         for (uint32_t i = 0; i < s.pageCount; ++i) pool.giveBack(s.pages[i]);
     };
+    // Pages belong to the pool and not to the segment.
     for (Retired& r : retired) freePages(*r.segment);
     for (uint64_t n = firstSegment.load(); n < endSegment.load(); ++n) {
         Segment* s = slots[n % kDirectorySize].load();
@@ -49,10 +53,12 @@ Segment& History::State::beginSegment(uint32_t dataEnd, uint32_t journalPages) {
     fresh->heads = std::make_unique<std::atomic<uint32_t>[]>(fresh->blocks + 2);
     const uint32_t limit = pageLimitFor(budget.load(std::memory_order_relaxed), fresh->blocks);
     writer.setPageLimit(limit);
+    // The list of pages never grows while readers look at it, so it is as long as it can get.
     fresh->pageCapacity = limit + fresh->blocks / 15 + 6 + journalPages; // one more scan may change every block
     fresh->pages = std::make_unique<PageBytes[]>(fresh->pageCapacity);
     accountedPages = 0;
     programChanged = false;
+    // Owned by the directory from publishSegment on, by `retired` after its eviction.
     current = fresh.release();
     bytes.fetch_add(current->fixedBytes(), std::memory_order_relaxed);
     return *current;
@@ -62,6 +68,7 @@ Segment& History::State::beginSegment(uint32_t dataEnd, uint32_t journalPages) {
 void History::State::publishSegment() {
     if (endSegment.load(std::memory_order_relaxed) - firstSegment.load(std::memory_order_relaxed) + 1 >= kDirectorySize)
         evictOver(0);
+    // First the slot, then the end: who sees the end sees the segment.
     slots[current->number % kDirectorySize].store(current, std::memory_order_seq_cst);
     endSegment.store(current->number + 1, std::memory_order_seq_cst);
 }
@@ -84,10 +91,13 @@ void History::State::evictOver(size_t limit) {
         const uint64_t number = firstSegment.load(std::memory_order_relaxed);
         if (number >= endSegment.load(std::memory_order_relaxed)) return;
         Segment* oldest = slots[number % kDirectorySize].load(std::memory_order_relaxed);
+        // A budget that is smaller than one segment keeps that one.
         if (oldest == current) return;
+        // Before it is retired: a reader that pins from now on does not find it.
         firstSegment.store(number + 1, std::memory_order_seq_cst);
         bytes.fetch_sub(oldest->fixedBytes() + oldest->pageCount * kPageBytes, std::memory_order_relaxed);
         retired.push_back({epochs.current(), std::unique_ptr<Segment>(oldest)});
+        // One is enough: it was called for room in the directory.
         if (limit == 0) return;
     }
 }
@@ -98,6 +108,7 @@ void History::State::collect() {
     epochs.tryAdvance();
     const uint64_t now = epochs.current();
     size_t done = 0;
+    // Two epochs on, every reader that could have seen it has let go of its pin.
     while (done < retired.size() && retired[done].epoch + 2 <= now) {
         Segment& s = *retired[done].segment;
         for (uint32_t i = 0; i < s.pageCount; ++i) pool.giveBack(s.pages[i]);
@@ -131,11 +142,13 @@ void History::append(std::span<const std::byte> image, uint64_t scan, Nanosecond
     const int64_t now = time.count();
     uint32_t dataEnd = s.current && !s.programChanged ? s.current->dataEnd : static_cast<uint32_t>(image.size());
     if (s.programChanged && s.program)
+        // Frames are not recorded: between scans nothing in them means anything.
         dataEnd = std::min<uint32_t>(s.program->layout.dataEnd, static_cast<uint32_t>(image.size()));
     int64_t calendar = s.calendarOffset;
     if (image.size() >= 24) {
         int64_t clock[2];
         std::memcpy(clock, image.data(), sizeof clock);
+        // The header's two clocks differ by a constant, which a segment keeps once.
         calendar = clock[1] - now;
     }
     const Position position = s.end.load(std::memory_order_relaxed);
@@ -147,11 +160,13 @@ void History::append(std::span<const std::byte> image, uint64_t scan, Nanosecond
         beginsSegment = beginsSegment || s.writer.lacksRoom(State::pagesFor(s.journalBytes.size()));
     }
     if (beginsSegment) [[unlikely]] {
+        // What happened since the last scan belongs to the first scan of the new segment.
         if (s.journalBytes.empty()) s.takeJournal(true);
         if (s.pendingBranch) s.openBranch();
         s.calendarOffset = calendar;
         Segment& fresh = s.beginSegment(dataEnd, State::pagesFor(s.journalBytes.size()));
         if (size_t(fresh.blocks) * kBlock > image.size()) {
+            // The writer reads whole blocks.
             std::vector<std::byte> padded(size_t(fresh.blocks) * kBlock);
             std::memcpy(padded.data(), image.data(), std::min<size_t>(image.size(), padded.size()));
             s.writer.begin(fresh, padded.data(), scan, now);
@@ -167,6 +182,7 @@ void History::append(std::span<const std::byte> image, uint64_t scan, Nanosecond
     }
     s.journalBytes.clear();
     s.lastTime = now;
+    // Last: a position that can be seen can be read.
     s.end.store(position + 1, std::memory_order_release);
     s.account();
 }
@@ -174,6 +190,7 @@ void History::append(std::span<const std::byte> image, uint64_t scan, Nanosecond
 void History::mark(int kind, Message text, Nanoseconds time) {
     const std::lock_guard lock(m->mutex);
     const Position end = m->end.load(std::memory_order_relaxed);
+    // Half at once, so that a program which faults in each scan does not move the list each time.
     if (m->marks.size() >= size_t(kMarksKept)) m->marks.erase(m->marks.begin(), m->marks.begin() + kMarksKept / 2);
     m->marks.push_back({end > 0 ? end - 1 : 0, time, kind, std::move(text)});
 }
@@ -209,6 +226,7 @@ Segment* History::State::containing(Position position) const {
     uint64_t high = endSegment.load(std::memory_order_seq_cst);
     while (low < high) { // first segment that begins behind the position
         const uint64_t middle = low + (high - low) / 2;
+        // Null: evicted since firstSegment was read.
         const Segment* s = segment(middle);
         if (!s || s->first <= position)
             low = middle + 1; // an evicted one lies before
@@ -255,6 +273,7 @@ void History::State::restore(const Segment& segment, uint32_t index, std::byte* 
     for (uint32_t block = 0; block < segment.blocks; ++block) {
         std::byte bytes[kBlock]; // the last block may lie over the end
         std::memcpy(bytes, segment.keyframe.get() + size_t(block) * kBlock, kBlock);
+        // Changes name offsets of the image; the block is only a window of it.
         std::byte* const base = bytes - size_t(block) * kBlock;
         for (BlockCursor cursor(segment, block); cursor.index() <= index;) cursor.apply(base);
         std::memcpy(image + size_t(block) * kBlock, bytes,
@@ -267,6 +286,7 @@ std::vector<std::byte> History::seek(Position position, std::shared_ptr<const im
     const Epochs::Pin pin = m->epochs.pin();
     const Segment* s = m->containing(position);
     if (!s) return {};
+    // With room for frames: whoever evaluates expressions on it needs them.
     const size_t size = s->program ? std::max(s->program->layout.imageSize, s->dataEnd) : s->dataEnd;
     std::vector<std::byte> image(size);
     State::restore(*s, static_cast<uint32_t>(position - s->first), image.data());
@@ -284,6 +304,7 @@ std::optional<ScanStamp> History::stamp(Position position) const {
 std::vector<PositionRange> chainTo(const std::vector<Branch>& branches, Position end) {
     std::vector<PositionRange> chain; // newest first, turned at the end
     for (Position until = end; until > 0;) {
+        // The branch that `until` is in: the last that begins before it.
         const auto behind = std::find_if(branches.rbegin(), branches.rend(),
                                          [&](const Branch& branch) { return branch.first < until; });
         if (behind == branches.rend()) {
@@ -291,6 +312,7 @@ std::vector<PositionRange> chainTo(const std::vector<Branch>& branches, Position
             break;
         }
         chain.push_back({behind->first, until});
+        // A run that began again from its origin has no past of its own.
         if (behind->parent == kNoParent || behind->first == 0) break;
         until = std::min(behind->parent + 1, behind->first);
     }

@@ -11,6 +11,7 @@
 #include "app/settings_dialog.h"
 #include "app/st_page.h"
 #include "app/start_page.h"
+#include "app/test_runner.h"
 #include "editor/debug/watch_view.h"
 #include "editor/graph/chart_view.h"
 #include "editor/graph/ladder_view.h"
@@ -20,6 +21,7 @@
 #include "hmi/designer/records_dialog.h"
 #include "hmi/model/descriptor.h"
 #include "hmi/model/panel.h"
+#include "tests/support/settle.h"
 
 #include <QAbstractItemView>
 #include <QAction>
@@ -28,7 +30,6 @@
 #include <QDialog>
 #include <QDir>
 #include <QDockWidget>
-#include <QElapsedTimer>
 #include <QFile>
 #include <QFileInfo>
 #include <QListWidget>
@@ -106,12 +107,7 @@ std::string panelOfAllKinds() {
     return hmi::Json({{"elements", std::move(elements)}}).dump();
 }
 
-bool waitFor(const std::function<bool()>& condition) {
-    QElapsedTimer timer;
-    timer.start();
-    while (timer.elapsed() < 8000 && !condition()) QTest::qWait(10);
-    return condition();
-}
+bool waitFor(const std::function<bool()>& condition) { return QTest::qWaitFor(condition, 8000); }
 
 /// Looks at what `open` shows, a dialog or a popup of its own loop, and closes it.
 void lookAtWhatOpens(const Look& look, const QString& name, QWidget* (*opened)(), const std::function<void()>& open) {
@@ -174,7 +170,7 @@ static void lookAtStartPage(MainWindow& window, const Look& look) {
     StartPage page(window.settings());
     page.resize(1000, 660);
     page.show();
-    QTest::qWait(20);
+    settle();
     look(page, "start page");
 }
 
@@ -186,7 +182,9 @@ void lookAtAllDocuments(MainWindow& window, const Look& look) {
     (void)window.control().force("Main.limit", "900");
     for (QDockWidget* dock : window.findChildren<QDockWidget*>()) window.showDock(dock->objectName());
     window.runTests();
-    QTest::qWait(300);
+    const auto* tests = window.findChild<TestRunner*>();
+    ASSERT_TRUE(tests && waitFor([&] { return !tests->isRunning(); }));
+    settle();
     look(window, "main window");
     StPage* page = window.tabs().openFile("src/main.st");
     page->findBar().open(true);
@@ -213,11 +211,11 @@ void lookAtAllDocuments(MainWindow& window, const Look& look) {
     look(*designer, "designer");
     for (const hmi::Element& element : designer->document().panel().elements()) {
         designer->selection().set({element.id()});
-        QTest::qWait(1);
+        settle();
         look(*designer, "designer: " + element.id());
     }
     window.startTour();
-    QTest::qWait(50);
+    settle();
     look(window, "tour");
     window.openPalette();
     look(window, "palette");

@@ -1,6 +1,7 @@
 // The graph under real keys and mouse: drags, edits in place with their complaints, random edits that all undo, nested
 // charts, marks, breakpoints that stop when a step becomes active and when a transition is taken, the past.
 #include "tests/app/studio_fixture.h"
+#include "tests/support/settle.h"
 
 #include <QAction>
 #include <QGraphicsItem>
@@ -63,7 +64,7 @@ protected:
         analysed();
         view = window->tabs().currentPage()->showChart(unit);
         ASSERT_NE(view, nullptr);
-        QTest::qWait(60);
+        settle();
     }
     QGraphicsItem* select(editor::ChartScene::ItemKind kind, int index, int sub = -1) {
         view->scene().clearSelection();
@@ -335,7 +336,7 @@ TEST_F(ChartEventsTest, ABreakpointStopsWhenTheStepBecomesActiveAndWhenTheTransi
     open(kRunning);
     select(editor::ChartScene::Step, step("Work"));
     view->toggleBreakpoint();
-    QTest::qWait(20);
+    settle();
     EXPECT_TRUE(view->scene().marks().steps.value(step("Work")));
     window->action("run.start")->trigger();
     const auto halted = [&] { return window->control().status().state == controller::State::Halted; };
@@ -347,7 +348,7 @@ TEST_F(ChartEventsTest, ABreakpointStopsWhenTheStepBecomesActiveAndWhenTheTransi
     view->toggleBreakpoint();
     select(editor::ChartScene::Transition, 1);
     view->toggleBreakpoint();
-    QTest::qWait(20);
+    settle();
     EXPECT_TRUE(view->scene().marks().transitions.value(1));
     window->control().resume();
     ASSERT_TRUE(waitFor([&] { return halted() && window->control().status().scans > scan; }));

@@ -1,6 +1,7 @@
 // The graph of a chart beside its text: what is drawn, edits as minimal text edits, one undo history, and the lit steps
 // while it runs.
 #include "tests/app/studio_fixture.h"
+#include "tests/support/settle.h"
 
 #include <QAction>
 #include <QGraphicsItem>
@@ -37,7 +38,7 @@ protected:
         analysed();
         view = window->tabs().currentPage()->showChart("Main");
         ASSERT_NE(view, nullptr);
-        QTest::qWait(50);
+        settle();
     }
     void select(editor::ChartScene::ItemKind kind, int index) {
         view->scene().clearSelection();

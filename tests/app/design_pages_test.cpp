@@ -16,6 +16,7 @@
 #include <QTimer>
 
 #include "editor/kit/variable_picker.h"
+#include "tests/support/settle.h"
 
 namespace plc::app {
 namespace {
@@ -136,7 +137,7 @@ TEST_F(DesignPagesTest, ABindingThatBreaksInTheCodeIsAProblemThatLeadsToTheEleme
     window->showDock("problems");
     for (int i = 0; i < list.topLevelItemCount(); ++i)
         if (list.topLevelItem(i)->text(2).contains("overview.panel.json")) {
-            QTest::qWait(20);
+            settle();
             list.scrollToItem(list.topLevelItem(i));
             QTest::mouseClick(list.viewport(), Qt::LeftButton, Qt::NoModifier,
                               list.visualItemRect(list.topLevelItem(i)).center());

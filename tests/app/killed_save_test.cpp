@@ -124,7 +124,7 @@ TEST(KilledSave, LeavesTheWholeOldOrTheWholeNewFile) {
         QByteArray output;
         while (!output.contains("ready\n") && process.waitForReadyRead(60'000)) output += process.readAll();
         ASSERT_TRUE(output.contains("ready\n")) << output.toStdString();
-        QTest::qSleep(static_cast<int>(random() % 40));
+        QTest::qSleep(static_cast<int>(random() % 40)); // a duration: any moment of saving may be the last
         ::kill(static_cast<pid_t>(process.processId()), SIGKILL);
         process.waitForFinished();
         for (const QString& file : Writers::files()) {

@@ -213,7 +213,7 @@ TEST_F(LongTaskTest, CancelledTestsEndBetweenTwoScans) {
     window->action("run.tests")->trigger();
     auto* cancel = window->findChild<QToolButton*>("cancelWork");
     ASSERT_TRUE(waitFor([&] { return cancel->isVisible(); }));
-    QTest::qWait(300);
+    QTest::qWait(300); // a duration: nothing tells from outside that the build is over and scans run
     QTest::mouseClick(cancel, Qt::LeftButton);
     EXPECT_TRUE(waitFor([&] { return !cancel->isVisible(); }, 10'000));
 }

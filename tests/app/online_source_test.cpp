@@ -275,7 +275,11 @@ TEST_F(OnlineSourceTest, BackToLiveGoesOnWhereItRan) {
     ASSERT_TRUE(waitFor([&] { return window->control().status().state == controller::State::Paused; }));
     window->action("time.back")->trigger();
     window->action("time.live")->trigger();
-    QTest::qWait(100);
+    // Commands are carried out in their order: were it running, one scan more would not be all.
+    const uint64_t scans = window->control().status().scans;
+    window->action("run.scan")->trigger();
+    ASSERT_TRUE(waitFor([&] { return window->control().status().scans > scans; }));
+    EXPECT_EQ(window->control().status().scans, scans + 1);
     EXPECT_EQ(window->control().status().state, controller::State::Paused) << "it stood before as well";
 }
 

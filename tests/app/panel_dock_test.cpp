@@ -79,7 +79,7 @@ TEST_F(PanelDockReadOnlyTest, WithoutAFolderToWriteTheAlarmHistoryIsInMemoryAndT
 
 TEST_F(PanelDockTest, ARecordingFromAFileIsShownInThePanelAndCanNotBeWritten) {
     runUntilRaised();
-    QTest::qWait(60);
+    ASSERT_TRUE(waitFor([&] { return window->control().status().state == controller::State::Paused; }));
     const QString path = folder.path() + "/before.rec";
     ASSERT_TRUE(window->live().saveRecording(path));
     const auto shown = [&] { return player().values()->value(player().values()->bind("Main.counter")).toNumber(); };
@@ -91,7 +91,8 @@ TEST_F(PanelDockTest, ARecordingFromAFileIsShownInThePanelAndCanNotBeWritten) {
 
     ASSERT_TRUE(window->live().openRecording(path));
     EXPECT_EQ(shown(), recorded) << "the newest scan of the file, while the controller goes on";
-    QTest::qWait(80);
+    const uint64_t opened = window->control().session()->status().scans;
+    ASSERT_TRUE(waitFor([&] { return window->control().session()->status().scans > opened + 5; }));
     EXPECT_EQ(shown(), recorded);
     EXPECT_EQ(player().values()->freshness(), hmi::Freshness::Past);
     EXPECT_EQ(player()

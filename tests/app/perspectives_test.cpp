@@ -4,6 +4,7 @@
 #include "app/project_tree.h"
 #include "app/translation.h"
 #include "tests/app/studio_fixture.h"
+#include "tests/support/settle.h"
 
 #include <QAction>
 #include <QDockWidget>
@@ -64,7 +65,7 @@ TEST_F(PerspectivesTest, OpeningAProjectKeepsTheSizeOfTheWindow) {
     window->resize(1024, 700);
     ASSERT_TRUE(waitFor([&] { return window->size() == QSize(1024, 700); }));
     ASSERT_TRUE(window->openProject(folder.path()));
-    QTest::qWait(50); // what the docks have posted
+    settle(); // what the docks have posted
     EXPECT_EQ(window->size(), QSize(1024, 700));
 }
 

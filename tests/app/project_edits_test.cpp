@@ -7,6 +7,7 @@
 #include "app/search_view.h"
 #include "app/start_page.h"
 #include "tests/app/studio_fixture.h"
+#include "tests/support/settle.h"
 
 #include <QAbstractButton>
 #include <QAction>
@@ -352,7 +353,9 @@ TEST_F(ProjectEditsTest, AFileDeletedOutsideStaysWhileItIsEditedHere) {
     StEditor& here = open("src/motor.st");
     QTest::keyClicks(&here, "//");
     ASSERT_TRUE(QFile::remove(folder.path() + "/src/motor.st"));
-    QTest::qWait(300);
+    // A file that comes later is seen later: then the one that went has been seen as well.
+    write("src/later.st", "FUNCTION_BLOCK Later\nEND_FUNCTION_BLOCK\n");
+    ASSERT_TRUE(waitFor([&] { return window->workspace().files().contains("src/later.st"); }));
     ASSERT_NE(window->tabs().pageOf("src/motor.st"), nullptr);
     ASSERT_TRUE(window->workspace().save("src/motor.st"));
     EXPECT_TRUE(QFile::exists(folder.path() + "/src/motor.st"));
@@ -392,7 +395,8 @@ TEST_F(ProjectEditsTest, AnEmptyProjectAndOneWithoutAProgramAreQuiet) {
     EXPECT_EQ(window->tabs().count(), 0);
     for (const char* id : {"run.start", "edit.rename", "edit.find", "edit.undo", "edit.format", "view.split"})
         if (window->action(id)->isEnabled()) window->action(id)->trigger();
-    QTest::qWait(300);
+    ASSERT_TRUE(waitFor([&] { return !window->control().isBuilding(); }));
+    settle();
     const std::string name(200, 'n');
     ASSERT_TRUE(window->workspace().addFile("src/long.st", unitText("block", name)));
     EXPECT_TRUE(waitFor([&] { return item(QString::fromStdString(name)) != nullptr; }));

@@ -168,7 +168,7 @@ protected:
         if (!m_window->isVisible()) m_window->show();
         if (m_window->workspace().isOpen()) return;
         m_window->openProject(project());
-        for (int i = 0; i < 400 && !m_window->workspace().model(); ++i) QTest::qWait(10);
+        (void)QTest::qWaitFor([&] { return m_window->workspace().model() != nullptr; }, 20'000);
     }
 
     /// The window that takes events now: a menu or dialog, else mostly the main window, sometimes another that is open.
@@ -360,10 +360,10 @@ TEST_F(RandomEvents, NeitherCrashNorLoseAText) {
             if (HasFatalFailure()) FAIL() << "after event " << i << " of seed " << seed;
         }
         if (qobject_cast<QWidget*>(QApplication::activeModalWidget()) || QApplication::activePopupWidget())
-            QTest::qWait(15);
+            QTest::qWait(15); // a duration: Answers looks for dialogs by a timer
     }
-    for (int i = 0; i < 100 && (QApplication::activeModalWidget() || QApplication::activePopupWidget()); ++i)
-        QTest::qWait(15);
+    (void)QTest::qWaitFor([] { return !QApplication::activeModalWidget() && !QApplication::activePopupWidget(); },
+                          20'000);
     openAgain();
     checkTexts();
 }

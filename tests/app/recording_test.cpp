@@ -14,7 +14,12 @@ TEST_F(StudioTest, AnOpenedRecordingIsShownEverywhereUntilOneGoesBack) {
     ASSERT_TRUE(waitFor([&] { return window->control().value("Main.counter").text.toInt() > 5; }));
     window->action("run.pause")->trigger();
     ASSERT_TRUE(waitFor([&] { return window->control().status().state == controller::State::Paused; }));
-    QTest::qWait(60);
+    const auto newest = [&] {
+        const session::Session& session = *window->control().session();
+        const auto counter = session.expression("Main.counter");
+        return counter ? counter->number(session.snapshot()) : std::nullopt;
+    };
+    ASSERT_TRUE(waitFor([&] { return window->control().value("Main.counter").text.toDouble() == newest(); }));
     const QString recorded = window->control().value("Main.counter").text;
     const QString path = folder.path() + "/before.rec";
     ASSERT_TRUE(window->live().saveRecording(path));

@@ -40,10 +40,7 @@ TEST(StartPageTest, SeesTraceAndPanelAndIsToldWhatToPress) {
                           std::filesystem::copy_options::recursive);
     ASSERT_TRUE(window.openProject(QString::fromStdString(copy)));
     window.startTour();
-    const auto waitFor = [&](const std::function<bool()>& condition) {
-        while (timer.elapsed() < 10'000 && !condition()) QTest::qWait(10);
-        return condition();
-    };
+    const auto waitFor = [&](const std::function<bool()>& condition) { return QTest::qWaitFor(condition, 10'000); };
     EXPECT_TRUE(waitFor([&] {
         return window.live().player() && window.live().player()->isVisible() && window.live().traceView().isVisible();
     }));

@@ -4,6 +4,7 @@
 #include "editor/debug/debug_views.h"
 #include "editor/debug/watch_view.h"
 #include "tests/app/studio_fixture.h"
+#include "tests/support/settle.h"
 
 #include <QAction>
 #include <QLabel>
@@ -409,9 +410,11 @@ TEST_F(SteppingTest, SavingAtABreakpointChangesAtTheEndOfTheScan) {
     const auto at = static_cast<uint32_t>(editor().utf8().find("counter + 1"));
     editor().applyEdits({{{FileId(), at, at + 11}, "counter + 3"}});
     analysed();
+    QSignalSpy built(&window->control(), &editor::RunControl::buildFinished);
     QSignalSpy changed(&window->control(), &editor::RunControl::onlineChangeFinished);
     window->action("file.save")->trigger();
-    QTest::qWait(300);
+    ASSERT_TRUE(waitFor([&] { return built.count() == 1; }));
+    settle();
     EXPECT_TRUE(isHalted());
     EXPECT_EQ(changed.count(), 0);
     window->action("run.start")->trigger();

@@ -61,13 +61,13 @@ protected:
         timer.start();
         while (timer.elapsed() < ms) {
             if (condition()) return true;
-            QTest::qWait(10);
+            QTest::qWait(10); // a duration: how often it is asked
         }
         return condition();
     }
     /// The next analysis of the present text.
     void analysed() {
-        QTest::qWait(30);
+        QTest::qWait(30); // a duration: of the pause in typing, after which a check starts
         ASSERT_TRUE(waitFor([&] {
             const auto model = window->workspace().model();
             const auto file = model ? model->fileOf("src/main.st") : std::nullopt;

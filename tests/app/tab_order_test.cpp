@@ -1,6 +1,7 @@
 // The Tab key: around every dialog, and through every dock in the order of reading; what it skips is a command.
 #include "app/main_window.h"
 #include "tests/app/all_windows.h"
+#include "tests/support/settle.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
@@ -119,7 +120,7 @@ TEST_F(TabOrderTest, TabGoesThroughEveryDockInTheOrderOfReading) {
     size_t stops = 0;
     for (QDockWidget* dock : window->findChildren<QDockWidget*>()) {
         window->showDock(dock->objectName());
-        QTest::qWait(1);
+        settle();
         const std::vector<QWidget*> wanted = tabStopsOf(*dock->widget());
         stops += wanted.size();
         EXPECT_TRUE(!wanted.empty() || (dock->widget()->focusPolicy() & Qt::TabFocus))

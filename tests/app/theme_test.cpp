@@ -3,6 +3,7 @@
 #include "editor/kit/contrast.h"
 #include "editor/kit/theme.h"
 #include "tests/app/all_windows.h"
+#include "tests/support/settle.h"
 
 #include <QAbstractItemView>
 #include <QAbstractScrollArea>
@@ -179,11 +180,11 @@ TEST_F(ThemeTest, DrawingsAreWhiteOnBlackInHighContrast) {
     };
     StPage* page = window->tabs().openFile("src/steps.st");
     ASSERT_NE(page->showChart("Steps"), nullptr);
-    QTest::qWait(50);
+    settle();
     expectDrawn(*page, "chart");
     page = window->tabs().openFile("src/rungs.st");
     ASSERT_NE(page->showLadder("Rungs"), nullptr);
-    QTest::qWait(50);
+    settle();
     expectDrawn(*page, "ladder");
     expectDrawn(*window, "window");
 }

@@ -5,6 +5,7 @@
 #include "editor/plot/figure_view.h"
 #include "editor/tuning/tuning_view.h"
 #include "tests/app/studio_fixture.h"
+#include "tests/support/settle.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -104,10 +105,10 @@ protected:
     void keepPicture(const QString& name) {
         const QString folder = qEnvironmentVariable("STEPWISE_PICTURES");
         if (folder.isEmpty()) return;
-        QTest::qWait(50);
+        settle();
         EXPECT_TRUE(window->grab().save(folder + "/" + name + ".png"));
         view->setFixedSize(1000, 640); // as a window of its own on a small screen
-        QTest::qWait(30);
+        settle();
         EXPECT_TRUE(view->grab().save(folder + "/" + name + "_alone.png"));
         view->setMinimumSize(0, 0);
         view->setMaximumSize(QWIDGETSIZE_MAX, QWIDGETSIZE_MAX);

@@ -32,12 +32,7 @@ TEST(Tutorial, ItsStepsWork) {
     QTemporaryDir folder;
     const QString project = folder.path() + "/my_motor";
     ASSERT_TRUE(createProject(project.toStdString(), "My motor", "empty"));
-    const auto waitFor = [](const std::function<bool()>& condition) {
-        QElapsedTimer timer;
-        timer.start();
-        while (timer.elapsed() < 8000 && !condition()) QTest::qWait(10);
-        return condition();
-    };
+    const auto waitFor = [](const std::function<bool()>& condition) { return QTest::qWaitFor(condition, 8000); };
     MainWindow window;
     window.show();
     ASSERT_TRUE(window.openProject(project));

@@ -228,7 +228,7 @@ TEST_F(WatchTest, TheLogIsFilteredAndCopied) {
 TEST_F(WatchTest, ASingleScanIsOne) {
     window->action("run.scan")->trigger();
     ASSERT_TRUE(waitFor([&] { return window->control().status().scans > 0; }));
-    QTest::qWait(150);
+    ASSERT_TRUE(waitFor([&] { return window->control().status().state == controller::State::Paused; }));
     EXPECT_EQ(window->control().status().scans, 1u);
     EXPECT_EQ(window->control().value("Main.n").text, "1");
     window->action("run.scan")->trigger();

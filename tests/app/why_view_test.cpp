@@ -8,6 +8,7 @@
 #include "hmi/player/panel_why.h"
 #include "projects/storage/project_file.h"
 #include "tests/app/studio_fixture.h"
+#include "tests/support/settle.h"
 
 #include <QAction>
 #include <QContextMenuEvent>
@@ -331,7 +332,7 @@ TEST_F(WhyViewTest, WhatCannotBeAnsweredIsSaid) {
     window->inside().ask(kit::AskWhy::Who, "Main.n");
     window->control().disconnectSession();
     EXPECT_FALSE(window->inside().desk().isBusy());
-    QTest::qWait(50);
+    settle();
     EXPECT_EQ(why().tree().topLevelItemCount(), 0);
 }
 

@@ -63,7 +63,7 @@ Figures measure(session::Session& session, devices::Engine& engine, std::chrono:
     const auto due = controller.nextDue();
     int64_t sum = 0, scans = 0;
     while (std::chrono::steady_clock::now() - begin < length) {
-        std::this_thread::sleep_until(begin + (controller.nextDue() - due));
+        std::this_thread::sleep_until(begin + (controller.nextDue() - due)); // a duration: the controller's interval
         const auto before = std::chrono::steady_clock::now();
         (void)controller.scan();
         const int64_t taken = (std::chrono::steady_clock::now() - before).count();

@@ -69,6 +69,11 @@ bool runUntil(const std::function<bool()>& condition, int ms = 20'000) {
     return condition();
 }
 
+/// What the measured action is not to pay for: lists that are filled late, pictures that are drawn again.
+void letItRest() {
+    QTest::qWait(300); // a duration: nothing tells when the last of them is done
+}
+
 struct Figures {
     std::vector<double> ms;
     void add(double seconds) { ms.push_back(seconds * 1e3); }
@@ -139,7 +144,7 @@ int main(int argc, char** argv) {
     // ---- keystrokes
     Figures shown, key, gone;
     editor.goTo(middle);
-    QTest::qWait(300);
+    letItRest();
     for (int i = 0; i < 15; ++i) {
         begin = seconds(CLOCK_MONOTONIC);
         QTest::keyClick(editor.viewport(), 'y');
@@ -232,7 +237,7 @@ int main(int argc, char** argv) {
         paints.paints = 0;
         const double wall = seconds(CLOCK_MONOTONIC), thread = seconds(CLOCK_THREAD_CPUTIME_ID),
                      process = seconds(CLOCK_PROCESS_CPUTIME_ID);
-        QTest::qWait(runFor * 1000);
+        QTest::qWait(runFor * 1000); // a duration: over which is measured
         const double took = seconds(CLOCK_MONOTONIC) - wall, own = seconds(CLOCK_THREAD_CPUTIME_ID) - thread,
                      all = seconds(CLOCK_PROCESS_CPUTIME_ID) - process;
         const session::Status after = window.control().status();
@@ -241,16 +246,16 @@ int main(int argc, char** argv) {
                     static_cast<unsigned long long>(after.skippedScans - before.skippedScans), paints.paints / took);
         std::fflush(stdout);
     };
-    QTest::qWait(5000); // optimised code is made meanwhile
+    QTest::qWait(5000); // a duration: optimised code is made meanwhile
     measure("window: values, watch and trace");
     window.dock("trace")->hide();
-    QTest::qWait(300);
+    letItRest();
     measure("window: values and watch");
     window.dock("watch")->hide();
-    QTest::qWait(300);
+    letItRest();
     measure("window: values");
     window.action("view.values")->trigger();
-    QTest::qWait(300);
+    letItRest();
     measure("window: the program only");
     window.control().disconnectSession();
     return 0;

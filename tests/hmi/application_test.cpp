@@ -7,6 +7,7 @@
 #include "hmi/player/pop_up.h"
 #include "hmi/view/recipe_view.h"
 #include "running.h"
+#include "tests/support/settle.h"
 
 #include <QPushButton>
 #include <QTemporaryDir>
@@ -46,13 +47,13 @@ struct Plant {
         ASSERT_TRUE(element) << id;
         const QPoint at = view.toWidget(view.scene().shownRect(*element)).center().toPoint();
         QTest::mouseClick(&view, Qt::LeftButton, {}, at);
-        QTest::qWait(1);
+        settle();
     }
     void click(const char* id) { click(player->view(), id); }
     void clickAt(double x, double y) {
         QTest::mouseClick(&player->view(), Qt::LeftButton, {},
                           player->view().toWidget(QRectF(x, y, 0, 0)).topLeft().toPoint());
-        QTest::qWait(1);
+        settle();
     }
     bool waitFor(const char* expression) {
         const BindingId id = player->values()->bind(QString::fromUtf8(expression));
@@ -60,12 +61,11 @@ struct Plant {
     }
     template <class Box> Box* box() {
         Box* found = nullptr;
-        for (int i = 0; i < 100 && !found; ++i) {
+        EXPECT_TRUE(QTest::qWaitFor([&] {
             for (Box* one : player->findChildren<Box*>())
                 if (one->isVisible()) found = one;
-            if (!found) QTest::qWait(5);
-        }
-        EXPECT_TRUE(found);
+            return found != nullptr;
+        }));
         return found;
     }
     void enter(const char* text) {
@@ -73,7 +73,7 @@ struct Plant {
         if (!keypad) return;
         for (const char* c = text; *c; ++c) keypad->type(QString(QLatin1Char(*c)));
         keypad->accept();
-        QTest::qWait(1);
+        settle();
     }
     std::vector<AuditEntry> trail() const {
         const auto read = readAudit(folder.filePath(QStringLiteral(".stepwise/audit.csv")));
@@ -265,7 +265,7 @@ TEST(People, ACriticalWriteIsConfirmedAndSigned) {
         Question* question = plant.box<Question>();
         ASSERT_TRUE(question);
         QTest::mouseClick(question->findChildren<QPushButton*>().back(), Qt::LeftButton); // yes
-        QTest::qWait(5);
+        settle();
         plant.enter(password);
     };
     type("9999");

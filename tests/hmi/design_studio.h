@@ -5,6 +5,7 @@
 #include "running.h"
 
 #include "editor/kit/variable_picker.h"
+#include "tests/support/settle.h"
 
 #include <QAction>
 #include <QApplication>
@@ -29,7 +30,7 @@ struct Studio {
         designer = std::make_unique<PanelDesigner>(*context, QStringLiteral("main"));
         designer->resize(1400, 900);
         designer->show();
-        QTest::qWait(1);
+        settle();
         designer->canvas().setZoom(1);
     }
     const Panel& panel() const { return designer->document().panel(); }

@@ -9,6 +9,7 @@
 #include "hmi/designer/text_editor.h"
 
 #include "editor/kit/variable_picker.h"
+#include "tests/support/settle.h"
 
 #include <QAction>
 #include <QApplication>
@@ -51,7 +52,7 @@ TEST(Designer, APanelFromNothingIsDrawnRunPressedSeenAndSwitchedToAnotherLanguag
     studio.designer->action(QStringLiteral("live"))->trigger();
     ASSERT_TRUE(studio.designer->preview());
     PanelPlayer& player = *studio.designer->preview();
-    QTest::qWait(20);
+    settle();
     PanelView& view = player.view();
     const auto placeOf = [&](const ElementId& id) { return view.toWidget(studio.panel().find(id)->rect()); };
     const QImage dark = player.scene().picture();
@@ -155,7 +156,7 @@ TEST(Designer, VariablesAreDraggedFromTheListBesideTheElements) {
     studio.designer = std::make_unique<PanelDesigner>(*studio.context, QStringLiteral("main"));
     studio.designer->resize(1400, 900);
     studio.designer->show();
-    QTest::qWait(1);
+    settle();
     auto* tabs = studio.designer->findChild<QTabWidget*>();
     auto* picker = studio.designer->findChild<kit::VariablePicker*>();
     ASSERT_TRUE(tabs && picker);
@@ -189,7 +190,7 @@ TEST(Designer, ThePanelIsShownWholeUntilAZoomIsChosen) {
     PanelDesigner designer(context, QStringLiteral("main"));
     designer.resize(1000, 620);
     designer.show();
-    QTest::qWait(1);
+    settle();
     DesignCanvas& canvas = designer.canvas();
     const auto isWhole = [&] {
         return QRectF(canvas.viewport()->rect()).contains(canvas.toViewport(QRectF(0, 0, 640, 400)));
@@ -197,11 +198,11 @@ TEST(Designer, ThePanelIsShownWholeUntilAZoomIsChosen) {
     EXPECT_TRUE(isWhole());
     EXPECT_LT(canvas.zoom(), 1);
     designer.resize(860, 520);
-    QTest::qWait(1);
+    settle();
     EXPECT_TRUE(isWhole());
     designer.action(QStringLiteral("zoom-1"))->trigger();
     designer.resize(840, 520);
-    QTest::qWait(1);
+    settle();
     EXPECT_EQ(canvas.zoom(), 1);
 }
 

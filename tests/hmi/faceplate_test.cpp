@@ -5,6 +5,7 @@
 #include "hmi/designer/panel_designer.h"
 #include "hmi/view/faceplate_view.h"
 #include "running.h"
+#include "tests/support/settle.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -270,7 +271,7 @@ struct Studio {
         designer = std::make_unique<PanelDesigner>(context, QStringLiteral("main"));
         designer->resize(1400, 900);
         designer->show();
-        QTest::qWait(1);
+        settle();
         designer->canvas().setZoom(1);
     }
     const Panel& panel() const { return designer->document().panel(); }

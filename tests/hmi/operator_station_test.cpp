@@ -31,14 +31,14 @@ struct Operated : testing::Test {
         station = std::make_unique<OperatorStation>(project, &session);
         if (run) session.startThread({session::Pace::Factor, 5});
     }
-    /// Lets scan and alarms go on until something is so; at most ten seconds. The operator's clock stands still.
+    /// Lets scan and alarms go on until something is so; at most twenty seconds. The operator's clock stands still.
     template <class Condition> bool waitFor(Condition condition) {
-        for (int i = 0; i < 1000; ++i) {
-            station->frame(now);
-            if (condition()) return true;
-            QTest::qWait(10);
-        }
-        return false;
+        return QTest::qWaitFor(
+            [&] {
+                station->frame(now);
+                return condition();
+            },
+            20'000);
     }
     bool waitFor(const char* expression) {
         const BindingId id = station->values()->bind(QLatin1String(expression));

@@ -7,6 +7,7 @@
 
 #include "editor/kit/theme.h"
 #include "projects/storage/project_file.h"
+#include "tests/support/settle.h"
 
 #include <QAction>
 #include <QApplication>
@@ -31,11 +32,11 @@ struct Opened {
         designer = std::make_unique<PanelDesigner>(*context, QStringLiteral("tank"));
         designer->resize(1500, 900);
         designer->show();
-        QTest::qWait(20);
+        settle();
         designer->canvas().zoomToFit();
     }
     void save(const char* name) {
-        QTest::qWait(20);
+        settle();
         designer->grab().save(qEnvironmentVariable("STEPWISE_PICTURES") + u'/' + QLatin1String(name));
     }
 };

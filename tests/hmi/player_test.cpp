@@ -3,6 +3,7 @@
 
 #include "hmi/player/keypad.h"
 #include "hmi/player/player_status.h"
+#include "tests/support/settle.h"
 
 #include <QPushButton>
 #include <QSignalSpy>
@@ -135,7 +136,7 @@ TEST(Player, TheKeypadSpeaksTheLanguage) {
     press(QStringLiteral("٥"));
     press(QStringLiteral("موافق"));
     EXPECT_TRUE(machine.waitFor("Main.level = 9.5"));
-    QTest::qWait(1);
+    settle();
     open("da", 120);
     press(QStringLiteral("æ"));
     press(QStringLiteral("⇧"));

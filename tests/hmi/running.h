@@ -81,14 +81,14 @@ inline Panel panelOf(const std::string& elements) {
     return panel ? *panel : Panel();
 }
 
-/// Lets windows and the scan go on until something is so; at most five seconds.
+/// Lets windows and the scan go on until something is so; at most twenty seconds.
 template <class Condition> bool waitFor(PanelPlayer& player, Condition condition) {
-    for (int i = 0; i < 500; ++i) {
-        player.frame();
-        if (condition()) return true;
-        QTest::qWait(10);
-    }
-    return false;
+    return QTest::qWaitFor(
+        [&] {
+            player.frame();
+            return condition();
+        },
+        20'000);
 }
 
 } // namespace plc::hmi

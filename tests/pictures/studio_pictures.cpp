@@ -14,12 +14,12 @@
 #include "editor/plot/plot_view.h"
 #include "runtime/compiler/jit/jit.h"
 #include "runtime/controller/controller.h"
+#include "tests/support/settle.h"
 
 #include <QAction>
 #include <QApplication>
 #include <QDir>
 #include <QDockWidget>
-#include <QElapsedTimer>
 #include <QScreen>
 #include <QSettings>
 #include <QStackedWidget>
@@ -36,12 +36,7 @@ namespace {
 
 QString g_folder;
 
-bool waitFor(const std::function<bool()>& condition, int ms = 6000) {
-    QElapsedTimer timer;
-    timer.start();
-    while (timer.elapsed() < ms && !condition()) QTest::qWait(20);
-    return condition();
-}
+bool waitFor(const std::function<bool()>& condition, int ms = 6000) { return QTest::qWaitFor(condition, ms); }
 
 void copyProject(const QString& from, const QString& to) {
     QDir().mkpath(to);
@@ -54,7 +49,7 @@ void copyProject(const QString& from, const QString& to) {
 }
 
 void save(QWidget& window, const QString& name) {
-    QTest::qWait(150);
+    QTest::qWait(600); // a duration: values refresh, a list slides and a curve is drawn some frames later
     const QString file = g_folder + "/" + name + (kit::colors().dark ? "_dark" : "_light") + ".png";
     // The screen, so that lists and tips over the window are seen, too.
     const QPixmap picture = window.screen()->grabWindow(0, window.x(), window.y(), window.width(), window.height());
@@ -86,7 +81,6 @@ void takeLoop(app::MainWindow& window, const QString& project) {
     QTest::keyClick(editor.viewport(), Qt::Key_Return);
     waitFor([&] { return window.problems().errorCount() > 1; });
     window.showDock("problems");
-    QTest::qWait(300);
     save(window, "problems");
     QTest::keyClicks(editor.viewport(), "pid.q");
     waitFor([&] { return editor.isListActive(); }, 1500);
@@ -111,7 +105,6 @@ void takeLoop(app::MainWindow& window, const QString& project) {
     window.resizeDocks({window.dock("watch"), window.dock("panel")}, {560, 160}, Qt::Vertical);
     window.resizeDocks({window.dock("watch")}, {560}, Qt::Horizontal);
     window.showDock("tasks");
-    QTest::qWait(700);
     save(window, "watch");
     window.control().unforce("Main.Kp");
     tree.topLevelItem(0)->setText(3, QString());
@@ -119,7 +112,6 @@ void takeLoop(app::MainWindow& window, const QString& project) {
     window.resetLayout();
 
     window.showDock("tasks");
-    QTest::qWait(600);
     save(window, "task_monitor");
 
     const int line =
@@ -129,7 +121,6 @@ void takeLoop(app::MainWindow& window, const QString& project) {
     window.control().toggleBreakpoint("src/main.st", line);
     waitFor([&] { return window.control().status().state == controller::State::Halted; });
     window.showDock("callPath");
-    QTest::qWait(300);
     save(window, "breakpoint");
     window.control().setBreakpoints({});
     window.control().start();
@@ -149,7 +140,6 @@ void takeLoop(app::MainWindow& window, const QString& project) {
     trace.plot()->setCursor(1, 4'950'000'000);
     for (QAction* action : trace.findChildren<QAction*>())
         if (action->text() == "Measure" && !action->isChecked()) action->trigger();
-    QTest::qWait(400);
     save(window, "trace");
 
     // Back in time: every window shows that scan.
@@ -158,19 +148,17 @@ void takeLoop(app::MainWindow& window, const QString& project) {
     trace.plot()->setCursorsShown(false);
     window.resetLayout();
     window.control().pause();
-    QTest::qWait(200);
+    waitFor([&] { return window.control().status().state == controller::State::Paused; });
     trace.plot()->setRange(3'000'000'000, 7'000'000'000);
     const auto position = window.live().traceView().recording()->positionAt(5'100'000'000);
     window.live().slider().variable()->setText("Main.SetPoint");
     window.live().slider().setPosition(position);
-    QTest::qWait(400);
     save(window, "time_slider");
     window.control().disconnectSession();
-    QTest::qWait(100);
+    settle();
 
     hideDocks(window);
     window.openDesigner("loop");
-    QTest::qWait(600);
     save(window, "panel_designer_studio");
 }
 
@@ -202,7 +190,8 @@ void takeInside(app::MainWindow& window, const QString& project) {
     waitFor([&] { return window.control().status().scans > 30; }, 8000);
     (void)window.control().write("Plant.StartButton", "TRUE");
     waitFor([&] { return window.control().value("IO.K1").isTrue; }, 8000);
-    QTest::qWait(300);
+    const uint64_t pressed = window.control().status().scans;
+    waitFor([&] { return window.control().status().scans > pressed + 20; }); // as long as a finger
     (void)window.control().write("Plant.StartButton", "FALSE");
     waitFor([&] { return window.control().value("Plant.Speed").text.toDouble() > 600; }, 8000);
     window.action("run.pause")->trigger();
@@ -213,7 +202,6 @@ void takeInside(app::MainWindow& window, const QString& project) {
     waitFor([&] { return window.inside().whyView().tree().topLevelItemCount() > 0; }, 8000);
     window.resizeDocks({window.dock("why")}, {330}, Qt::Vertical);
     waitFor([&] { return editor.exactText().has_value(); }, 8000);
-    QTest::qWait(400);
     save(window, "inside_why");
 
     window.dock("why")->hide();
@@ -226,14 +214,12 @@ void takeInside(app::MainWindow& window, const QString& project) {
         return shown.text(line).contains("MIN(");
     };
     for (int i = 0; i < 30 && !isAtTheSpeed(); ++i) window.action("run.stepOver")->trigger();
-    QTest::qWait(400);
     save(window, "inside_walk");
     window.inside().slowScan().close();
     window.dock("slowScan")->hide();
 
     window.action("time.coverage")->trigger();
     waitFor([&] { return !editor.coverageAt(editor.lineAt(QPoint(10, 200))).isEmpty(); }, 8000);
-    QTest::qWait(400);
     save(window, "inside_coverage");
     window.action("time.noCoverage")->trigger();
     window.control().disconnectSession();

@@ -6,6 +6,7 @@
 #include "runtime/compiler/jit/jit.h"
 #include "runtime/controller/controller.h"
 #include "tests/app/all_windows.h"
+#include "tests/support/settle.h"
 
 #include <QAbstractButton>
 #include <QComboBox>
@@ -104,7 +105,7 @@ TEST_P(FitTest, NoTextIsCut) {
     int seen = 0;
     const QRect screen(QPoint(), windowSize());
     lookAtAll([&](QWidget& shown, const QString& name) {
-        QTest::qWait(20);
+        settle();
         QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest); // of values that changed just now
         keepPicture(shown, name);
         if (shown.isWindow() && (shown.width() > screen.width() || shown.height() > screen.height()))

@@ -3,6 +3,7 @@
 #include "projects/session/session.h"
 #include "runtime/compiler/jit/jit.h"
 #include "tests/projects/random_program.h"
+#include "tests/support/eventually.h"
 
 #include <gtest/gtest.h>
 
@@ -33,14 +34,6 @@ driver::Built build(const std::string& text) {
     for (const auto& d : built.checked.analysis->diagnostics) messages += d.message.english() + "\n";
     EXPECT_TRUE(built.program) << messages << built.failure.english();
     return built;
-}
-
-template <class Condition> bool eventually(Condition condition) {
-    for (int i = 0; i < 60'000; ++i) { // long enough for a sanitizer on a busy machine
-        if (condition()) return true;
-        std::this_thread::sleep_for(1ms);
-    }
-    return false;
 }
 
 const char* const kPlant = R"(
@@ -325,7 +318,7 @@ TEST(CompiledSession, AnyThreadMayWriteForceReadAndChangeTheProgramWhileScansRun
             session.write("Main.input", Value{TypeTable::of(TypeKind::Int), int64_t(i % 100)});
             session.force("%QX0.1", Value{TypeTable::of(TypeKind::Bool), int64_t(i % 2)});
             if (i % 10 == 0) session.unforceAll();
-            std::this_thread::sleep_for(200us);
+            std::this_thread::sleep_for(200us); // a duration: leaves the scan thread room on two cores
         }
     });
     std::thread reader([&] {
@@ -375,7 +368,7 @@ TEST(CompiledSession, ADeliberateRaceWithGeneratedCodeIsReported) {
             uint64_t n = 0;
             std::memcpy(&n, live + place->offset, sizeof n);
             sum += n;
-            std::this_thread::sleep_for(50us);
+            std::this_thread::sleep_for(50us); // a duration: the looks are spread over many scans
         }
         std::exit(sum == 1 ? 1 : 0); // the sanitizer turns 0 into its own exit code
     };

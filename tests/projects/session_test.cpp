@@ -1,5 +1,6 @@
 #include "projects/session/session.h"
 #include "tests/runtime/hand_made_program.h"
+#include "tests/support/eventually.h"
 
 #include <gtest/gtest.h>
 
@@ -64,13 +65,6 @@ driver::Built program(std::chrono::nanoseconds interval = 1ms, std::chrono::nano
 Value dint(int64_t number) { return Value{TypeTable::of(TypeKind::Dint), number}; }
 Value boolean(bool value) { return Value{TypeTable::of(TypeKind::Bool), int64_t(value)}; }
 
-template <class Condition> bool eventually(Condition condition) {
-    for (int i = 0; i < 60'000; ++i) { // long enough for a sanitizer on a busy machine
-        if (condition()) return true;
-        std::this_thread::sleep_for(1ms);
-    }
-    return false;
-}
 template <class T> T shown(const Session& session, uint32_t offset) {
     const std::vector<std::byte> image = session.snapshot();
     return image.empty() ? T{} : valueAt<T>(image, offset);
@@ -285,7 +279,7 @@ TEST(Session, AnyThreadMayPostAndReadWhileScansRun) {
             const history::Statistics recorded = session.history().statistics();
             if (recorded.end > 0) (void)session.history().seek(recorded.end - 1);
             if (number == 1 && i % 20 == 0) session.changeProgram(program(), {});
-            std::this_thread::sleep_for(100us);
+            std::this_thread::sleep_for(100us); // a duration: leaves the scan thread room on two cores
         }
     };
     std::thread a(use, 1), b(use, 2);

@@ -12,6 +12,7 @@ using types::TypeKind;
 namespace {
 constexpr int64_t kDay = 86'400'000'000'000; // ns
 
+// All are a signed count of nanoseconds, dates from 1970.
 bool isTime(Family f) {
     return f == Family::Duration || f == Family::Date || f == Family::TimeOfDay || f == Family::DateTime;
 }
@@ -29,12 +30,14 @@ llvm::Value* FunctionEmitter::integerToReal(Value* value, types::TypeId from, ll
 }
 
 llvm::Value* FunctionEmitter::startOfDay(Value* nanoseconds) {
+    // Rounds down also before 1970, where the remainder is negative.
     Value* rest = b.CreateSRem(nanoseconds, int64(kDay));
     Value* below = b.CreateSelect(b.CreateICmpSLT(rest, int64(0)), int64(kDay), int64(0));
     return b.CreateSub(b.CreateSub(nanoseconds, rest), below);
 }
 
 llvm::Value* FunctionEmitter::fitTime(Value* nanoseconds, TypeKind to) {
+    // A DT has a date and a time of day: each takes its part, as types::convert does.
     const Family family = types::familyOf(to);
     if (family == Family::Date) return startOfDay(nanoseconds);
     if (family == Family::TimeOfDay) return b.CreateSub(nanoseconds, startOfDay(nanoseconds));
@@ -43,8 +46,10 @@ llvm::Value* FunctionEmitter::fitTime(Value* nanoseconds, TypeKind to) {
 
 /// A whole (already rounded) real as an integer: saturating, NaN gives 0.
 llvm::Value* FunctionEmitter::realToInteger(Value* whole, types::TypeId to) {
+    // ONE: false for 0 and for NaN.
     if (m.types().storageKind(to) == TypeKind::Bool)
         return b.CreateFCmpONE(whole, llvm::Constant::getNullValue(whole->getType()));
+    // The saturating intrinsics: plain fptosi is undefined out of range, and processors differ.
     const bool s = isSigned(m.types().family(to));
     return b.CreateIntrinsic(s ? llvm::Intrinsic::fptosi_sat : llvm::Intrinsic::fptoui_sat,
                              {m.scalarType(to), whole->getType()}, {whole});
@@ -53,8 +58,10 @@ llvm::Value* FunctionEmitter::realToInteger(Value* whole, types::TypeId to) {
 llvm::Value* FunctionEmitter::convert(Value* value, types::TypeId from, types::TypeId to, Value**) {
     const TypeKind source = m.types().storageKind(from), target = m.types().storageKind(to);
     llvm::Type* wanted = m.scalarType(to);
+    // By storage: a subrange or an enumeration is converted as its base.
     if (source == target) return value;
     const Family fromFamily = m.types().family(from), toFamily = m.types().family(to);
+    // From real, from time, from everything else: within each, special targets first.
     if (fromFamily == Family::Real) {
         if (toFamily == Family::Real) return b.CreateFPCast(value, wanted);
         if (isTime(toFamily)) {
@@ -63,14 +70,17 @@ llvm::Value* FunctionEmitter::convert(Value* value, types::TypeId from, types::T
                                 {wide, int32(static_cast<uint32_t>(target))});
         }
         if (target == TypeKind::Bool) return realToInteger(value, to);
+        // Rounds halves to even (IEC 60559), as the standard asks of REAL_TO_INT (2.5.1.5.1).
         return realToInteger(b.CreateUnaryIntrinsic(llvm::Intrinsic::roundeven, value), to);
     }
     if (isTime(fromFamily)) {
         if (isTime(toFamily)) return fitTime(value, target);
         if (target == TypeKind::Bool) return b.CreateICmpNE(value, int64(0));
+        // TIME_TO_DINT gives milliseconds, DATE_TO_… days: each kind has the unit it had before times became 64 bits.
         const int64_t unit = types::nanosecondsOf(source);
         Value* count = unit == 1 ? value : b.CreateSDiv(value, int64(unit));
         if (toFamily == Family::Real) return b.CreateSIToFP(count, wanted);
+        // Wraps, like every narrowing of integers that is written out.
         return b.CreateTrunc(count, wanted);
     }
     // Integers, bits, BOOL, characters, pointers.
@@ -84,9 +94,11 @@ llvm::Value* FunctionEmitter::convert(Value* value, types::TypeId from, types::T
     return castInteger(value, from, wanted);
 }
 
+// A conversion as it is in the tree, with ENO where the call had one.
 llvm::Value* FunctionEmitter::convertExpr(const Expr& expr) {
     if (m.types().isText(expr.a->type)) {
         Value* result = convertText(*expr.a, expr.type);
+        // Only text can fail to be a number; every other conversion sets ENO.
         if (expr.ok) storeOk(expr, b.CreateICmpNE(b.CreateLoad(m.i8, okSlot()), b.getInt8(0)));
         return result;
     }
@@ -100,6 +112,7 @@ llvm::Value* FunctionEmitter::convertExpr(const Expr& expr) {
 }
 
 llvm::Value* FunctionEmitter::okSlot() {
+    // One for the function: it is read directly after each call that writes it.
     if (!m_ok) m_ok = newSlot(m.i8, "ok");
     return m_ok;
 }
@@ -120,6 +133,7 @@ llvm::Value* FunctionEmitter::convertText(const Expr& expr, types::TypeId to) {
                                            ModuleEmitter::Effects::WritesArguments),
                                   {from.pointer, from.capacity, kind, ok});
     if (m.scalarType(to) == m.i1) return b.CreateICmpNE(integer, int64(0));
+    // The library has already held the number within the range of `kind`.
     return b.CreateTrunc(integer, m.scalarType(to));
 }
 

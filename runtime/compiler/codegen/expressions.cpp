@@ -1,3 +1,6 @@
+// Values. What an operation means is written in library/evaluate.cpp, which folds constants and serves watches; the
+// agreement tests compare both on random programs, so a difference here is a difference between a constant and a
+// variable.
 #include "runtime/compiler/codegen/emitter.h"
 
 #include <cstring>
@@ -19,6 +22,7 @@ bool isSignedNumber(Family family) {
 } // namespace
 
 llvm::Value* FunctionEmitter::scalar(const Expr& expr) {
+    // Watched code tells each value; a counter has no address that could be told.
     if (m.options.watched && expr.kind == ExprKind::Load && !counterOf(*expr.place)) return watchedLoad(expr);
     Value* value = plainScalar(expr);
     watchValue(expr, value);
@@ -31,6 +35,7 @@ llvm::Value* FunctionEmitter::plainScalar(const Expr& expr) {
         return scalarConstant(expr.value, expr.type);
     case ExprKind::Load:
         if (const Counter* counter = counterOf(*expr.place))
+            // The variable itself is written as well in each pass; its register is quicker and its range is known.
             return b.CreateTrunc(b.CreateLoad(m.i64, counter->value), m.scalarType(expr.type));
         return load(readAddress(*expr.place));
     case ExprKind::Unary:
@@ -53,6 +58,7 @@ llvm::Value* FunctionEmitter::plainScalar(const Expr& expr) {
         return intrinsic(expr);
     case ExprKind::Call: {
         const Returned returned = call(*expr.call);
+        // A call without a result, as an operand of something the checker has refused.
         return returned.result ? returned.result
                                : static_cast<Value*>(llvm::Constant::getNullValue(
                                      m.isScalar(expr.type) ? m.scalarType(expr.type) : m.i64));
@@ -78,6 +84,7 @@ llvm::Value* FunctionEmitter::scalarConstant(const types::Value& value, types::T
         const double real = std::holds_alternative<double>(value.data)    ? value.real()
                             : std::holds_alternative<int64_t>(value.data) ? static_cast<double>(value.integer())
                                                                           : 0.0;
+        // Rounded here once, from the LREAL that the literal was folded in.
         if (wanted->isFloatTy()) return llvm::ConstantFP::get(m.context, llvm::APFloat(static_cast<float>(real)));
         return llvm::ConstantFP::get(m.context, llvm::APFloat(real));
     }
@@ -90,6 +97,7 @@ llvm::Value* FunctionEmitter::unary(const Expr& expr) {
     Value* a = scalar(*expr.a);
     switch (expr.unary) {
     case library::UnaryOp::Negate:
+        // FNeg and not 0 - a: -0.0 has a sign.
         return a->getType()->isFloatingPointTy() ? b.CreateFNeg(a) : b.CreateNeg(a);
     case library::UnaryOp::Not:
         return b.CreateNot(a);
@@ -98,6 +106,7 @@ llvm::Value* FunctionEmitter::unary(const Expr& expr) {
 }
 
 llvm::Value* FunctionEmitter::binary(const Expr& expr) {
+    // A comparison's own type is BOOL; signs are those of what is compared.
     const types::TypeId type = expr.operandType.isValid() ? expr.operandType : expr.a->type;
     const bool isComparison = expr.binary >= BinaryOp::Equal;
     if (m.types().isText(expr.a->type) || m.types().isText(expr.b->type)) {
@@ -109,21 +118,25 @@ llvm::Value* FunctionEmitter::binary(const Expr& expr) {
         }
         return textCompare(expr.binary, a, text(*expr.b));
     }
+    // By bytes, only where the checker allows it.
     if (m.types().isAggregate(expr.a->type) && isComparison) {
         const Address a = aggregate(*expr.a);
         const Address c = aggregate(*expr.b);
+        // Comparing a megabyte takes as long as a loop over it.
         chargeUnits(facts::copyUnits(m.types()[expr.a->type].size));
         Value* same = b.CreateCall(
             m.helper("plc_compare_bytes", m.i32, {m.ptr, m.ptr, m.i32}, ModuleEmitter::Effects::ReadsArguments),
             {pointer(a), pointer(c), int32(m.types()[expr.a->type].size)});
         return expr.binary == BinaryOp::NotEqual ? b.CreateICmpNE(same, int32(0)) : b.CreateICmpEQ(same, int32(0));
     }
+    // Both operands before the operation, from left to right.
     Value* a = scalar(*expr.a);
     Value* c = scalar(*expr.b);
     if (isComparison) return compare(expr.binary, a, c, type);
     const bool isReal = a->getType()->isFloatingPointTy();
     switch (expr.binary) {
     case BinaryOp::Add:
+        // Without nsw: integers wrap (D11), and LLVM must not conclude anything from an overflow.
         return isReal ? b.CreateFAdd(a, c) : b.CreateAdd(a, c);
     case BinaryOp::Subtract:
         return isReal ? b.CreateFSub(a, c) : b.CreateSub(a, c);
@@ -133,6 +146,7 @@ llvm::Value* FunctionEmitter::binary(const Expr& expr) {
         if (isReal) return b.CreateFDiv(a, c);
         return divide(a, c, type, false, expr.b);
     case BinaryOp::Modulo:
+        // LLVM's frem would call a libm of its own choice.
         if (isReal) return mathCall("plc_fmodf", "plc_fmod", {a, c});
         return divide(a, c, type, true, expr.b);
     case BinaryOp::And:
@@ -149,6 +163,7 @@ llvm::Value* FunctionEmitter::binary(const Expr& expr) {
 /// Integer division: 0 faults; MIN / -1 = MIN and MIN MOD -1 = 0 without the processor's trap.
 llvm::Value* FunctionEmitter::divide(Value* a, Value* c, types::TypeId type, bool isModulo, const Expr*) {
     llvm::Type* wanted = a->getType();
+    // A fault and not a value: the standard says "error", and a silent 0 hides the mistake in a plant.
     guard(b.CreateICmpEQ(c, llvm::Constant::getNullValue(wanted)), FaultCode::DivisionByZero);
     if (!isSignedNumber(m.types().family(type))) return isModulo ? b.CreateURem(a, c) : b.CreateUDiv(a, c);
     const unsigned width = wanted->getIntegerBitWidth();
@@ -160,6 +175,7 @@ llvm::Value* FunctionEmitter::divide(Value* a, Value* c, types::TypeId type, boo
     }
     if (const auto* known = llvm::dyn_cast<llvm::ConstantInt>(c); known && !known->isMinusOne())
         return isModulo ? b.CreateSRem(a, c) : b.CreateSDiv(a, c);
+    // idiv traps on MIN / -1: divided by 1 instead and negated, which wraps to MIN.
     Value* isMinusOne = b.CreateICmpEQ(c, llvm::Constant::getAllOnesValue(wanted));
     Value* safe = b.CreateSelect(isMinusOne, llvm::ConstantInt::get(wanted, 1), c);
     if (isModulo) return b.CreateSRem(a, safe);
@@ -174,6 +190,7 @@ llvm::Value* FunctionEmitter::compare(BinaryOp op, Value* a, Value* c, types::Ty
         case BinaryOp::Equal:
             return b.CreateFCmpOEQ(a, c);
         case BinaryOp::NotEqual:
+            // U: true with NaN. The others are O: false with NaN.
             return b.CreateFCmpUNE(a, c);
         case BinaryOp::Less:
             return b.CreateFCmpOLT(a, c);
@@ -209,6 +226,7 @@ llvm::Value* FunctionEmitter::compare(BinaryOp op, Value* a, Value* c, types::Ty
 llvm::Value* FunctionEmitter::shortCircuit(const Expr& expr) {
     const bool isAnd = expr.kind == ExprKind::AndThen;
     Value* a = scalar(*expr.a);
+    // Not the block that the condition began in: evaluating it may have made others.
     Block* from = b.GetInsertBlock();
     Block* second = newBlock("second");
     Block* done = newBlock("done");
@@ -232,6 +250,7 @@ llvm::Value* FunctionEmitter::conditional(const Expr& expr) {
     b.CreateCondBr(condition, yes, no);
     enter(yes);
     Value* first = scalar(*expr.b);
+    // Where the branch ends, which is seldom where it began.
     Block* yesEnd = b.GetInsertBlock();
     b.CreateBr(done);
     enter(no);
@@ -261,7 +280,9 @@ llvm::Value* FunctionEmitter::tryCast(const Expr& expr) {
     const types::Type& type = m.types()[expr.type];
     const types::TypeId wanted = type.kind == TypeKind::Interface ? expr.type : type.element;
     bool any = false;
+    // One byte for each block number: whether it is, or implements, what is wanted.
     llvm::GlobalVariable* flags = m.blockFlags(wanted, any);
+    // No block of the program could be it.
     if (!any) return int64(0);
     Block* from = b.GetInsertBlock();
     Block* look = newBlock("look");
@@ -287,6 +308,7 @@ llvm::Value* FunctionEmitter::tryCast(const Expr& expr) {
 // ---------------------------------------------------------------- aggregates
 
 Address FunctionEmitter::aggregate(const Expr& expr) {
+    // An aggregate is its address; who needs it to last copies it.
     const Address a = plainAggregate(expr);
     if (m.options.watched && expr.kind != ExprKind::Constant)
         watch(image::WatchKind::Bytes, &expr, b.CreatePtrToInt(pointer(a), m.i64), int64(m.types()[expr.type].size));
@@ -300,6 +322,8 @@ Address FunctionEmitter::plainAggregate(const Expr& expr) {
     case ExprKind::Constant: {
         const types::Type& type = m.types()[expr.type];
         std::vector<std::byte> bytes = type.initial;
+        // Constants are in the module and not in the image: nothing may write them, and they cost no room in a
+        // recording.
         bytes.resize(std::max(1u, type.size));
         if (expr.value.hasValue()) types::writeValue(m.types(), expr.type, expr.value, bytes);
         Address a;
@@ -322,6 +346,7 @@ Address FunctionEmitter::plainAggregate(const Expr& expr) {
     }
 }
 
+// Straight into the target where that is possible: an aggregate of a megabyte should be copied once.
 void FunctionEmitter::aggregateInto(const Expr& expr, const Address& target) {
     const uint32_t size = m.types()[expr.type].size;
     if (expr.kind == ExprKind::Call) {
@@ -333,6 +358,7 @@ void FunctionEmitter::aggregateInto(const Expr& expr, const Address& target) {
         copy(target, from, size);
         return;
     }
+    // Only the chosen one is evaluated: the other may be large, or fault.
     const bool isChoice = expr.kind == ExprKind::Conditional ||
                           (expr.kind == ExprKind::Intrinsic && expr.intrinsic == library::Intrinsic::Sel);
     if (isChoice) {
@@ -359,6 +385,7 @@ void FunctionEmitter::aggregateInto(const Expr& expr, const Address& target) {
         Block* lastBlock = newBlock("last");
         // As library/intrinsics.cpp: a negative K takes the first operand, one beyond the last takes the last.
         k = b.CreateSelect(b.CreateICmpSLT(k, int64(0)), int64(0), k);
+        // Aggregates are not evaluated before the choice: only one of them is copied.
         llvm::SwitchInst* choice = b.CreateSwitch(k, lastBlock);
         for (int64_t i = 0; i <= last; ++i) {
             Block* block = i == last ? lastBlock : newBlock("choice");
@@ -379,15 +406,19 @@ void FunctionEmitter::aggregateInto(const Expr& expr, const Address& target) {
 
 // ---------------------------------------------------------------- what is known about a value
 
+// What values an index can have, from its types, constants and counters: enough to leave out most checks of loops over
+// arrays. Everything here has to be true for every value that the code can compute.
 Range FunctionEmitter::rangeOf(const Expr& expr) {
     const Family family = m.types().family(expr.type);
     // Of types of eight bytes nothing is assumed: ULINT does not fit into a Range.
+    // What any value of the type can be; every rule below may only narrow it.
     Range own;
     if (m.isScalar(expr.type) && (types::isInteger(family) || family == Family::Bool) &&
         m.types()[m.types().storage(expr.type)].size < 8) {
         const auto [low, high] = types::TypeTable::integerRange(m.types().storageKind(expr.type));
         own = {low, static_cast<int64_t>(high)};
     }
+    // A result beyond the type's range wraps, and then nothing is known.
     const auto within = [&](Range r) { return r.low >= own.low && r.high <= own.high ? r : own; };
     switch (expr.kind) {
     case ExprKind::Constant:
@@ -415,6 +446,7 @@ Range FunctionEmitter::rangeOf(const Expr& expr) {
             if (__builtin_sub_overflow(a.low, c.high, &r.low) || __builtin_sub_overflow(a.high, c.low, &r.high))
                 return own;
             return within(r);
+        // Only by a constant that is not negative: otherwise the ends may change places.
         case BinaryOp::Multiply:
             if (c.low != c.high || c.low < 0 || __builtin_mul_overflow(a.low, c.low, &r.low) ||
                 __builtin_mul_overflow(a.high, c.low, &r.high))
@@ -428,6 +460,7 @@ Range FunctionEmitter::rangeOf(const Expr& expr) {
             if (c.low != c.high || c.low <= 0 || (family == Family::Unsigned && a.low < 0)) return own;
             if (family == Family::Bits && a.low < 0) return own;
             return within({a.low / c.low, a.high / c.low});
+        // i AND 16#F is within 0..15, which is how rings are indexed.
         case BinaryOp::And:
             if (c.low == c.high && c.low >= 0) return within({0, c.low});
             return own;

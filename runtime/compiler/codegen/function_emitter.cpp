@@ -1,3 +1,5 @@
+// One function of the program as one LLVM function. Quick code (each statement stops on demand, everything in memory)
+// and optimised code come from the same emitter; where they differ, isQuick() is asked.
 #include "runtime/compiler/codegen/emitter.h"
 
 #include <algorithm>
@@ -11,6 +13,7 @@ using types::TypeKind;
 
 namespace {
 /// The slots of VAR_IN_OUT that a body follows, and those that it binds itself.
+// Walks the body once before it is emitted: what is followed at the entry has to be known there.
 class SlotFinder : public Walker {
 public:
     std::vector<const tree::Place*> slots, bound;
@@ -46,6 +49,8 @@ FunctionEmitter::FunctionEmitter(ModuleEmitter& module, uint32_t index)
 }
 
 void FunctionEmitter::emit() {
+    // The blocks of a function: "entry" with all slots, "start" with the prologue, the body, and "return", which every
+    // way out goes through.
     emitPrologue();
     body(m_tree.body);
     jump(m_return);
@@ -56,11 +61,14 @@ void FunctionEmitter::emit() {
 /// What a function takes of the machine's own stack is known only when there is machine code. Where it may be much, the
 /// function asks for room at its entry; the others are bounded by the depth of calls (jit/stack_use.h).
 void FunctionEmitter::guardStack() {
+    // LLVM keeps about one value for each of these alive at worst; below, the fixed room for a depth of calls is
+    // enough.
     constexpr unsigned kManyInstructions = 256, kManyParameters = 32;
     if (!m.options.guardsEveryStack && m_function->getInstructionCount() <= kManyInstructions &&
         m_function->arg_size() <= kManyParameters)
         return;
     m_function->addFnAttr(kGuardsStack);
+    // Between "entry" and "start", since only now is known how long the body is.
     Block* start = llvm::cast<llvm::BranchInst>(m_entryEnd)->getSuccessor(0);
     Block* check = newBlock("stack");
     llvm::cast<llvm::BranchInst>(m_entryEnd)->setSuccessor(0, check);
@@ -77,11 +85,13 @@ FunctionEmitter::Block* FunctionEmitter::newBlock(const char* name) {
 }
 
 void FunctionEmitter::jump(Block* target) {
+    // A body that ended in RETURN has closed its block.
     if (!b.GetInsertBlock()->getTerminator()) b.CreateBr(target);
 }
 
 /// At the entry: one slot however often the place is passed, and one that the optimiser takes into a register.
 llvm::AllocaInst* FunctionEmitter::newSlot(llvm::Type* type, const char* name) {
+    // An alloca anywhere else would take stack in each pass of a loop, and mem2reg leaves it alone.
     llvm::IRBuilder<> entry(m_entryEnd);
     llvm::AllocaInst* slot = entry.CreateAlloca(type, nullptr, name);
     entry.CreateStore(llvm::Constant::getNullValue(type), slot);
@@ -91,6 +101,7 @@ llvm::AllocaInst* FunctionEmitter::newSlot(llvm::Type* type, const char* name) {
 llvm::Value* FunctionEmitter::contextField(size_t at) { return b.CreateConstInBoundsGEP1_64(m.i8, m_context, at); }
 
 llvm::LoadInst* FunctionEmitter::loadContext(llvm::Type* type, size_t at) {
+    // With a TBAA tag of its own: writing the image never changes the context, so it can stay in registers.
     llvm::LoadInst* value = b.CreateLoad(type, contextField(at));
     if (!m.isQuick()) value->setMetadata(llvm::LLVMContext::MD_tbaa, m.contextTag());
     return value;
@@ -101,10 +112,12 @@ void FunctionEmitter::storeContext(Value* value, size_t at) {
     if (!m.isQuick()) stored->setMetadata(llvm::LLVMContext::MD_tbaa, m.contextTag());
 }
 
+// Sites that do not stop (inside of a statement) still name the place of a fault.
 void FunctionEmitter::setSite(const tree::Stmt& stmt) {
     const auto [site, stops] = m.facts.sites().at(stmt);
     if (site == 0) return;
     m_site = site;
+    // Optimised code has no stops; its site is only there for faults.
     if (!m.isQuick() || !stops) return;
     b.CreateCall(m.siteCheck(), {m_context, int32(site)});
 }
@@ -118,6 +131,7 @@ FunctionEmitter::Block* FunctionEmitter::emitEntry() {
     b.SetInsertPoint(m_entryEnd);
     // THIS travels as a pointer, which the optimiser follows through inlining; its offset is for what asks for an
     // address
+    // Subtracting pointers into the same object is what LLVM can undo after inlining.
     if (m_tree.instanceType.isValid())
         m_this64 = b.CreateSub(b.CreatePtrToInt(m_thisPointer, m.i64), b.CreatePtrToInt(m_image, m.i64));
     else
@@ -129,6 +143,8 @@ FunctionEmitter::Block* FunctionEmitter::emitEntry() {
     m.patchFrameSize(next, 1, m_index);
     m_labels.assign(m_tree.labelCount + 1, nullptr);
     m_labelPlaced.assign(m_tree.labelCount + 1, false);
+    // A local is in a slot (a register later) or in the frame (kNoFrame says which): in the frame when its address is
+    // taken, when it is no scalar, and always in quick code, where a debugger looks at it.
     m_locals.assign(m_tree.locals.size(), nullptr);
     m_localBounds.resize(m_tree.locals.size());
     for (size_t i = 0; i < m_tree.locals.size(); ++i) {
@@ -142,11 +158,15 @@ FunctionEmitter::Block* FunctionEmitter::emitEntry() {
             m_locals[i] = newSlot(m.memoryType(local.type), "local");
         }
     }
+    // Not with __TRY: a fault comes back past the store that would write the register back.
     if (!m.isQuick() && m_facts.hasLoop && !m_facts.hasTry) m_budget = newSlot(m.i64, "budget");
     return start;
 }
 
+// The order is the promise: room for the frame is asked for before anything is written into it, the budget is paid
+// before work begins, and parameters are stored before initial values, which may use them.
 void FunctionEmitter::emitPrologue() {
+    // Temporaries begin behind the locals.
     m_temporaryTop = m_frameSize = m_facts.frame.size;
     enter(emitEntry());
     reloadBudget();
@@ -156,11 +176,13 @@ void FunctionEmitter::emitPrologue() {
             break;
         }
     // elsewhere the checker has added up the frames on every path of calls
+    // Quick code may be called in any order by the debugger, and recursion has no sum.
     if (m.isQuick() || m_facts.isUnbounded) {
         auto* tooFar = new llvm::ICmpInst(b.GetInsertBlock(), llvm::CmpInst::ICMP_UGT, m_frame64, int64(0));
         m.patchNeed(tooFar, 1, m_index);
         guard(tooFar, image::FaultCode::StackOverflow);
     }
+    // The machine's stack as well: 3 MiB of it are for generated code (kHostStack).
     if (m_facts.inCycle) {
         Value* here = b.CreatePtrToInt(b.CreateIntrinsic(llvm::Intrinsic::frameaddress, {m.ptr}, {int32(0)}), m.i64);
         guard(b.CreateICmpULT(here, loadContext(m.i64, offsetof(RuntimeContext, stackLimit))),
@@ -168,8 +190,10 @@ void FunctionEmitter::emitPrologue() {
     }
     chargeUnits(m.facts.work().atEntry(m_index));
 
+    // THIS and frame in one word, handed on with each report.
     if (m.options.watched) m_where = b.CreateOr(m_this64, b.CreateShl(m_frame64, int64(32)));
     watch(image::WatchKind::Begin, &m_tree, int64(m_index));
+    // Behind context, image, THIS and frame. The order is that of callArguments and abi.
     unsigned argument = 4;
     for (uint32_t i = 0; i < m_tree.locals.size(); ++i) {
         const Local& local = m_tree.locals[i];
@@ -208,6 +232,7 @@ void FunctionEmitter::emitPrologue() {
     if (!m.isQuick() && m_facts.hasSlots) {
         SlotFinder finder;
         finder.walkFunction(m_tree);
+        // A call of another block binds its in-outs in this very body: such a slot is followed at its use.
         std::set<uint32_t> bound; // a slot that is bound in this body is followed as it then is
         for (const tree::Place* place : finder.bound) {
             uint32_t at = place->offset;
@@ -243,13 +268,16 @@ void FunctionEmitter::emitPrologue() {
                 }
             }
             ok = b.CreateAnd(ok, isLive(raw, size));
+            // followSlot knows 0 and finds out then what is wrong.
             b.CreateStore(b.CreateSelect(ok, raw, int64(0)), slot.offset);
         }
     }
     for (uint32_t i = 0; i < m_tree.locals.size(); ++i)
+        // In each call: functions keep nothing.
         if (!m_tree.locals[i].isInOut && m_tree.locals[i].kind != LocalKind::Input) initialiseLocal(i);
 }
 
+// Locals begin in each call with what their type or declaration says; what a frame held before must not be seen.
 void FunctionEmitter::initialiseLocal(uint32_t index) {
     const Local& local = m_tree.locals[index];
     const types::Type& type = m.types()[local.type];
@@ -263,6 +291,7 @@ void FunctionEmitter::initialiseLocal(uint32_t index) {
         llvm::Constant* value = llvm::Constant::getNullValue(memory);
         if (!type.initial.empty()) {
             uint64_t bits = 0;
+            // Enumerations and subranges have initial bytes of their own; little endian, as the image is.
             std::memcpy(&bits, type.initial.data(), std::min<size_t>(8, type.initial.size()));
             value = memory->isIntegerTy() ? llvm::ConstantInt::get(memory, bits)
                     : memory->isFloatTy()
@@ -283,6 +312,7 @@ void FunctionEmitter::initialiseLocal(uint32_t index) {
         b.CreateMemCpy(pointer(target), llvm::MaybeAlign(1), m.constantBytes(bytes, 1), llvm::MaybeAlign(1), type.size);
     }
     if (!local.initial) return;
+    // Temporaries of the initial value are free behind it.
     const uint64_t top = m_temporaryTop;
     if (m.types().isText(local.type))
         textInto(*local.initial, textAt(target));
@@ -299,6 +329,7 @@ void FunctionEmitter::emitEpilogue() {
         b.CreateRetVoid();
     } else {
         std::vector<Value*> values;
+        // Read here and not where it was written: every way out comes by.
         if (m_abi.returnsScalar) values.push_back(load(localAddress(m_tree.resultLocal)));
         for (const uint32_t output : m_abi.scalarOutputs) values.push_back(load(localAddress(output)));
         if (values.size() == 1) {
@@ -310,6 +341,7 @@ void FunctionEmitter::emitEpilogue() {
         }
     }
     closeBlocks();
+    // Frames begin at multiples of 16, so that locals of every type are aligned.
     m.frameSizes[m_index] = (m_frameSize + 15) / 16 * 16;
 }
 
@@ -321,6 +353,7 @@ void FunctionEmitter::closeBlocks() {
 
 /// Beyond the greatest frame the offset means nothing: then the function is refused.
 uint32_t FunctionEmitter::allocateTemporary(uint64_t size, uint32_t align) {
+    // A stack: whoever takes the top back frees all behind it. The frame is as large as the highest top ever was.
     m_temporaryTop = (m_temporaryTop + align - 1) / align * align;
     const uint64_t at = m_temporaryTop;
     m_temporaryTop += std::max<uint64_t>(1, size);

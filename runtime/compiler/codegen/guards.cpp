@@ -19,6 +19,7 @@ llvm::BranchInst* FunctionEmitter::branchUnlikely(Value* condition, Block* rare,
 
 /// Leaves the scan with `code` when `isBad`. The way out is a cold block with one call, away from the code that runs.
 void FunctionEmitter::guard(Value* isBad, FaultCode code, Value* d0, Value* d1, Value* d2) {
+    // IRBuilder folds constants, so checks that cannot fail are gone before they are made.
     if (const auto* constant = llvm::dyn_cast<llvm::ConstantInt>(isBad); constant && constant->isZero()) return;
     Block* rare = newBlock("fault");
     Block* usual = newBlock("ok");
@@ -39,6 +40,7 @@ void FunctionEmitter::raiseAlways(FaultCode code) {
 }
 
 void FunctionEmitter::guardRange(Value* value, const tree::Expr& from, types::TypeId target) {
+    // x : INT(1..10) := y with y of the same subrange needs no check; facts/ranges.h decides.
     if (!facts::mayLeaveRange(m.types(), from, target)) return;
     const types::Type& range = m.types()[target];
     Value* wide = castInteger(value, target, m.i64);
@@ -55,9 +57,11 @@ void FunctionEmitter::guardRange(Value* value, const tree::Expr& from, types::Ty
 llvm::Value* FunctionEmitter::isLive(Value* at, Value* size) {
     const image::Layout& layout = m.program.layout;
     const int64_t dataBegin = sizeof(image::ImageHeader);
+    // "at + size <= end" could overflow; "at <= end - size" cannot, as long as the room is not negative.
     Value* dataRoom = b.CreateSub(int64(static_cast<int64_t>(layout.dataEnd) - dataBegin), size);
     Value* inData =
         b.CreateAnd(b.CreateICmpSGE(dataRoom, int64(0)), b.CreateICmpULE(b.CreateSub(at, int64(dataBegin)), dataRoom));
+    // Frames above m_nextFrame are of calls that have returned: a pointer to one of them is stale.
     Value* frameLast = b.CreateSub(m_nextFrame, size);
     Value* inFrame = b.CreateAnd(b.CreateICmpSGE(at, int64(layout.frameBegin)), b.CreateICmpSLE(at, frameLast));
     return b.CreateOr(inData, inFrame);
@@ -65,6 +69,7 @@ llvm::Value* FunctionEmitter::isLive(Value* at, Value* size) {
 
 /// A pointer is an offset into the image, so that it can be checked: it lies within declared data, or within a frame
 /// that is alive. Data is asked first, because nearly every pointer leads there.
+// Called for each use of a pointer, also twice in a row for the same one: LLVM removes what is known already.
 void FunctionEmitter::guardReference(Value* at, Value* size) {
     const image::Layout& layout = m.program.layout;
     const int64_t dataBegin = sizeof(image::ImageHeader);
@@ -84,6 +89,7 @@ void FunctionEmitter::guardReference(Value* at, Value* size) {
     Value* inFrame = b.CreateAnd(b.CreateICmpSGE(at, int64(layout.frameBegin)), b.CreateICmpSLE(at, frameLast));
     branchUnlikely(b.CreateNot(inFrame), bad, ok);
     enter(bad);
+    // Which fault it is, is only asked in the cold block.
     Value* code = b.CreateSelect(b.CreateICmpEQ(at, int64(0)), int32(static_cast<uint32_t>(FaultCode::NullReference)),
                                  int32(static_cast<uint32_t>(FaultCode::ForeignReference)));
     b.CreateCall(m.raise(), {m_context, code, int32(m_site), at, int64(0), int64(0)});
@@ -97,6 +103,7 @@ void FunctionEmitter::guardBlock(Value* at, types::TypeId block) {
     const types::Type& type = m.types()[block];
     // a block that nothing extends has no header that could be asked
     if (type.kind == types::TypeKind::Block && type.blockNumber == 0) return;
+    // Reading the number is safe: the caller has checked that the block's bytes are within the image.
     bool any = false;
     llvm::GlobalVariable* flags = m.blockFlags(block, any);
     Value* number = b.CreateAlignedLoad(m.i32, b.CreateInBoundsPtrAdd(m_image, at), llvm::Align(1));
@@ -119,6 +126,7 @@ void FunctionEmitter::guardBlock(Value* at, types::TypeId block) {
 /// Optimised code holds the budget in a register while it loops; calls and the end of a function write it back.
 void FunctionEmitter::charge(Value* amount) {
     PLC_ASSERT(m_facts.charges, return ); // callers would go on with what they think is left
+    // Signed and counted down: it is used up when it falls below 0, whatever the last amount was.
     const size_t at = offsetof(RuntimeContext, loopBudget);
     Value* left = m_budget ? static_cast<Value*>(b.CreateLoad(m.i64, m_budget)) : loadContext(m.i64, at);
     left = b.CreateSub(left, amount);
@@ -130,6 +138,7 @@ void FunctionEmitter::charge(Value* amount) {
     Block* ok = newBlock("ok");
     branchUnlikely(b.CreateICmpSLT(left, int64(0)), usedUp, ok);
     enter(usedUp);
+    // The watchdog may decide to fault here, and then says where.
     storeContext(int32(m_site), offsetof(RuntimeContext, faultSite));
     if (m_budget) storeContext(left, at);
     b.CreateCall(m.budgetUsedUp(), {m_context});
@@ -138,6 +147,7 @@ void FunctionEmitter::charge(Value* amount) {
     enter(ok);
 }
 
+// 0: the facts say that this path is paid for elsewhere.
 void FunctionEmitter::chargeUnits(uint64_t units) {
     if (units > 0) charge(int64(static_cast<int64_t>(units)));
 }

@@ -1,4 +1,5 @@
-// Standard functions in LLVM; library/intrinsics.cpp is the reference.
+// A case here and one in library/intrinsics.cpp have the same meaning; tests compare them on random arguments, and what
+// can be said once is in intrinsic_meanings.def. Standard functions in LLVM; library/intrinsics.cpp is the reference.
 #include "runtime/compiler/codegen/emitter.h"
 
 #include <numbers>
@@ -65,6 +66,7 @@ llvm::Value* FunctionEmitter::mathFunction(const Expr& expr) {
 llvm::Value* FunctionEmitter::wholeNumber(const Expr& expr, llvm::Intrinsic::ID round) {
     const Expr& operand = *expr.operands[0];
     Value* value = scalar(operand);
+    // TRUNC of an integer is the integer.
     if (!value->getType()->isFloatingPointTy()) return convert(value, operand.type, expr.type);
     Value* whole = b.CreateUnaryIntrinsic(round, value);
     if (m.types().family(expr.type) == Family::Real) return b.CreateFPCast(whole, m.scalarType(expr.type));
@@ -77,14 +79,18 @@ llvm::Value* FunctionEmitter::absolute(const Expr& expr) {
         return b.CreateFPCast(b.CreateUnaryIntrinsic(llvm::Intrinsic::fabs, value), m.scalarType(expr.type));
     value = convert(value, expr.operands[0]->type, expr.type);
     if (!isSignedFamily(m.types().family(expr.type))) return value;
+    // ABS of the least number is itself: it wraps like every integer operation.
+    // The first of equal operands is kept, and NaN never wins: as the evaluator compares.
     return b.CreateSelect(b.CreateICmpSLT(value, llvm::Constant::getNullValue(value->getType())), b.CreateNeg(value),
                           value);
 }
 
+// Positions, lengths and counts of shifts: any integer type, as 64 bits with a sign.
 llvm::Value* FunctionEmitter::countOf(const Expr& expr) {
     Value* raw = scalar(expr);
     if (raw->getType()->isFloatingPointTy()) raw = convert(raw, expr.type, types::TypeTable::of(TypeKind::Lint));
     Value* count = castInteger(raw, expr.type, m.i64);
+    // A count above 2^63 as ULINT is "very many", not negative.
     const TypeKind kind = m.types().storageKind(expr.type);
     if (kind != TypeKind::Ulint && kind != TypeKind::Lword) return count;
     return b.CreateSelect(b.CreateICmpSLT(count, int64(0)), int64(INT64_MAX), count);
@@ -96,10 +102,12 @@ llvm::Value* FunctionEmitter::shift(const Expr& expr) {
     Value* value = convert(scalar(*expr.operands[0]), expr.operands[0]->type, expr.type);
     Value* count = countOf(*expr.operands[1]);
     if (expr.intrinsic == Intrinsic::Rol || expr.intrinsic == Intrinsic::Ror) {
+        // fshl takes the count modulo the width; a negative one turns the other way, as SRem and wrapping give it.
         Value* turn = b.CreateTrunc(b.CreateSRem(count, int64(bits)), type);
         return b.CreateIntrinsic(expr.intrinsic == Intrinsic::Rol ? llvm::Intrinsic::fshl : llvm::Intrinsic::fshr,
                                  {type}, {value, value, turn});
     }
+    // LLVM's shifts are poison from the width on; the standard shifts everything out.
     Value* inside = b.CreateICmpULT(count, int64(bits));
     Value* amount = b.CreateTrunc(b.CreateSelect(inside, count, int64(0)), type);
     Value* shifted = expr.intrinsic == Intrinsic::Shl ? b.CreateShl(value, amount) : b.CreateLShr(value, amount);
@@ -112,6 +120,7 @@ llvm::Value* FunctionEmitter::better(Value* candidate, Value* best, types::TypeI
         best);
 }
 
+// MIN and MAX of any number of operands, from left to right.
 llvm::Value* FunctionEmitter::extreme(const Expr& expr) {
     Value* best = nullptr;
     for (const Expr* operand : expr.operands) {
@@ -127,6 +136,7 @@ llvm::Value* FunctionEmitter::mux(const Expr& expr) {
     // From the last down: a K beyond it takes the last, a negative one the first.
     std::vector<Value*> values;
     for (size_t i = 1; i < expr.operands.size(); ++i)
+        // All inputs are evaluated, in their order (they may be calls).
         values.push_back(convert(scalar(*expr.operands[i]), expr.operands[i]->type, expr.type));
     for (size_t i = values.size(); i-- > 0;)
         result =
@@ -138,6 +148,7 @@ llvm::Value* FunctionEmitter::durationTimes(const Expr& expr, bool isDivision) {
     Value* duration = scalar(*expr.operands[0]);
     const Expr& number = *expr.operands[1];
     if (m.types().family(number.type) == Family::Real) {
+        // The product of nanoseconds and a real is rounded and held in range by the library.
         Value* factor = b.CreateFPCast(scalar(number), m.f64);
         return b.CreateCall(m.helper(isDivision ? "plc_divide_duration" : "plc_multiply_duration", m.i64,
                                      {m.i64, m.f64}, ModuleEmitter::Effects::None),
@@ -147,9 +158,11 @@ llvm::Value* FunctionEmitter::durationTimes(const Expr& expr, bool isDivision) {
     return b.CreateMul(duration, castInteger(scalar(number), number.type, m.i64));
 }
 
+// Through an integer of the same width: LLVM has no cast from float to a wider integer.
 llvm::Value* FunctionEmitter::sameBits(const Expr& expr) {
     Value* value = scalar(*expr.operands[0]);
     llvm::Type* to = m.scalarType(expr.type);
+    // REAL_TO_DWORD bit by bit, pointers as LWORD: no conversion of values.
     if (value->getType() == to) return value;
     if (value->getType()->isFloatTy()) value = b.CreateBitCast(value, m.i32);
     if (value->getType()->isDoubleTy()) value = b.CreateBitCast(value, m.i64);
@@ -160,6 +173,7 @@ llvm::Value* FunctionEmitter::sameBits(const Expr& expr) {
 }
 
 llvm::Value* FunctionEmitter::headerField(size_t at, llvm::Type* stored, types::TypeId type) {
+    // From the image's header, which the controller writes before each scan: a replayed scan reads the same time.
     Value* value = b.CreateAlignedLoad(stored, b.CreateConstInBoundsGEP1_64(m.i8, m_image, at), llvm::Align(4));
     if (m.scalarType(type) == m.i1) return b.CreateICmpNE(value, llvm::Constant::getNullValue(stored));
     return b.CreateZExtOrTrunc(value, m.scalarType(type));
@@ -286,6 +300,7 @@ llvm::Value* FunctionEmitter::intrinsic(const Expr& expr) {
         Value* mn = convert(scalar(*expr.operands[0]), expr.operands[0]->type, expr.type);
         Value* in = convert(scalar(*expr.operands[1]), expr.operands[1]->type, expr.type);
         Value* mx = convert(scalar(*expr.operands[2]), expr.operands[2]->type, expr.type);
+        // MIN(MAX(IN, MN), MX): with MN > MX the upper limit wins (table 27).
         result = better(mx, better(mn, in, expr.type, true), expr.type, false);
         break;
     }
@@ -366,6 +381,7 @@ llvm::Value* FunctionEmitter::intrinsic(const Expr& expr) {
         break;
     }
     }
+    // ENO of what cannot fail.
     if (!hasOk) storeOk(expr, b.getTrue());
     return result;
 }

@@ -17,6 +17,7 @@ constexpr uint64_t kPortionUnits = 65'536;
 constexpr int64_t kEndless = int64_t(1) << 62;
 } // namespace
 
+// CONTINUE goes to `next`, EXIT to `exit`; the end of the body goes to `next` as well.
 void FunctionEmitter::loopBody(const std::vector<Stmt*>& statements, Block* exit, Block* next) {
     m_loops.push_back({exit, next});
     body(statements);
@@ -30,6 +31,7 @@ void FunctionEmitter::whileLoop(const Stmt& stmt) {
     Block* done = newBlock("done");
     b.CreateBr(head);
     enter(head);
+    // The head is entered from before and from the end of each pass.
     setSite(stmt); // every pass: a breakpoint on the condition stops each time
     watch(image::WatchKind::Statement, &stmt);
     Value* condition = scalar(*stmt.a);
@@ -42,6 +44,7 @@ void FunctionEmitter::whileLoop(const Stmt& stmt) {
 }
 
 void FunctionEmitter::repeatLoop(const Stmt& stmt) {
+    // The condition is written at the end, so its site is that of UNTIL.
     const uint32_t site = m_site;
     Block* pass = newBlock("repeat");
     Block* until = newBlock("until");
@@ -70,6 +73,8 @@ public:
         m_isLocal = m_root.kind == PlaceKind::Local;
         extentOf(*program.types, variable, m_extent);
     }
+    // In doubt it is found: a counter that is written behind the emitter's back would be a wrong program, a stepped
+    // loop is only slower.
     bool found = false;
 
 protected:
@@ -81,16 +86,18 @@ protected:
             if (root.kind == PlaceKind::Local && root.local == m_root.local) found = true;
             return;
         }
+        // Locals of this function are apart from what the loop counts in, which is none of them.
         if (root.kind == PlaceKind::Local && !m_function.locals[root.local].isInOut) return;
         WriteSummary::Extent extent;
-        if (root.kind == PlaceKind::Local || !extentOf(*m_program.types, place, extent))
-            found = true;
+        if (root.kind == PlaceKind::Local || !extentOf(*m_program.types, place, extent)) found = true;
+        // One is absolute, the other relative to THIS: they meet only where a block is.
         else if (root.kind != m_root.kind)
             found = found || mayMeet(root, extent);
         else if (extent.begin < m_extent.end && m_extent.begin < extent.end)
             found = true;
     }
     void onExpr(const tree::Expr& expr) override {
+        // A local whose address is not taken is out of every callee's reach.
         if (expr.kind != ExprKind::Call || !expr.call || m_isLocal) return;
         if (expr.call->dispatch != tree::Call::Dispatch::Direct) {
             found = true;
@@ -98,6 +105,7 @@ protected:
         }
         // Its THIS and its IN_OUTs are places of this call and looked at as such.
         const WriteSummary& writes = m_facts[expr.call->callee.value].writes;
+        // A callee that writes through pointers may write anything.
         found = found || writes.anything;
         for (const WriteSummary::Extent& extent : writes.absolutes) {
             if (m_root.kind == PlaceKind::Absolute)
@@ -122,6 +130,7 @@ private:
         }
         return false;
     }
+    // THIS can only be where a block is declared, alone or as a part of something.
     bool mayHoldBlock(types::TypeId id) const {
         const types::Type& type = (*m_program.types)[id];
         if (type.kind == TypeKind::Block) return true;
@@ -139,11 +148,13 @@ private:
 };
 } // namespace
 
+// A variable at a place that is not fixed (behind a pointer, an element with a variable index) may be anywhere.
 bool FunctionEmitter::mayChange(const Place& variable, const std::vector<Stmt*>& statements) {
     for (const Place* p = &variable; p; p = p->base)
         if (p->kind != PlaceKind::Absolute && p->kind != PlaceKind::Instance && p->kind != PlaceKind::Local &&
             p->kind != PlaceKind::Field)
             return true;
+    // Its byte is shared with others.
     if (variable.bit >= 0) return true;
     const Place& root = rootOf(variable);
     if (root.kind == PlaceKind::Local) {
@@ -159,6 +170,8 @@ bool FunctionEmitter::mayChange(const Place& variable, const std::vector<Stmt*>&
 }
 
 const FunctionEmitter::Counter* FunctionEmitter::counterOf(const Place& place) const {
+    // The innermost loop with this variable; nested loops with the same one are not counted, because one writes the
+    // other's.
     for (auto it = m_counters.rbegin(); it != m_counters.rend(); ++it) {
         const Place* a = it->variable;
         const Place* c = &place;
@@ -175,6 +188,7 @@ llvm::Value* FunctionEmitter::widen(const ForLoop& loop, Value* value) {
     return loop.isSigned ? b.CreateSExt(value, m.i64) : b.CreateZExt(value, m.i64);
 }
 
+// Start, end and step are computed once, before the variable is written: FOR i := i TO i + 3 reads the old i.
 void FunctionEmitter::forLoop(const Stmt& stmt) {
     const types::TypeId type = stmt.place->type;
     const types::TypeId counted = stmt.operandType.isValid() ? stmt.operandType : type;
@@ -193,6 +207,7 @@ void FunctionEmitter::forLoop(const Stmt& stmt) {
     loop.last = value(stmt.b);
     loop.step = value(stmt.c);
     if (stmt.c && stmt.c->kind == ExprKind::Constant && std::holds_alternative<int64_t>(stmt.c->value.data))
+        // As a constant, also when it was converted: its sign decides which comparison is emitted.
         loop.step = int64(stmt.c->value.integer());
     const unsigned bits = narrow->getBitWidth();
     if (bits < 64) {
@@ -205,6 +220,7 @@ void FunctionEmitter::forLoop(const Stmt& stmt) {
             loop.last = b.CreateSelect(b.CreateICmpSGT(loop.last, int64(high)), int64(high), loop.last);
         }
     }
+    // Once, in front of the loop: FOR a[i] := … with i changed inside counts the same element on (7.3.3.4.2).
     loop.variable = address(*stmt.place);
     storeCounter(loop, loop.first);
     // A label makes it possible to jump into the body: then nothing may be known that only the way through the head
@@ -217,6 +233,7 @@ void FunctionEmitter::forLoop(const Stmt& stmt) {
 
 std::pair<llvm::Value*, llvm::Value*> FunctionEmitter::stepped(const ForLoop& loop, Value* value64) {
     if (loop.type->getBitWidth() < 64) {
+        // Below 64 bits the sum cannot overflow: leaving the range of the type is a comparison.
         Value* next = b.CreateAdd(value64, loop.step);
         const unsigned bits = loop.type->getBitWidth();
         const int64_t low = loop.isSigned ? -(int64_t(1) << (bits - 1)) : 0;
@@ -224,6 +241,7 @@ std::pair<llvm::Value*, llvm::Value*> FunctionEmitter::stepped(const ForLoop& lo
         return {next, b.CreateICmpULE(b.CreateSub(next, int64(low)), int64(high - low))};
     }
     Value* next = b.CreateAdd(value64, loop.step);
+    // In 64 bits an overflow shows as a step in the wrong direction.
     Value* isUp = b.CreateICmpSGT(loop.step, int64(0));
     using P = llvm::CmpInst;
     Value* above = b.CreateICmp(loop.isSigned ? P::ICMP_SGT : P::ICMP_UGT, next, value64);
@@ -236,6 +254,7 @@ void FunctionEmitter::storeCounter(const ForLoop& loop, Value* value64) {
 }
 
 Range FunctionEmitter::counterRange(const ForLoop& loop) const {
+    // What an index check may rely on inside of the body.
     Range range;
     const unsigned bits = loop.type->getBitWidth();
     if (bits < 64) {
@@ -265,6 +284,7 @@ void FunctionEmitter::countedLoop(const ForLoop& loop) {
     Value* downwards = b.CreateICmp(loop.comparesSigned ? P::ICMP_SGE : P::ICMP_UGE, loop.first, loop.last);
     Value* enters = b.CreateAnd(b.CreateSelect(isUp, upwards, downwards), b.CreateNot(isZero));
     Value* distance = b.CreateSelect(isUp, b.CreateSub(loop.last, loop.first), b.CreateSub(loop.first, loop.last));
+    // |BY|: the least number is its own negative, and as an unsigned divisor it is right.
     Value* pace = b.CreateSelect(isUp, loop.step, b.CreateNeg(loop.step));
     const auto* knownPace = llvm::dyn_cast<llvm::ConstantInt>(pace);
     // unsigned: the distance between two signed numbers may need all 64 bits
@@ -274,12 +294,14 @@ void FunctionEmitter::countedLoop(const ForLoop& loop) {
     if (loop.type->getBitWidth() == 64)
         more = b.CreateSelect(b.CreateICmpULT(more, int64(kEndless)), more, int64(kEndless));
 
+    // Three slots that mem2reg turns into registers.
     llvm::AllocaInst* counter = newSlot(m.i64, "counter");
     llvm::AllocaInst* left = newSlot(m.i64, "left");   // in this portion
     llvm::AllocaInst* later = newSlot(m.i64, "later"); // behind it
     const auto* known = llvm::dyn_cast<llvm::ConstantInt>(more);
     const uint64_t ofPass = m.facts.work().ofPass(loop.stmt);
     const auto portionPasses = static_cast<int64_t>(std::max<uint64_t>(1, kPortionUnits / ofPass));
+    // FOR i := 1 TO 10: paid for at once, and the outer loop is not there.
     const bool inPortions = !known || known->getZExtValue() >= static_cast<uint64_t>(portionPasses);
 
     Block* portion = newBlock("portion");
@@ -296,6 +318,7 @@ void FunctionEmitter::countedLoop(const ForLoop& loop) {
     Value* behind = b.CreateLoad(m.i64, later);
     Value* taken = behind;
     if (inPortions)
+        // portionPasses - 1: the pass that is entered first is counted apart.
         taken = b.CreateSelect(b.CreateICmpULT(behind, int64(portionPasses)), behind, int64(portionPasses - 1));
     else
         taken = more;
@@ -337,6 +360,8 @@ void FunctionEmitter::countedLoop(const ForLoop& loop) {
     // One step past the limit, where the type has such a value.
     enter(finished);
     Value* lastValue = b.CreateLoad(m.i64, counter);
+    // FOR i := 1 TO 10 leaves 11 in i, as a loop that is written out would; at the end of the type it keeps the last
+    // value.
     auto [past, exists] = stepped(loop, lastValue);
     storeCounter(loop, b.CreateSelect(exists, past, lastValue));
     b.CreateBr(done);
@@ -346,6 +371,7 @@ void FunctionEmitter::countedLoop(const ForLoop& loop) {
 /// The body (or something it calls) may write the variable: every pass reads it again and is charged by itself.
 void FunctionEmitter::steppedLoop(const ForLoop& loop) {
     using P = llvm::CmpInst;
+    // Slots and not values: a jump into the body from elsewhere does not pass the head that computed them.
     llvm::AllocaInst* last = newSlot(m.i64, "last");
     llvm::AllocaInst* step = newSlot(m.i64, "step");
     b.CreateStore(loop.last, last);
@@ -355,6 +381,7 @@ void FunctionEmitter::steppedLoop(const ForLoop& loop) {
         ForLoop now = loop;
         now.last = b.CreateLoad(m.i64, last);
         now.step = llvm::isa<llvm::ConstantInt>(loop.step) ? loop.step : b.CreateLoad(m.i64, step);
+        // The address was computed at the head as well.
         if (hasLabels) now.variable = address(*loop.stmt.place);
         return now;
     };
@@ -365,6 +392,7 @@ void FunctionEmitter::steppedLoop(const ForLoop& loop) {
     Block* done = newBlock("done");
     b.CreateCondBr(b.CreateICmpEQ(loop.step, int64(0)), done, head);
     enter(head);
+    // Read from memory in each pass: the body may have set it.
     const ForLoop atHead = here();
     Value* current = widen(loop, load(atHead.variable));
     Value* isUp = b.CreateICmpSGT(atHead.step, int64(0));

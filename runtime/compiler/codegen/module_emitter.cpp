@@ -1,3 +1,6 @@
+// A module for a part of the program: types and signatures, entries for the controller, tables for dispatch, and alias
+// nodes that tell LLVM which parts of the image are apart. Lives while one part is emitted; parts run on several
+// threads, each with a context of its own, and share only what is const.
 #include "runtime/compiler/codegen/emitter.h"
 
 #include <algorithm>
@@ -9,6 +12,7 @@ using tree::LocalKind;
 using types::TypeKind;
 
 namespace {
+// The rest is for the controller, library functions in C++ and signal handlers.
 /// Of the scan thread's own stack, for generated code. Threads have 8 MiB.
 constexpr int64_t kHostStack = 3 * 1024 * 1024;
 } // namespace
@@ -18,6 +22,7 @@ ModuleEmitter::ModuleEmitter(llvm::LLVMContext& llvmContext, const tree::Program
     : frameSizes(tree.functions.size(), 0), context(llvmContext),
       module(std::make_unique<llvm::Module>("plc", llvmContext)), program(tree), options(wanted), facts(known),
       part(which), m_abis(tree.functions.size()), m_functions(tree.functions.size()), m_needs(tree.functions.size()) {
+    // Asked for at nearly every instruction; here they are looked up once.
     i1 = llvm::Type::getInt1Ty(context);
     i8 = llvm::Type::getInt8Ty(context);
     i16 = llvm::Type::getInt16Ty(context);
@@ -28,6 +33,8 @@ ModuleEmitter::ModuleEmitter(llvm::LLVMContext& llvmContext, const tree::Program
     f64 = llvm::Type::getDoubleTy(context);
     voidType = llvm::Type::getVoidTy(context);
     llvm::MDBuilder builder(context);
+    // Two trees: the image and the context of the thread never alias. Below "image" a node for each field and root that
+    // is apart from all others.
     llvm::MDNode* root = builder.createTBAARoot("plc");
     m_imageNode = builder.createTBAAScalarTypeNode("image", root);
     llvm::MDNode* contextNode = builder.createTBAAScalarTypeNode("context", root);
@@ -38,13 +45,16 @@ ModuleEmitter::ModuleEmitter(llvm::LLVMContext& llvmContext, const tree::Program
 Result<std::unique_ptr<llvm::Module>> ModuleEmitter::emit() {
     for (uint32_t f = 1; f < program.functions.size(); ++f) {
         if (!isOwn(f) || program.functions[f].isAbstract) continue;
+        // Quick code has every function, because a debugger or a test may call it.
         if (!isQuick() && !facts[f].isReachable) continue;
         if (isCancelled(options.progress)) return std::move(module);
         FunctionEmitter(*this, f).emit();
+        // Temporaries count too, so it is known only now.
         if (const uint64_t room = facts::frameRoom(program); frameSizes[f] > room)
             return facts::tooLarge(program, f, frameSizes[f]);
     }
     emitEntries();
+    // Frame sizes are constants in code that was written before they were known.
     resolvePatches();
     if (!isQuick()) limitInlining();
     return std::move(module);
@@ -53,6 +63,7 @@ Result<std::unique_ptr<llvm::Module>> ModuleEmitter::emit() {
 /// Inlining everything that is called once would make one function of a whole plant, and optimising that takes minutes.
 /// What is long gains nothing by it; callers with many calls take in only what is short.
 void ModuleEmitter::limitInlining() {
+    // In instructions and calls. Converted plants have functions of tens of thousands.
     constexpr unsigned kLong = 500, kShort = 80, kManyCalls = 40;
     constexpr size_t kManyBlocks = 8000; // a CASE or row of ELSIFs of thousands: passes grow with the square of them
     for (llvm::Function* function : m_functions) {
@@ -60,6 +71,7 @@ void ModuleEmitter::limitInlining() {
         if (function->getInstructionCount() > kLong) function->addFnAttr(llvm::Attribute::NoInline);
         if (function->size() <= kManyBlocks) continue;
         function->addFnAttr(llvm::Attribute::NoInline);
+        // LLVM demands NoInline with it.
         function->addFnAttr(llvm::Attribute::OptimizeNone);
     }
     for (llvm::Function* function : m_functions) {
@@ -104,6 +116,7 @@ void ModuleEmitter::emitEntries() {
     std::vector<llvm::Constant*> rows;
     for (const uint32_t f : entryFunctions())
         rows.push_back(llvm::ConstantStruct::get(row, {llvm::ConstantInt::get(i64, f), emitEntry(f)}));
+    // Ends with zeros; the JIT reads the table by its name, so no symbol is looked up for each function.
     rows.push_back(llvm::Constant::getNullValue(row));
     llvm::Constant* table = llvm::ConstantArray::get(llvm::ArrayType::get(row, rows.size()), rows);
     newConstant("plc.entries." + std::to_string(part.index), table)->setLinkage(llvm::GlobalValue::ExternalLinkage);
@@ -141,11 +154,13 @@ llvm::Type* ModuleEmitter::memoryType(types::TypeId type) {
     }
 }
 
+// BOOL is a byte in memory and a bit in registers: comparisons and branches stay short.
 llvm::Type* ModuleEmitter::scalarType(types::TypeId type) {
     return types().storageKind(type) == TypeKind::Bool ? i1 : memoryType(type);
 }
 
 const Abi& ModuleEmitter::abi(uint32_t index) {
+    // Made when first asked for; callers and callee get the same from the tree alone, in whichever part they are.
     Abi& abi = m_abis[index];
     if (abi.type) return abi;
     const tree::Function& tree = program.functions[index];
@@ -178,9 +193,11 @@ const Abi& ModuleEmitter::abi(uint32_t index) {
 
 void ModuleEmitter::addAttributes(llvm::Function& f) {
     f.setDoesNotThrow();
+    // Not to warn anybody: LLVM reports large frames through its diagnostics, the only place where they can be read.
     f.addFnAttr("warn-stack-size", std::to_string(kSmallStackFrame)); // the JIT hears of larger ones
     if (options.threadSanitizer) f.addFnAttr(llvm::Attribute::SanitizeThread);
     if (isQuick()) return;
+    // The context is never reached through the image. THIS (2) has no such attribute: it points into the image (1).
     f.addParamAttr(0, llvm::Attribute::NoAlias);
     f.addParamAttr(0, llvm::Attribute::NonNull);
     f.addParamAttr(0, llvm::Attribute::getWithDereferenceableBytes(context, sizeof(RuntimeContext)));
@@ -195,6 +212,7 @@ llvm::Function* ModuleEmitter::function(uint32_t index) {
     const auto linkage = isInternal ? llvm::GlobalValue::InternalLinkage : llvm::GlobalValue::ExternalLinkage;
     f = llvm::Function::Create(abi(index).type, linkage, "plc.f." + std::to_string(index), *module);
     addAttributes(*f);
+    // Called only through a broken instance: a fault with a name instead of a missing symbol.
     if (program.functions[index].isAbstract) {
         llvm::IRBuilder<> builder(llvm::BasicBlock::Create(context, "", f));
         builder.CreateCall(raise(),
@@ -214,6 +232,7 @@ llvm::Function* ModuleEmitter::emitEntry(uint32_t index) {
     auto* entry =
         llvm::Function::Create(type, llvm::GlobalValue::InternalLinkage, "plc.entry." + std::to_string(index), *module);
     addAttributes(*entry);
+    // The entry is what the controller calls: it sets up the frame, the limits and the first call record.
     entry->addFnAttr(kGuardsStack); // sets the limit
     llvm::IRBuilder<> b(llvm::BasicBlock::Create(context, "", entry));
     llvm::Value* ctx = entry->getArg(0);
@@ -243,8 +262,10 @@ llvm::Function* ModuleEmitter::emitEntry(uint32_t index) {
                                         b.CreateZExt(frame, i64)};
     llvm::FunctionType* called = abi(index).type;
     for (unsigned i = 4; i < called->getNumParams(); ++i)
+        // Only functions without parameters are entries of tasks; tests call others with zeros.
         arguments.push_back(llvm::Constant::getNullValue(called->getParamType(i)));
     b.CreateCall(function(index), arguments);
+    // 0 between calls: whoever looks from outside knows that nothing runs.
     b.CreateStore(b.getInt32(0), field(offsetof(RuntimeContext, depth)));
     b.CreateRetVoid();
     return entry;
@@ -295,10 +316,13 @@ llvm::FunctionCallee ModuleEmitter::helper(const char* name, llvm::Type* result,
                                            Effects effects) {
     llvm::FunctionCallee callee = module->getOrInsertFunction(name, llvm::FunctionType::get(result, parameters, false));
     auto* f = llvm::cast<llvm::Function>(callee.getCallee());
+    // It has its attributes already.
     if (f->doesNotThrow()) return callee;
     f->setDoesNotThrow();
     switch (effects) {
     case Effects::None:
+        // Effects matter most of all that is known of a call: without them every library function would reload the
+        // whole image.
         f->setDoesNotAccessMemory();
         f->setWillReturn();
         break;
@@ -328,6 +352,7 @@ llvm::Function* ModuleEmitter::raise() {
     if (m_raise) return m_raise;
     auto* type = llvm::FunctionType::get(voidType, {ptr, i32, i32, i64, i64, i64}, false);
     m_raise = llvm::Function::Create(type, llvm::GlobalValue::InternalLinkage, "plc.raise", *module);
+    // One cold function for all faults: each guard then costs one call in a block of its own.
     m_raise->addFnAttr(llvm::Attribute::NoInline);
     m_raise->addFnAttr(llvm::Attribute::Cold);
     m_raise->setDoesNotReturn();
@@ -360,6 +385,7 @@ llvm::Function* ModuleEmitter::siteCheck() {
     llvm::IRBuilder<> b(entry);
     const auto field = [&](size_t offset) { return b.CreateConstInBoundsGEP1_64(i8, ctx, offset); };
     b.CreateStore(site, field(offsetof(RuntimeContext, currentSite)));
+    // A byte for each site: whether somebody wants to stop there.
     llvm::Value* flags = b.CreateLoad(ptr, field(offsetof(RuntimeContext, siteFlags)));
     llvm::Value* flag = b.CreateLoad(i8, b.CreateInBoundsGEP(i8, flags, b.CreateZExt(site, i64)));
     b.CreateCondBr(b.CreateICmpNE(flag, b.getInt8(0)), stop, go);
@@ -394,6 +420,7 @@ llvm::GlobalVariable* ModuleEmitter::newConstant(const std::string& name, llvm::
 }
 
 llvm::GlobalVariable* ModuleEmitter::constantBytes(std::string bytes, uint32_t align) {
+    // Equal bytes are one constant, whatever they are of.
     llvm::GlobalVariable*& global = m_constants[bytes];
     if (global) {
         if (global->getAlign().valueOrOne().value() < align) global->setAlignment(llvm::Align(align));
@@ -408,6 +435,7 @@ llvm::GlobalVariable* ModuleEmitter::constantBytes(std::string bytes, uint32_t a
 
 /// {code, function number, size of the block} for every block number; code null where the block does not fit.
 llvm::GlobalVariable* ModuleEmitter::dispatchTable(uint32_t method) {
+    // A table for each method name that is dispatched, with a row for each block number.
     llvm::GlobalVariable*& table = m_dispatchTables[method];
     if (table) return table;
     llvm::StructType* row = llvm::StructType::get(context, {ptr, i32, i32});
@@ -454,6 +482,7 @@ llvm::MDNode* ModuleEmitter::contextTag() { return m_contextTag; }
 
 llvm::MDNode* ModuleEmitter::fieldNode(types::TypeId container, size_t field) {
     // The type that declares the field stands for all that inherit it.
+    // Fields of a base have the same index in everything that extends it.
     while (types()[container].base.isValid() && field < types()[types()[container].base].fields.size())
         container = types()[container].base;
     const types::Field& f = types()[container].fields[field];
@@ -475,6 +504,7 @@ llvm::MDNode* ModuleEmitter::rootNode(size_t root) {
     return node;
 }
 
+// -1: no root of its own, or one that shares its bytes.
 int ModuleEmitter::rootAt(uint32_t offset) const {
     auto it =
         std::upper_bound(m_rootsByOffset.begin(), m_rootsByOffset.end(), std::pair<uint32_t, size_t>{offset, SIZE_MAX});
@@ -498,6 +528,7 @@ void ModuleEmitter::taint() {
     const image::Layout& layout = program.layout;
     for (size_t i = 0; i < layout.roots.size(); ++i) {
         const image::Root& root = layout.roots[i];
+        // What has an address may be under another name as well (%MW0 and %MB1), bits share bytes.
         const bool isOwn = (root.area == image::Area::Global || root.area == image::Area::Program) &&
                            root.address.empty() && root.bit < 0;
         if (isOwn)
@@ -527,6 +558,7 @@ void ModuleEmitter::taintType(types::TypeId id) {
     const types::Type& type = types()[id];
     if (type.kind == TypeKind::Array || type.kind == TypeKind::OpenArray) return taintType(type.element);
     if (type.kind != TypeKind::Struct && type.kind != TypeKind::Union && type.kind != TypeKind::Block) return;
+    // Also ends the recursion: types refer to themselves only by pointers, which are not followed.
     if (!m_tainted.insert(id.value).second) return;
     if (type.base.isValid()) taintType(type.base);
     for (const types::Field& field : type.fields) taintType(field.type);

@@ -1,3 +1,5 @@
+// Places. An Address is base + dynamic + constant, kept apart until it is used, so that a.b[i].c is one addition; what
+// is known about it (alignment, alias node, bounds of an open array) goes along.
 #include "runtime/compiler/codegen/emitter.h"
 
 #include <numeric>
@@ -17,6 +19,7 @@ llvm::Value* FunctionEmitter::pointer(const Address& a) {
 }
 
 llvm::Value* FunctionEmitter::offset(const Address& a) {
+    // In the image every address is also an offset. Places outside (slots) have none, and isImage says so.
     Value* at = a.baseOffset ? a.baseOffset : int64(0);
     if (a.dynamic) at = b.CreateAdd(at, a.dynamic);
     return a.constant == 0 ? at : b.CreateAdd(at, int64(a.constant));
@@ -24,6 +27,7 @@ llvm::Value* FunctionEmitter::offset(const Address& a) {
 
 llvm::MaybeAlign FunctionEmitter::alignOf(const Address& a) {
     // The lowest bit set in either is what both are multiples of.
+    // Wrong alignment is undefined for LLVM, one that is too small is only slower: 8 is the most that is claimed.
     const uint64_t at = static_cast<uint64_t>(a.constant) | a.align;
     return llvm::Align(at & 7 ? at & (~at + 1) & 7 : 8);
 }
@@ -76,6 +80,7 @@ void FunctionEmitter::plainStore(const Address& a, Value* value) {
         Value* at = pointer(byte);
         llvm::LoadInst* old = b.CreateAlignedLoad(type, at, align);
         tag(old, a);
+        // Read, change, write: the scan thread is the only one that writes the image.
         Value* mask = llvm::ConstantInt::get(type, uint64_t(1) << bit);
         Value* with =
             b.CreateShl(b.CreateZExtOrTrunc(value, type), llvm::ConstantInt::get(type, static_cast<uint64_t>(bit)));
@@ -85,6 +90,7 @@ void FunctionEmitter::plainStore(const Address& a, Value* value) {
         tag(stored, a);
         return;
     }
+    // Exactly 0 or 1 in memory, which memcmp, recordings and other programs rely on.
     if (value->getType() == m.i1) value = b.CreateZExt(value, m.i8);
     llvm::Type* wanted = m.memoryType(a.type);
     if (value->getType() != wanted && value->getType()->isIntegerTy() && wanted->isIntegerTy())
@@ -97,6 +103,7 @@ void FunctionEmitter::copy(const Address& to, const Address& from, uint32_t size
     chargeUnits(facts::copyUnits(size));
     // Not memcpy: through references and in-outs, source and target may be the same or overlap.
     b.CreateMemMove(pointer(to), alignOf(to), pointer(from), alignOf(from), size);
+    // Reported after it was written, like every write.
     watchPlace(image::WatchKind::Write, m_cause, to, size);
 }
 
@@ -121,12 +128,14 @@ Address FunctionEmitter::address(const Place& place) {
         a.constant = place.offset;
         a.type = place.type;
         a.bit = place.bit;
+        // The image itself is aligned to a cache line, so the constant alone decides.
         a.align = 16;
         if (const int root = m.isQuick() ? -1 : m.rootAt(place.offset); root >= 0) {
             const image::Root& r = m.program.layout.roots[static_cast<size_t>(root)];
             a.isPrecise = true;
             a.alias = m.rootNode(static_cast<size_t>(root));
             if (r.type != place.type || r.offset != place.offset)
+                // A field of a global: its node is that of the type's field, which is the same behind THIS.
                 describeField(a, r.type, place.offset - r.offset, place.type);
             a.isPrecise = a.isPrecise && !m.isTainted(place.type);
         }
@@ -139,6 +148,7 @@ Address FunctionEmitter::address(const Place& place) {
         a.constant = place.offset;
         a.type = place.type;
         a.bit = place.bit;
+        // An instance may be an element of an array: only the alignment of its type is sure.
         a.align = std::max(1u, std::min(16u, m.types()[m_tree.instanceType].align));
         if (!m.isQuick()) {
             a.isPrecise = true;
@@ -165,18 +175,21 @@ Address FunctionEmitter::address(const Place& place) {
         return indexAddress(place);
     case PlaceKind::Bit: {
         Address a = address(*place.base);
+        // In the image a bit is one of a byte; in a slot it is one of the whole integer.
         a.container = place.base->type;
         a.isPrecise = false;
         a.type = place.type;
         a.bit = place.bit;
         return a;
     }
+    // A character is where it is; that it exists is checked at each use, because texts grow and shrink.
     case PlaceKind::TextIndex:
         return textIndexAddress(place, Purpose::Write);
     case PlaceKind::Deref:
         return derefAddress(place);
     case PlaceKind::Temporary: {
         if (m.types().isText(place.type)) {
+            // In the frame: it may be pointed to for as long as the statement lasts.
             Address a = temporary(place.type);
             textInto(*place.value, textAt(a));
             return a;
@@ -199,6 +212,7 @@ Address FunctionEmitter::localAddress(uint32_t index) {
     a.type = local.type;
     if (local.isInOut) {
         Value* at = b.CreateLoad(m.i64, m_locals[index]);
+        // Only what the checker or a caller may leave out; most in-outs are always bound.
         if (m_facts.mayBeNull[index]) guard(b.CreateICmpEQ(at, int64(0)), FaultCode::MissingInOut);
         a = imageAddress(at, local.type);
         for (auto& [low, high] : m_localBounds[index])
@@ -208,6 +222,7 @@ Address FunctionEmitter::localAddress(uint32_t index) {
     if (m_locals[index]) {
         a.base = m_locals[index];
         a.isImage = false;
+        // A slot is an alloca of exactly this type.
         a.align = std::max(1u, m.types()[local.type].size);
         return a;
     }
@@ -236,6 +251,7 @@ Address FunctionEmitter::slotAddress(const Place& place) {
     }
     a.constant += place.offset;
     a.type = place.type;
+    // Slots of in-outs may be written by any call of the block: nothing is claimed about them.
     a.alias = nullptr;
     a.isPrecise = false;
     a.bit = -1;
@@ -243,8 +259,10 @@ Address FunctionEmitter::slotAddress(const Place& place) {
     return a;
 }
 
+// An in-out of a block: the slot holds where its argument is, as the last call bound it.
 Address FunctionEmitter::followSlot(const Place& place) {
     const bool isOpen = m.types().kind(place.type) == TypeKind::OpenArray;
+    // The offset from THIS as fixedFromThis counts it in the prologue.
     uint32_t fixed = place.offset;
     bool isFixed = true;
     for (const Place* p = place.base; p; p = p->base) {
@@ -273,6 +291,7 @@ Address FunctionEmitter::followSlot(const Place& place) {
     const Address slot = slotAddress(place);
     Value* at = b.CreateAlignedLoad(m.i64, pointer(slot), llvm::Align(1));
     guard(b.CreateICmpEQ(at, int64(0)), FaultCode::MissingInOut);
+    // What is bound lies within live memory as a whole, so no access inside of it is checked again.
     Value* size = int64(m.types()[place.type].size);
     std::vector<std::pair<Value*, Value*>> bounds;
     if (isOpen) {
@@ -285,6 +304,7 @@ Address FunctionEmitter::followSlot(const Place& place) {
             boundAt.constant += 8;
             Value* high = b.CreateAlignedLoad(m.i64, pointer(boundAt), llvm::Align(1));
             Value* count = b.CreateAdd(b.CreateSub(high, low), int64(1));
+            // See emitPrologue: no product of bounds may wrap.
             bad = b.CreateOr(bad, b.CreateICmpUGT(count, int64(1 << 30)));
             size = b.CreateMul(size, b.CreateAnd(count, int64((int64_t(1) << 31) - 1)));
             bad = b.CreateOr(bad, b.CreateICmpUGT(size, int64(1 << 30)));
@@ -299,6 +319,7 @@ Address FunctionEmitter::followSlot(const Place& place) {
 }
 
 std::vector<std::pair<llvm::Value*, llvm::Value*>> FunctionEmitter::boundsOf(const Address& a) {
+    // Of an open array they came with it; of others they are in the type.
     if (!a.bounds.empty()) return a.bounds;
     std::vector<std::pair<Value*, Value*>> bounds;
     for (const types::Dimension& d : m.types()[a.type].dimensions) bounds.push_back({int64(d.low), int64(d.high)});
@@ -314,6 +335,7 @@ Address FunctionEmitter::indexAddress(const Place& place) {
     Value* flat = nullptr;
     for (size_t d = 0; d < place.indices.size() && d < bounds.size(); ++d) {
         const tree::Expr& indexExpr = *place.indices[d];
+        // By the sign of its own type: an index of type USINT is never negative.
         Value* index = castInteger(scalar(indexExpr), indexExpr.type, m.i64);
         auto [low, high] = bounds[d];
         Value* from = b.CreateSub(index, low);
@@ -336,6 +358,7 @@ Address FunctionEmitter::indexAddress(const Place& place) {
             flat = from;
         } else {
             Value* count = b.CreateAdd(b.CreateSub(high, low), int64(1));
+            // nuw and nsw are true here: the guards above bound every factor.
             flat = b.CreateAdd(b.CreateMul(flat, count, "", true, true), from, "", true, true);
         }
     }
@@ -374,10 +397,13 @@ Address FunctionEmitter::textIndexAddress(const Place& place, Purpose purpose) {
     return a;
 }
 
+// A pointer may hold anything that a program can compute; what is used is checked here, each time.
 Address FunctionEmitter::derefAddress(const Place& place) {
     Value* at = scalar(*place.pointer);
     at = b.CreateZExtOrTrunc(at, m.i64);
+    // At least a byte: an empty structure still has to lie somewhere.
     guardReference(at, int64(std::max(1u, m.types()[place.type].size)));
+    // A pointer to a block must find one, since calls read its number.
     if (m.types().kind(place.type) == TypeKind::Block) guardBlock(at, place.type);
     Address a = imageAddress(at, place.type);
     a.bit = place.bit;
@@ -391,6 +417,8 @@ void FunctionEmitter::describeField(Address& a, types::TypeId container, uint32_
         if (type.kind == TypeKind::Array) {
             const uint32_t size = m.types()[type.element].size;
             if (size == 0) break;
+            // Elements of an array share the node of their type: which one it is does not matter for apartness of
+            // fields.
             at %= size;
             container = type.element;
             if (container == wanted || m.isScalar(container)) return;

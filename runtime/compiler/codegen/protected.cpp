@@ -16,6 +16,7 @@ FunctionEmitter::FunctionEmitter(const FunctionEmitter& outer, llvm::Function* p
     m_image = part->getArg(1);
     m_thisPointer = part->getArg(2);
     m_frame64 = part->getArg(3);
+    // The part goes on behind the temporaries of what surrounds it, in the same frame.
     m_temporaryTop = outer.m_temporaryTop;
     m_frameSize = outer.m_frameSize;
     m_site = m_firstSite = outer.m_site;
@@ -43,6 +44,8 @@ void FunctionEmitter::loadInOuts() {
 
 void FunctionEmitter::emitPart(const std::vector<tree::Stmt*>& statements) {
     Block* start = emitEntry();
+    // EXIT, CONTINUE and RETURN inside of the part leave it as a number, since no branch goes from one function to
+    // another.
     m_leaving = newSlot(m.i32, "leaving");
     enter(start);
     if (m.options.watched) m_where = b.CreateOr(m_this64, b.CreateShl(m_frame64, int64(32)));
@@ -63,6 +66,7 @@ llvm::Value* FunctionEmitter::protectedPart(const std::vector<tree::Stmt*>& stat
     m.addAttributes(*part);
     FunctionEmitter emitter(*this, part);
     emitter.emitPart(statements);
+    // The frame is that of the function, so it must be as large as its parts need.
     m_frameSize = std::max(m_frameSize, emitter.m_frameSize);
     return b.CreateCall(
         m.helper("plc_protect", m.i32, {m.ptr, m.ptr, m.ptr, m.i64, m.ptr}, ModuleEmitter::Effects::Any),
@@ -70,12 +74,14 @@ llvm::Value* FunctionEmitter::protectedPart(const std::vector<tree::Stmt*>& stat
 }
 
 llvm::Value* FunctionEmitter::isFault(Value* left) {
+    // Codes of exceptions begin above the ways to leave.
     return b.CreateICmpUGT(left, int32(static_cast<uint32_t>(Leaving::Return)));
 }
 
 void FunctionEmitter::protectedStatement(const tree::Stmt& stmt) {
     llvm::AllocaInst* left = newSlot(m.i32, "left");
     b.CreateStore(protectedPart(stmt.body), left);
+    // Order: the part, its handler if it faulted, __FINALLY in any case, and only then on to where it was left for.
     if (stmt.place) catchFault(stmt, left);
     if (!stmt.arms.empty()) finish(stmt.arms.front().body, left);
     goOnLeaving(b.CreateLoad(m.i32, left));
@@ -88,6 +94,7 @@ void FunctionEmitter::catchFault(const tree::Stmt& stmt, llvm::AllocaInst* left)
     Value* code = b.CreateLoad(m.i32, left);
     branchUnlikely(isFault(code), caught, done);
     enter(caught);
+    // It is handled: the controller must not see it at the end of the scan.
     storeContext(int32(0), offsetof(RuntimeContext, fault));
     b.CreateStore(int32(0), left);
     auto* stored = llvm::cast<llvm::IntegerType>(m.scalarType(stmt.place->type));
@@ -102,6 +109,7 @@ void FunctionEmitter::catchFault(const tree::Stmt& stmt, llvm::AllocaInst* left)
 
 /// __FINALLY, and behind it the fault that nothing caught, with the details that it had.
 void FunctionEmitter::finish(const std::vector<tree::Stmt*>& statements, llvm::AllocaInst* left) {
+    // Kept while __FINALLY runs, which may fault and be caught itself.
     Value* code = loadContext(m.i32, offsetof(RuntimeContext, fault));
     Value* site = loadContext(m.i32, offsetof(RuntimeContext, faultSite));
     Value* details[3];
@@ -122,11 +130,13 @@ void FunctionEmitter::leave(Leaving how) {
     if (how != Leaving::Return && !m_loops.empty()) {
         b.CreateBr(how == Leaving::Exit ? m_loops.back().exit : m_loops.back().next);
     } else if (m_leaving || how == Leaving::Return) {
+        // Inside of a part: the outer function does the rest.
         if (m_leaving) b.CreateStore(int32(static_cast<uint32_t>(how)), m_leaving);
         b.CreateBr(m_return);
     } else {
         return; // no loop: reported by the checker
     }
+    // Statements behind it are emitted although nothing reaches them.
     enter(newBlock("dead"));
 }
 

@@ -1,3 +1,4 @@
+// Statements. Each has a site: the number by which faults, breakpoints and coverage name its place in the text.
 #include "runtime/compiler/codegen/emitter.h"
 
 namespace plc::codegen {
@@ -7,8 +8,9 @@ using tree::StmtKind;
 using types::TypeKind;
 
 namespace {
+// Fewer outside of loops: there the cut costs nothing, in a loop it is paid in each pass.
 constexpr uint32_t kStraight = 40, kStraightInLoop = 200; // statements in a row
-}
+} // namespace
 
 void FunctionEmitter::body(const std::vector<Stmt*>& statements) {
     uint32_t inARow = 0;
@@ -29,6 +31,7 @@ void FunctionEmitter::breakBlock() {
 }
 
 void FunctionEmitter::statement(const Stmt& stmt) {
+    // Writes are reported with the statement that caused them, also from inside of its parts.
     const tree::Stmt* around = std::exchange(m_cause, &stmt);
     if (stmt.kind != StmtKind::Label && stmt.kind != StmtKind::While) watch(image::WatchKind::Statement, &stmt);
     plainStatement(stmt);
@@ -36,6 +39,7 @@ void FunctionEmitter::statement(const Stmt& stmt) {
 }
 
 void FunctionEmitter::plainStatement(const Stmt& stmt) {
+    // Temporaries live as long as their statement.
     const uint64_t top = m_temporaryTop;
     if (stmt.kind != StmtKind::Label && stmt.kind != StmtKind::While) setSite(stmt);
     switch (stmt.kind) {
@@ -47,6 +51,7 @@ void FunctionEmitter::plainStatement(const Stmt& stmt) {
         break;
     case StmtKind::Evaluate:
         if (stmt.a) {
+            // A call for its effect: what it returns is not looked at.
             if (m.types().kind(stmt.a->type) == TypeKind::Void || stmt.a->kind == tree::ExprKind::Call) {
                 if (stmt.a->kind == tree::ExprKind::Call)
                     call(*stmt.a->call);
@@ -89,6 +94,7 @@ void FunctionEmitter::plainStatement(const Stmt& stmt) {
         leave(image::Leaving::Return);
         break;
     case StmtKind::Label: {
+        // The block may exist already, made by a jump from above.
         Block* block = labelBlock(stmt.label);
         jump(block);
         enter(block);
@@ -105,6 +111,7 @@ void FunctionEmitter::plainStatement(const Stmt& stmt) {
         }
         Block* target = labelBlock(stmt.label);
         if (stmt.label.index() < m_labelPlaced.size() && m_labelPlaced[stmt.label.index()])
+            // Only backwards: a jump forward ends by itself.
             chargeUnits(m.facts.work().ofJump(m_index)); // backwards: a loop
         b.CreateBr(target);
         // What follows cannot be reached, but is emitted as well and needs a block.
@@ -127,6 +134,7 @@ FunctionEmitter::Block* FunctionEmitter::labelBlock(tree::LabelId label) {
     return m_labels[label.index()];
 }
 
+// By kind of value: texts and aggregates are made in place where no part of the target is read meanwhile.
 void FunctionEmitter::assign(const Stmt& stmt) {
     const tree::Place& place = *stmt.place;
     if (m.types().isText(place.type)) {
@@ -142,13 +150,16 @@ void FunctionEmitter::assign(const Stmt& stmt) {
     }
     if (m.isScalar(place.type)) {
         Value* value = scalar(*stmt.a);
+        // Before the store: a variable of a subrange never holds a value outside, not even until the fault is seen.
         guardRange(value, *stmt.a, place.type);
+        // The target after the value: a[i] := F() uses the i that F leaves.
         store(address(place), value);
         return;
     }
     aggregateInto(*stmt.a, address(place));
 }
 
+// An in-out or a reference gets its address: 0 where nothing is bound.
 void FunctionEmitter::bind(const Stmt& stmt) {
     const tree::Place& place = *stmt.place;
     Value* at = int64(0);
@@ -159,6 +170,7 @@ void FunctionEmitter::bind(const Stmt& stmt) {
         at = target.isImage ? offset(target) : int64(0);
         if (isOpen) bounds = boundsOf(target);
     } else if (isOpen) {
+        // Taken back: an empty array at 0.
         bounds.assign(m.types()[place.type].dimensions.size(), {int64(0), int64(-1)});
     }
     if (place.kind == tree::PlaceKind::Local && m_tree.locals[place.local].isInOut) {
@@ -167,6 +179,7 @@ void FunctionEmitter::bind(const Stmt& stmt) {
             b.CreateStore(bounds[d].first, m_localBounds[place.local][d].first);
             b.CreateStore(bounds[d].second, m_localBounds[place.local][d].second);
         }
+        // With a place in the frame it is written there as well, for the debugger and for protected parts.
         if (m_facts.frame.offsets[place.local] == kNoFrame) return;
         Address slot;
         slot.base = m_framePointer;
@@ -197,6 +210,7 @@ void FunctionEmitter::ifStatement(const Stmt& first) {
         const uint64_t top = m_temporaryTop;
         Value* condition = scalar(*stmt->a);
         Block* yes = newBlock("then");
+        // Without ELSE the condition branches past the statement.
         Block* no = stmt->elseBody.empty() ? done : newBlock("else");
         b.CreateCondBr(condition, yes, no);
         enter(yes);
@@ -215,6 +229,7 @@ void FunctionEmitter::ifStatement(const Stmt& first) {
 }
 
 void FunctionEmitter::caseStatement(const Stmt& stmt) {
+    // A switch with a case for each value of 0..1000000 would be a table of that size.
     constexpr uint64_t kExpanded = 64; // wider ranges are compared
     Value* selector = castInteger(scalar(*stmt.a), stmt.a->type, m.i64);
     const bool isUnsigned = m.types().family(stmt.a->type) == types::Family::Unsigned ||
@@ -232,6 +247,7 @@ void FunctionEmitter::caseStatement(const Stmt& stmt) {
     for (const tree::CaseArm& arm : stmt.arms) {
         arms.push_back(newBlock("arm"));
         for (const tree::CaseRange& range : arm.ranges) {
+            // Without a sign: from the least to the greatest number is more than a signed one can hold.
             const uint64_t count = static_cast<uint64_t>(range.high) - static_cast<uint64_t>(range.low);
             if (isUnsigned ? static_cast<uint64_t>(range.high) < static_cast<uint64_t>(range.low)
                            : range.high < range.low)
@@ -242,10 +258,12 @@ void FunctionEmitter::caseStatement(const Stmt& stmt) {
             }
             for (uint64_t i = 0; i <= count; ++i) {
                 const auto value = static_cast<int64_t>(static_cast<uint64_t>(range.low) + i);
+                // LLVM refuses the same value twice: enumerators may share a number.
                 if (taken.insert(value).second) choice->addCase(b.getInt64(static_cast<uint64_t>(value)), arms.back());
             }
         }
     }
+    // Comparisons of wide ranges come before ELSE, in the order of the text: the first that fits wins.
     enter(otherwise);
     for (const Wide& w : wide) {
         Value* span =

@@ -14,6 +14,7 @@ using types::TypeKind;
 
 llvm::Value* FunctionEmitter::textCall(const char* name, bool isWide, llvm::Type* result, std::vector<Value*> arguments,
                                        bool writes) {
+    // The signature follows from the arguments; jit/ binds the names to text_runtime's functions.
     std::vector<llvm::Type*> parameters;
     for (Value* a : arguments) parameters.push_back(a->getType());
     chargeTexts(arguments);
@@ -30,6 +31,7 @@ uint64_t greatest(const llvm::Value* capacity) {
     if (const auto* known = llvm::dyn_cast<llvm::ConstantInt>(capacity)) return known->getZExtValue();
     if (const auto* choice = llvm::dyn_cast<llvm::SelectInst>(capacity))
         return std::max(greatest(choice->getTrueValue()), greatest(choice->getFalseValue()));
+    // Unknown: it is the capacity of an operand that was counted where it was made.
     return 0;
 }
 } // namespace
@@ -38,6 +40,7 @@ uint64_t greatest(const llvm::Value* capacity) {
 void FunctionEmitter::chargeTexts(llvm::ArrayRef<Value*> arguments) {
     uint64_t units = 0;
     for (size_t i = 0; i + 1 < arguments.size(); ++i)
+        // That is what a text looks like among the arguments.
         if (arguments[i]->getType()->isPointerTy() && arguments[i + 1]->getType() == m.i32)
             units += facts::textUnits(greatest(arguments[i + 1]));
     chargeUnits(units);
@@ -45,6 +48,7 @@ void FunctionEmitter::chargeTexts(llvm::ArrayRef<Value*> arguments) {
 
 void FunctionEmitter::assignText(const Text& to, const Text& from) {
     if (to.isWide == from.isWide) {
+        // Cuts at the target's capacity and keeps its end mark; source and target may be the same.
         textCall("assign", to.isWide, m.voidType, {to.pointer, to.capacity, from.pointer, from.capacity}, true);
         watchTextWrite(to);
         return;
@@ -59,6 +63,7 @@ void FunctionEmitter::assignText(const Text& to, const Text& from) {
         b.CreateStore(
             b.CreateCall(m.helper("plc_wtext_to_narrow", m.i8, parameters, ModuleEmitter::Effects::WritesArguments),
                          arguments),
+            // Characters above 255 become '?' and ENO of a conversion hears of it.
             okSlot());
     watchTextWrite(to);
 }
@@ -71,6 +76,7 @@ Text FunctionEmitter::textTemporary(types::TypeId type) {
 Text FunctionEmitter::characterText(Value* code, bool isWide) {
     Address a;
     a.base = m_framePointer;
+    // One character of either width and its end mark.
     a.constant = allocateTemporary(4, 4);
     const Text made{pointer(a), int32(1), isWide};
     textCall("from_character", isWide, m.voidType, {made.pointer, made.capacity, b.CreateZExtOrTrunc(code, m.i32)},
@@ -81,6 +87,7 @@ Text FunctionEmitter::characterText(Value* code, bool isWide) {
 Text FunctionEmitter::widened(const Text& narrow, uint32_t capacity) {
     Address a;
     a.base = m_framePointer;
+    // One more for the end mark.
     a.constant = allocateTemporary((capacity + 1) * 2, 2);
     const Text made{pointer(a), int32(capacity), true};
     assignText(made, narrow);
@@ -117,6 +124,7 @@ Text FunctionEmitter::plainText(const Expr& expr) {
                 if (isWide) bytes += static_cast<char>(c >> 8);
             }
         }
+        // The end mark of either width.
         bytes.append(2, '\0');
         return {m.constantBytes(bytes, isWide ? 2 : 1), int32(length), isWide};
     }
@@ -137,8 +145,10 @@ void FunctionEmitter::textInto(const Expr& expr, const Text& target) {
     watchTextWrite(target);
 }
 
+// Into a place of its own type: what is too long is cut there, once, at the end.
 void FunctionEmitter::plainTextInto(const Expr& expr, const Text& target) {
     switch (expr.kind) {
+    // The callee's result is in its frame and is copied before the next call uses that room.
     case ExprKind::Call: {
         const Returned returned = call(*expr.call);
         Address from;
@@ -157,6 +167,7 @@ void FunctionEmitter::plainTextInto(const Expr& expr, const Text& target) {
             storeOk(expr, narrows ? b.CreateICmpNE(b.CreateLoad(m.i8, okSlot()), b.getInt8(0)) : b.getTrue());
             return;
         }
+        // The kind tells the library how the type is written: T#5s, TRUE, 3.
         Value* kind = int32(static_cast<uint32_t>(m.types().storageKind(from.type)));
         Value* value = scalar(from);
         if (family == Family::Real)
@@ -168,6 +179,7 @@ void FunctionEmitter::plainTextInto(const Expr& expr, const Text& target) {
         storeOk(expr, b.getTrue());
         return;
     }
+    // Written into the target by either branch: a pointer to one of two temporaries would outlive it.
     case ExprKind::Conditional: {
         Value* condition = scalar(*expr.a);
         Block* yes = newBlock("yes");
@@ -198,6 +210,7 @@ void FunctionEmitter::plainTextInto(const Expr& expr, const Text& target) {
 
 /// The text operands of an intrinsic, all of one width; what a later operand could change is copied first.
 std::vector<Text> FunctionEmitter::textOperands(const Expr& expr) {
+    // Left to right, as every operand.
     std::vector<Text> texts;
     bool isWide = false;
     const auto isTextual = [&](const Expr* e) {
@@ -211,6 +224,7 @@ std::vector<Text> FunctionEmitter::textOperands(const Expr& expr) {
         Text t = text(*operand);
         bool isExposed = false;
         for (size_t k = i + 1; k < expr.operands.size(); ++k) isExposed = isExposed || hasEffects(expr.operands[k]);
+        // CONCAT(s, F()) where F writes s.
         if (isExposed && operand->kind == ExprKind::Load && m.types().isText(operand->type)) {
             const Text kept = textTemporary(operand->type);
             assignText(kept, t);
@@ -225,6 +239,7 @@ std::vector<Text> FunctionEmitter::textOperands(const Expr& expr) {
             if (!isTextual(operand) || n >= texts.size()) continue;
             if (!texts[n].isWide) {
                 const auto* known = llvm::dyn_cast<llvm::ConstantInt>(texts[n].capacity);
+                // 255: an upper bound where the capacity is not known here.
                 texts[n] = widened(texts[n], known ? static_cast<uint32_t>(known->getZExtValue()) : 255);
             }
             ++n;
@@ -242,6 +257,7 @@ llvm::Value* FunctionEmitter::textCompare(library::BinaryOp op, const Text& left
     };
     if (a.isWide && !c.isWide) widen(c);
     if (c.isWide && !a.isWide) widen(a);
+    // Character codes decide, and a text that ends earlier is less.
     Value* order = textCall("compare", a.isWide, m.i32, {a.pointer, a.capacity, c.pointer, c.capacity}, false);
     Value* zero = int32(0);
     switch (op) {
@@ -277,6 +293,7 @@ llvm::Value* FunctionEmitter::textIntrinsicScalar(const Expr& expr) {
     }
     case Intrinsic::AsciiOf: {
         Value* first = b.CreateAlignedLoad(t.isWide ? m.i16 : m.i8, t.pointer, llvm::Align(1));
+        // ASC('') is 0.
         Value* isEmpty = b.CreateICmpEQ(t.capacity, int32(0));
         return b.CreateZExtOrTrunc(b.CreateSelect(isEmpty, llvm::Constant::getNullValue(first->getType()), first),
                                    wanted);
@@ -284,6 +301,7 @@ llvm::Value* FunctionEmitter::textIntrinsicScalar(const Expr& expr) {
     default: { // CharAt
         Value* index = countOf(*expr.operands[1]);
         Value* length = b.CreateZExt(textCall("length", t.isWide, m.i32, {t.pointer, t.capacity}, false), m.i64);
+        // At the length itself stands the end mark, which reads as 0.
         guard(b.CreateICmpUGT(index, length), FaultCode::StringIndex, index, int64(0), length);
         Value* at = b.CreateInBoundsGEP(t.isWide ? m.i16 : m.i8, t.pointer, index);
         return b.CreateZExtOrTrunc(b.CreateAlignedLoad(t.isWide ? m.i16 : m.i8, at, llvm::Align(1)), wanted);
@@ -300,6 +318,7 @@ llvm::Value* FunctionEmitter::chooseText(const Expr& expr, const Text& target) {
         const Text yes = text(*expr.operands[2]);
         Text chosen{b.CreateSelect(g, yes.pointer, no.pointer), b.CreateSelect(g, yes.capacity, no.capacity),
                     yes.isWide};
+        // Different widths cannot be chosen by pointer: one is written, then perhaps the other over it.
         if (yes.isWide != no.isWide) {
             assignText(target, no);
             Block* take = newBlock("yes");
@@ -337,6 +356,7 @@ llvm::Value* FunctionEmitter::chooseText(const Expr& expr, const Text& target) {
         return Text{b.CreateSelect(wins, candidate.pointer, best.pointer),
                     b.CreateSelect(wins, candidate.capacity, best.capacity), best.isWide};
     };
+    // The same order of comparisons as for numbers (extreme, Limit): equal texts keep the first.
     Text best = texts[0];
     if (expr.intrinsic == Intrinsic::Limit && texts.size() >= 3) {
         best = pick(texts[2], pick(texts[0], texts[1], true), false);
@@ -352,6 +372,7 @@ void FunctionEmitter::textIntrinsicInto(const Expr& expr, const Text& target) {
     Value* ok = nullptr;
     const auto made = [&](const char* name, bool isWide, std::vector<Value*> arguments, bool hasOk) {
         Text to = target;
+        // Made in the operands' width, then converted into the target.
         if (target.isWide != isWide) to = textTemporary(expr.type);
         arguments.insert(arguments.begin(), {to.pointer, to.capacity});
         Value* status = textCall(name, isWide, hasOk ? m.i8 : m.voidType, arguments, true);
@@ -392,6 +413,7 @@ void FunctionEmitter::textIntrinsicInto(const Expr& expr, const Text& target) {
         const bool isWide = texts.front().isWide;
         const Text to = target.isWide == isWide ? target : textTemporary(expr.type);
         for (size_t i = 0; i < texts.size(); ++i)
+            // Piece by piece in the target; mayOverlap has said whether that is safe.
             textCall(i == 0 ? "assign" : "append", isWide, m.voidType,
                      {to.pointer, to.capacity, texts[i].pointer, texts[i].capacity}, true);
         if (target.isWide != isWide) assignText(target, to);
@@ -448,6 +470,7 @@ bool FunctionEmitter::mayOverlap(const Expr& expr, const tree::Place& target) co
         void onPlace(const tree::Place& place, Use) override { places.push_back(&place); }
     } reads;
     for (size_t i = 0; i < expr.operands.size(); ++i) {
+        // A call may read the target while it is half built.
         if (hasEffects(expr.operands[i])) return true;
         if (i == 0 && expr.operands[0]->kind == ExprKind::Load && isSame(*expr.operands[0]->place))
             continue; // s := CONCAT(s, x)

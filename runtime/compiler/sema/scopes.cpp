@@ -8,6 +8,8 @@ namespace plc::sema {
 
 namespace {
 
+// Each identifier of a program is looked up, most of them several times, at each keystroke. Beyond ASCII, case folding
+// may change the length, so foldCase does it.
 /// Folds short ASCII names without allocating.
 struct Folded {
     explicit Folded(std::string_view spelling) {
@@ -38,6 +40,7 @@ NameId Names::intern(std::string_view spelling) {
     if (const auto it = m_ids.find(folded.view); it != m_ids.end()) return NameId(it->second);
     const auto id = static_cast<uint32_t>(m_texts.size());
     m_texts.emplace_back(folded.view);
+    // The key points into m_texts, whose elements never move.
     m_ids.emplace(m_texts.back(), id);
     return NameId(id);
 }

@@ -99,9 +99,10 @@ TEST_F(RunCommand, CtrlCEndsAWaitAtOnceAndStillReports) {
         std::thread presser([] {
             struct sigaction now {};
             do {
-                std::this_thread::sleep_for(std::chrono::milliseconds(20));
+                std::this_thread::sleep_for(std::chrono::milliseconds(20)); // a duration: between two looks
                 ::sigaction(SIGINT, nullptr, &now);
             } while (now.sa_handler == SIG_DFL);
+            // a duration: the first scan is over; that the run waits for the next one cannot be seen from outside
             std::this_thread::sleep_for(std::chrono::milliseconds(500));
             ::kill(::getpid(), SIGINT);
         });

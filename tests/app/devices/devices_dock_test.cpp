@@ -5,6 +5,7 @@
 #include "app/project_tree.h"
 #include "projects/devices/engine.h"
 #include "tests/app/studio_fixture.h"
+#include "tests/support/settle.h"
 
 #include <QAction>
 #include <QTableWidget>
@@ -151,7 +152,7 @@ TEST_F(DevicesDock, TheRunningProgramExchangesValuesOnlyWhenConnected) {
     if (const QString picture = qEnvironmentVariable("STEPWISE_PICTURE"); !picture.isEmpty()) {
         window->resize(1024, 700);
         window->dock("devices")->raise();
-        QTest::qWait(300);
+        settle();
         window->grab().save(picture);
     }
     window->action("run.devices")->trigger();

@@ -14,7 +14,7 @@ bool waitUntil(const std::function<bool()>& condition, int milliseconds) {
     clock.start();
     while (!condition()) {
         if (clock.elapsed() > milliseconds) return false;
-        QTest::qWait(2);
+        QTest::qWait(2); // a duration: how often it is asked; QTest::qWaitFor asks every 10 ms
     }
     return true;
 }

@@ -7,6 +7,7 @@
 #include "editor/trace/trace_picture.h"
 #include "editor/trace/trace_view.h"
 #include "tests/editor/trace/fake_recording.h"
+#include "tests/support/settle.h"
 
 #include <QComboBox>
 #include <QFile>
@@ -313,7 +314,7 @@ TEST_F(TraceFigure, EveryKindHasRoomInASmallWindow) {
         plc::kit::Theme::install(*qApp, isDark ? plc::kit::ThemeChoice::Dark : plc::kit::ThemeChoice::Light);
         for (const FigureKind kind : {FigureKind::Xy, FigureKind::Spectrum, FigureKind::Response, FigureKind::Runs}) {
             show({"Main.x", "Main.y"}, kind, "Main.start");
-            QTest::qWait(30);
+            plc::settle();
             if (!pictures.isEmpty())
                 view.grab().save(QStringLiteral("%1/view_%2_%3.png").arg(pictures).arg(int(kind)).arg(isDark));
             for (const auto& frame : view.figurePane()->view()->frames()) {

@@ -8,6 +8,7 @@
 #include "editor/trace/trace_view.h"
 #include "projects/session/session.h"
 #include "runtime/compiler/jit/jit.h"
+#include "tests/support/eventually.h"
 
 #include <QApplication>
 #include <QDir>
@@ -134,13 +135,13 @@ TEST(SessionTrace, ARunningPlcLosesNoScanWhileTheWindowIsBusy) {
     session.startThread({session::Pace::Factor, 4});
     view.show();
     for (int i = 0; i < 6; ++i) {
-        QTest::qWait(30);
-        std::this_thread::sleep_for(std::chrono::milliseconds(60)); // busy with something else
+        const uint64_t before = session.status().scans;
+        ASSERT_TRUE(QTest::qWaitFor([&] { return session.status().scans > before + 5; }, 60'000));
+        ASSERT_TRUE(eventually([&] { return session.status().scans > before + 25; })); // busy with something else
         view.tick();
     }
     session.pause();
-    while (session.status().state == controller::State::Running)
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    ASSERT_TRUE(eventually([&] { return session.status().state != controller::State::Running; }));
     const uint64_t scans = session.status().scans;
     for (int i = 0; i < 50 && view.plot()->model().curves[1].source->countIn(0, INT64_MAX) < scans; ++i) view.tick();
     const auto source = view.plot()->model().curves[1].source;
@@ -185,7 +186,8 @@ TEST(SessionTrace, EveryExecutedScanOfOneMillisecondIsThereAndSkippedOnesAreCoun
     session.startThread({session::Pace::Real, 1});
     view.show();
     for (int i = 0; i < 8; ++i) {
-        QTest::qWait(20);
+        const uint64_t before = session.status().scans;
+        ASSERT_TRUE(QTest::qWaitFor([&] { return session.status().scans > before + 5; }, 60'000));
         const auto until = std::chrono::steady_clock::now() + std::chrono::milliseconds(80); // the window is busy
         double work = 0;
         while (std::chrono::steady_clock::now() < until) work = std::sin(work + 1);
@@ -194,8 +196,7 @@ TEST(SessionTrace, EveryExecutedScanOfOneMillisecondIsThereAndSkippedOnesAreCoun
         view.tick();
     }
     session.pause();
-    while (session.status().state == controller::State::Running)
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    ASSERT_TRUE(eventually([&] { return session.status().state != controller::State::Running; }));
     const session::Status status = session.status();
     ASSERT_GT(status.scans, 200u);
     EXPECT_TRUE(QTest::qWaitFor([&] { return recording.statistics().scans == status.scans; }));

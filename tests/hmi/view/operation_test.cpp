@@ -1,6 +1,7 @@
 // Operating a panel with real mouse events: what is asked for, in which order, and what is repainted.
 #include "hmi/view/arrays.h"
 #include "hmi/view/panel_view.h"
+#include "tests/support/settle.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -53,7 +54,7 @@ struct Desk {
         view.resize(640, 400);
         view.show();
         view.frame();
-        QTest::qWait(1);
+        settle();
     }
     void click(int x, int y) { QTest::mouseClick(&view, Qt::LeftButton, {}, QPoint(x, y)); }
     std::string said() {

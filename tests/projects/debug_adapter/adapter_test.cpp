@@ -2,6 +2,7 @@
 // needs more than a script: a thousand scans back, a recording, damaged messages.
 #include "projects/debug_adapter/adapter.h"
 #include "runtime/compiler/jit/jit.h"
+#include "tests/support/eventually.h"
 #include "tests/support/paths.h"
 #include "tests/support/rpc_script.h"
 
@@ -34,13 +35,11 @@ protected:
     std::vector<std::string> waitFor(const std::string& event) {
         m_sent.clear();
         const std::string wanted = "\"event\":\"" + event + "\"";
-        const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-        while (std::chrono::steady_clock::now() < end) {
+        EXPECT_TRUE(eventually([&] {
             adapter.work();
-            if (!m_sent.empty() && m_sent.back().find(wanted) != std::string::npos) return std::move(m_sent);
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        }
-        ADD_FAILURE() << "there was no event " << event;
+            return !m_sent.empty() && m_sent.back().find(wanted) != std::string::npos;
+        })) << "there was no event "
+            << event;
         return std::move(m_sent);
     }
     /// The body of the response.

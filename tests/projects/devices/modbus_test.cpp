@@ -180,10 +180,9 @@ TEST(ModbusTcp, AnInputThatMustNotBeLostStopsThePlc) {
     EXPECT_EQ(run.value("%QW0"), "0");
     line.setSwallows(false);
     line.cut();
-    EXPECT_TRUE(plc::testing::eventually([&] { return peer.registerAt(7) == 0; }))
-        << "the outputs are safe in the device too";
+    EXPECT_TRUE(eventually([&] { return peer.registerAt(7) == 0; })) << "the outputs are safe in the device too";
     // With the device back, the PLC starts again after a reset; on a busy machine a late answer stops it once more.
-    ASSERT_TRUE(plc::testing::eventually([&] { return run.status().state == LinkState::Online; }));
+    ASSERT_TRUE(eventually([&] { return run.status().state == LinkState::Online; }));
     EXPECT_TRUE(run.scanUntil([&] {
         if (run.session->controller().state() != controller::State::Running) {
             run.session->controller().reset(controller::ResetKind::Warm);
@@ -205,14 +204,14 @@ TEST(ModbusTcp, OutputsAreSafeAfterStopFaultAndDisconnecting) {
     const auto isSafe = [&] { return peer.registerAt(1) == 3 && peer.registerAt(2) == 77; };
     ASSERT_TRUE(run.scanUntil(runs));
     run.session->controller().stop();
-    EXPECT_TRUE(plc::testing::eventually(isSafe)) << "stop";
+    EXPECT_TRUE(eventually(isSafe)) << "stop";
     run.session->controller().start();
     ASSERT_TRUE(run.scanUntil(runs));
     const auto place = run.built.program->layout.find("Main.divisor");
     ASSERT_TRUE(run.session->controller().write(*place, types::Value{place->type, int64_t(0)}));
     run.scan();
     ASSERT_EQ(run.session->controller().state(), controller::State::Fault);
-    EXPECT_TRUE(plc::testing::eventually(isSafe)) << "fault";
+    EXPECT_TRUE(eventually(isSafe)) << "fault";
     run.session->controller().reset(controller::ResetKind::Cold);
     run.session->controller().start();
     ASSERT_TRUE(run.scanUntil(runs));
@@ -292,7 +291,7 @@ TEST(ModbusServer, AnswersLibmodbus) {
     LiveRun run(serverProgram(), server(port, kServerChannels));
     ASSERT_TRUE(run.scanUntil([&] { return run.status().state == LinkState::Online; }));
     modbus_t* client = modbus_new_tcp("127.0.0.1", port);
-    ASSERT_TRUE(plc::testing::eventually([&] { return modbus_connect(client) == 0; }));
+    ASSERT_TRUE(eventually([&] { return modbus_connect(client) == 0; }));
     uint16_t words[4] = {};
     uint8_t bits[4] = {};
     words[0] = 0x4020; // 2.5, the most significant byte first

@@ -160,7 +160,7 @@ Proxy::~Proxy() {
 
 void Proxy::cut() {
     m_cuts = true;
-    while (m_cuts) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    EXPECT_TRUE(eventually([&] { return !m_cuts; }));
 }
 
 bool Proxy::forward(int from, int to) {
@@ -168,7 +168,8 @@ bool Proxy::forward(int from, int to) {
     const ssize_t n = ::recv(from, bytes, sizeof bytes, 0);
     if (n <= 0) return false;
     if (m_swallows) return true;
-    if (const int delay = m_delayMs) std::this_thread::sleep_for(std::chrono::milliseconds(delay));
+    if (const int delay = m_delayMs)
+        std::this_thread::sleep_for(std::chrono::milliseconds(delay)); // a duration: of a slow line
     return ::send(to, bytes, static_cast<size_t>(n), MSG_NOSIGNAL) == n;
 }
 
@@ -223,7 +224,7 @@ LiveRun::~LiveRun() {
 }
 
 void LiveRun::scan() {
-    std::this_thread::sleep_until(m_begin + session->controller().nextDue());
+    std::this_thread::sleep_until(m_begin + session->controller().nextDue()); // a duration: the controller's interval
     (void)session->controller().scan();
 }
 
@@ -233,7 +234,7 @@ bool LiveRun::scanUntil(const std::function<bool()>& condition) {
         scan();
         if (condition()) return true;
         if (session->controller().state() != controller::State::Running)
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            std::this_thread::sleep_for(std::chrono::milliseconds(1)); // a duration: between two looks
     }
     return false;
 }

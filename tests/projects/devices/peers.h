@@ -3,6 +3,7 @@
 #pragma once
 #include "projects/devices/engine.h"
 #include "projects/session/session.h"
+#include "tests/support/eventually.h"
 
 #include <gtest/gtest.h>
 
@@ -17,14 +18,6 @@ namespace plc::testing {
 [[nodiscard]] driver::Built buildProgram(const std::string& text);
 /// devices.json → devices; a finding that is an error fails the test.
 [[nodiscard]] std::vector<devices::Device> devicesOf(const std::string& json, const image::Layout& layout);
-
-template <class Condition> bool eventually(Condition condition) {
-    for (int i = 0; i < 30'000; ++i) { // long enough for a sanitizer on a busy machine
-        if (condition()) return true;
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    return false;
-}
 
 /// A Modbus TCP device with 200 of everything from address 0; registers 150 to 159 are refused.
 class ModbusPeer {

@@ -19,7 +19,6 @@ extern char** environ;
 using namespace plc;
 using namespace plc::devices;
 using namespace std::chrono_literals;
-using plc::testing::eventually;
 using plc::testing::freePort;
 using plc::testing::LiveRun;
 
@@ -81,7 +80,7 @@ private:
             (void)::poll(polled, 2, 10);
             for (int i = 0; i < 2; ++i) {
                 if ((polled[i].revents & POLLIN) == 0) {
-                    if (polled[i].revents != 0) std::this_thread::sleep_for(1ms); // nobody has it open
+                    if (polled[i].revents != 0) std::this_thread::sleep_for(1ms); // a duration: nobody has it open
                     continue;
                 }
                 char bytes[512];

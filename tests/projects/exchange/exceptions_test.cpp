@@ -1,6 +1,7 @@
 // Faults that a program catches: what is recorded is replayed bit for bit, and the debugger goes through the parts.
 #include "projects/session/session.h"
 #include "runtime/compiler/jit/jit.h"
+#include "tests/support/eventually.h"
 
 #include <gtest/gtest.h>
 
@@ -20,14 +21,6 @@ driver::Built build(const std::string& text) {
     for (const auto& each : built.checked.analysis->diagnostics) messages += each.message.english() + "\n";
     EXPECT_TRUE(built.program) << messages << built.failure.english();
     return built;
-}
-
-template <class Condition> bool eventually(Condition condition) {
-    for (int i = 0; i < 60'000; ++i) {
-        if (condition()) return true;
-        std::this_thread::sleep_for(1ms);
-    }
-    return false;
 }
 
 // Every third scan divides by zero, every fifth leaves the array: in place and in what is called.

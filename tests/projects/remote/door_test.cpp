@@ -5,6 +5,7 @@
 #include "runtime/compiler/jit/jit.h"
 #include "runtime/controller/controller.h"
 #include "runtime/inside/rerun.h"
+#include "tests/support/eventually.h"
 
 #include <gtest/gtest.h>
 
@@ -43,13 +44,6 @@ Json pairs(const std::vector<std::array<const char*, 2>>& all) {
     Json out = Json::array();
     for (const auto& [path, text] : all) out.push_back(Json::array({path, text}));
     return out;
-}
-
-bool eventually(const std::function<bool()>& condition) {
-    for (const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-         std::chrono::steady_clock::now() < end; std::this_thread::sleep_for(std::chrono::milliseconds(1)))
-        if (condition()) return true;
-    return false;
 }
 
 class DoorTest : public ::testing::Test {

@@ -3,6 +3,7 @@
 
 #include "runtime/inside/place_values.h"
 #include "tests/runtime/inside/recorded.h"
+#include "tests/support/eventually.h"
 
 #include <chrono>
 #include <thread>
@@ -14,14 +15,6 @@ using plc::testing::integerFor;
 using plc::testing::rangeOf;
 
 namespace {
-
-template <class Condition> bool waitFor(Condition&& isMet) {
-    for (int i = 0; i < 2000; ++i) {
-        if (isMet()) return true;
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    return false;
-}
 
 const char* const kText = R"(PROGRAM Main
 VAR a, b : BOOL; n, i, sum : INT; step : INT := 1; s : STRING; END_VAR
@@ -41,7 +34,7 @@ protected:
     void haltAt(uint32_t line) {
         session.setBreakpoints({{FileId(0), line, {}, 0, {}, true}});
         session.startThread({session::Pace::Real, 1});
-        ASSERT_TRUE(waitFor([&] { return session.status().halts == 1; }));
+        ASSERT_TRUE(eventually([&] { return session.status().halts == 1; }));
     }
     std::optional<StandingLook> look() {
         session::Snapshot now;
@@ -79,7 +72,7 @@ TEST_F(StandingScan, ComesToTheRightPassOfALoop) {
         ASSERT_TRUE(found);
         EXPECT_EQ(shown(*found, "i * n"), pass == 1 ? "" : std::to_string(pass - 1));
         session.resume();
-        ASSERT_TRUE(waitFor([&] { return session.status().halts == pass + 1; }));
+        ASSERT_TRUE(eventually([&] { return session.status().halts == pass + 1; }));
     }
 }
 
@@ -91,12 +84,12 @@ protected:
         session.setBreakpoints({{FileId(0), 10, {}, 0, {}, true}});
         session.pause();
         session.resume();
-        EXPECT_TRUE(waitFor([&] { return session.status().halts == 2; }));
+        EXPECT_TRUE(eventually([&] { return session.status().halts == 2; }));
         session.resume();
-        EXPECT_TRUE(waitFor([&] { return session.status().state == controller::State::Paused; }));
+        EXPECT_TRUE(eventually([&] { return session.status().state == controller::State::Paused; }));
         session.write(path, integerFor(*session.program(), path, value));
         session.start();
-        EXPECT_TRUE(waitFor([&] { return session.status().halts == 3; }));
+        EXPECT_TRUE(eventually([&] { return session.status().halts == 3; }));
         return look();
     }
 };

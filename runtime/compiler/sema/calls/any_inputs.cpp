@@ -1,3 +1,5 @@
+// Inputs of CODESYS's ANY types. The block receives a structure of type class, address and size, so any variable can
+// be connected; what it does with the bytes is its own business.
 #include "runtime/compiler/sema/calls/any_inputs.h"
 
 #include "runtime/compiler/sema/calls/special_calls.h"
@@ -14,8 +16,12 @@ namespace {
 
 using types::Family;
 
+// Names and not tokens: the standard has ANY_NUM and the others only in its tables, as the types of standard functions,
+// so a variable of somebody may be called so.
 constexpr std::string_view kFamilies[] = {"ANY", "ANY_NUM", "ANY_INT", "ANY_REAL", "ANY_BIT", "ANY_STRING", "ANY_DATE"};
 
+// Only inputs: an output or a local of the type would be a structure whose pointer nobody has set. A result counts as
+// no input although GET accessors keep theirs in a variable.
 /// "ANY_NUM"; "" of another type.
 std::string_view familyOf(const Variable& variable) {
     if (variable.kind != syntax::SectionKind::Input || !variable.spec || variable.isResult || !variable.owner ||
@@ -26,6 +32,7 @@ std::string_view familyOf(const Variable& variable) {
     return {};
 }
 
+// Figure 5 of edition 3 (6.4.3), flattened: what a branch of the tree holds.
 bool belongs(const Context& context, TypeId type, std::string_view family) {
     const Family own = context.types.family(type);
     const bool isBits = own == Family::Bits || own == Family::Bool;
@@ -90,10 +97,14 @@ int64_t typeClassOf(const types::TypeTable& types, TypeId type) {
     case TypeKind::Array:
         return 26;
     default:
+        // The class of USERDEF; programs compare with it to refuse what they do not know.
         return 28; // a type of the user, a date
     }
 }
 
+// The structure has an address, so what is only a value (a sum, a literal, a bit) needs a variable for as long as the
+// call lasts.
+/// The argument's place; a value is kept in a local. Null: it was reported.
 tree::Place* placeOfArgument(Context& context, const syntax::Expr& argument, std::vector<tree::Stmt*>& before) {
     const Denoted denoted = denote(context, argument, Access::Read);
     if (denoted.kind == Denoted::Kind::Nothing) return nullptr;
@@ -111,6 +122,7 @@ bool isAnyInput(const World& world, const Variable& variable) {
 
 TypeId anyInputType(WorldBuilder& world, const Variable& variable) {
     if (familyOf(variable).empty()) return {};
+    // One structure serves all ANY types: which family is accepted is decided by the declared name at each call.
     if (world.anyInput.isValid()) return world.anyInput;
     world.anyInput = world.types.declare(TypeKind::Struct, "ANY");
     const TypeId pointer = world.types.pointer(types::TypeTable::of(TypeKind::Byte));
@@ -130,6 +142,7 @@ TypeId anyInputType(WorldBuilder& world, const Variable& variable) {
 
 ///   ok:    F(x)  with VAR_INPUT a : ANY_NUM and x : REAL      wrong: F('x')  (P2003)
 Operand anyArgument(Context& context, const Variable& parameter, const syntax::Expr& argument) {
+    // Outside of a body (in an initial value, in a watch) there is no frame that could hold the structure.
     if (!context.function) return unknown(context, argument.range);
     tree::Expr* sequence = context.arena.make<tree::Expr>();
     tree::Place* place = placeOfArgument(context, argument, sequence->statements);
@@ -145,6 +158,7 @@ Operand anyArgument(Context& context, const Variable& parameter, const syntax::E
         tree::Place* at = fieldPlace(context, made, field->offset, field->type, -1, argument.range);
         sequence->statements.push_back(assignStmt(context, at, valueOf(field->type).expr, {}));
     };
+    // The size is the variable's own, not the capacity's rounded one: MEMCPY with diSize copies exactly the variable.
     const int64_t size = context.types[place->type].size, number = typeClassOf(context.types, place->type);
     set("TypeClass", [&](TypeId t) { return constant(context, {t, number}, argument.range); });
     set("pValue", [&](TypeId t) { return addressOf(context, place, t, argument.range); });

@@ -24,6 +24,7 @@ static void instanceCall(Context& context, tree::Place* instance, Unit& unit, co
                          const Denoted& callee, std::vector<tree::Stmt*>& out, SourceRange range);
 
 namespace {
+// The root decides: an element of a field of a local is in the frame as well.
 /// The place begins in the frame of this call, so a reference to it must not outlive it.
 bool isInFrame(const tree::Place& place, const tree::Function& function) {
     const tree::Place* root = &place;
@@ -38,11 +39,15 @@ bool isInFrame(const tree::Place& place, const tree::Function& function) {
 void callStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out) {
     if (!stmt.value) return;
     const syntax::Expr& e = *stmt.value;
+    // Without parentheses it is no call. What is meant is worth finding out: "SetUp;" comes from other languages, "x;"
+    // from a statement that was not finished.
     if (e.kind != syntax::ExprKind::Call) {
         if (e.kind == syntax::ExprKind::Error) return;
         if (e.kind == syntax::ExprKind::NameRef || e.kind == syntax::ExprKind::Member ||
             e.kind == syntax::ExprKind::Index || e.kind == syntax::ExprKind::Deref) {
             const Denoted denoted = denote(context, e, Access::Call);
+            // A half-typed statement has been reported by the parser; a second message at the same place would only be
+            // noise.
             if (denoted.kind == Denoted::Kind::Nothing || hasSyntaxErrorAt(context.world, stmt.range)) return;
             const bool callable =
                 denoted.kind == Denoted::Kind::Unit || denoted.kind == Denoted::Kind::Standard ||
@@ -55,10 +60,13 @@ void callStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree:
         }
         const size_t errors = context.sink.all().size();
         const Operand value = expression(context, e);
+        // The expression may have said why it is wrong; only a good one without effect gets this message.
         if (!value.isUnknown() && context.sink.all().size() == errors)
             context.emit(e.range, findings::NotCallable(context.textOf(e.range)));
         return;
     }
+    // The order of the cases is that of how specific they are: an instance, then the only instance of a program, then
+    // code without one.
     const Denoted callee = denote(context, *e.base, Access::Call);
     if (callee.kind == Denoted::Kind::Place && context.isKind(callee.place->type, TypeKind::Block)) {
         Unit* unit = context.world.unitOf(callee.place->type);
@@ -67,11 +75,14 @@ void callStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree:
     }
     if (callee.kind == Denoted::Kind::Unit && callee.unit->kind == UnitKind::Program) {
         Unit& unit = *callee.unit;
+        // A program may be called by its name while it has one instance (CODESYS does so); with two nobody knows which
+        // one.
         if (!unit.instance) {
             context.emit(e.base->range, findings::NotCallable(phrases::NoSingleInstance(unit.name)));
             return;
         }
         Denoted exact = callee;
+        // It is the program's own variable: the call needs no dispatch.
         exact.isExact = true;
         instanceCall(context, absolutePlace(context, unit.instance->offset, unit.type, -1, e.base->range), unit, e,
                      exact, out, stmt.range);
@@ -85,19 +96,24 @@ void callStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree:
         made->range = e.range;
         made->call = context.arena.make<tree::Call>();
         prepareCall(context, *made->call, callee, e.range);
+        // Actions have no parameters of their own (edition 2, 2.6.4): they work on those of their unit.
         if (!e.arguments.empty())
             context.emit(e.arguments.front().range, findings::TooManyArguments(callee.unit->name, 0));
         value = {made, &context.types};
     } else if (callee.kind == Denoted::Kind::Unit &&
                (callee.unit->kind == UnitKind::Function || callee.unit->kind == UnitKind::Method)) {
         value = callUnit(context, callee, e);
+        // Methods are often called for their effect and give a result beside it; only functions are asked about.
         if (value.expr && !value.isUnknown() && !context.isKind(value.type(), TypeKind::Void) &&
             callee.unit->kind == UnitKind::Function)
             context.emit(e.base->range, findings::FunctionResultIgnored(callee.unit->name));
     } else if (callee.kind == Denoted::Kind::Standard) {
         value = settled(context, standardCall(context, callee.name, e, {}));
+        // A sequence assigns to something, and with ENO the caller does use a result.
         if (!value.isUnknown() && value.expr->kind != tree::ExprKind::Sequence && !value.expr->ok)
             context.emit(e.base->range, findings::FunctionResultIgnored(callee.name));
+        // The callee was reported; its arguments are still looked at, for their own mistakes and for the uses of
+        // variables.
     } else if (callee.kind == Denoted::Kind::Nothing) {
         return checkArguments(context, e);
     } else {
@@ -107,6 +123,8 @@ void callStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree:
                      isType ? findings::NotCallable(phrases::TypeNotInstance(name)) : findings::NotCallable(name));
         return;
     }
+    // A call that is wrong in an argument stays in the tree: flow and "find usages" see it, and nothing is built
+    // anyway.
     if (value.isUnknown() && value.expr->kind != tree::ExprKind::Call) return;
     tree::Stmt* evaluate = newStmt(context, tree::StmtKind::Evaluate, stmt.range);
     evaluate->a = value.expr;
@@ -128,6 +146,7 @@ public:
         const TypeId type = typeOf(m_context, parameter);
         tree::Place* field = fieldOfParameter(parameter, type, argument);
         if (parameter.isInOut()) return bind(parameter, field, argument);
+        // 2.5.2.1: inputs of an instance that are not given keep the value of the call before.
         if (!argument) return; // keeps its last value
         if (parameter.kind == SectionKind::Output) return output(field, *argument);
         input(parameter, type, field, *argument);
@@ -143,10 +162,13 @@ public:
         body.kind = Denoted::Kind::Unit;
         body.unit = &m_unit;
         body.instance = m_instance;
+        // From here on the callee is the body of the instance's block, not the name that led to it.
         body.interface = nullptr;
         prepareCall(m_context, *made->call, body, m_e.range);
         tree::Stmt* evaluate = newStmt(m_context, tree::StmtKind::Evaluate, range);
         evaluate->a = made;
+        // The order is the meaning: inputs and bindings, the body, outputs, and only then are references taken back,
+        // because an output may be read through one of them.
         m_block->body = std::move(m_inputs);
         m_block->body.push_back(evaluate);
         m_block->body.insert(m_block->body.end(), m_outputs.begin(), m_outputs.end());
@@ -154,10 +176,12 @@ public:
         return m_block;
     }
 
+    // The whole call is one step for the debugger: what is assigned for it has no range of its own and is hidden.
     void begin(SourceRange range) { m_block = newStmt(m_context, tree::StmtKind::Block, range); }
 
 private:
     tree::Place* fieldOfParameter(const Variable& parameter, TypeId type, const syntax::Argument* argument) {
+        // An input declared AT %I… is not in the instance at all.
         if (parameter.storage == Storage::Absolute)
             return absolutePlace(m_context, parameter.offset, type, parameter.bit, {});
         if (!parameter.isInOut())
@@ -185,6 +209,7 @@ private:
         m_inputs.push_back(bind);
         if (!m_context.function || !isInFrame(*target, *m_context.function)) return;
         // the instance outlives the local that it refers to
+        // Otherwise the next scan could read through an address that is by then another call's frame.
         tree::Stmt* unbind = newStmt(m_context, tree::StmtKind::Bind, {});
         unbind->place = slot;
         m_after.push_back(unbind);
@@ -193,6 +218,7 @@ private:
     void output(tree::Place* field, const syntax::Argument& argument) {
         const Denoted target = sema::target(m_context, *argument.value);
         if (target.kind == Denoted::Kind::Nothing) return;
+        // `Q => NOT x` has no meaning; the negation belongs to the pin.
         Operand value = load(m_context, field, argument.value->range);
         if (argument.negated) value = inverted(m_context, value, argument.value->range);
         assignTo(m_context, target, value, {}, m_outputs, true);
@@ -200,10 +226,12 @@ private:
 
     void input(Variable& parameter, TypeId type, tree::Place* field, const syntax::Argument& argument) {
         const syntax::Expr& given = *argument.value;
+        // REFERENCE TO as an input: the argument is the variable itself, not its value (REF=).
         if (m_context.isKind(type, TypeKind::Reference)) {
             bindReference(m_context, field, given, {}, m_inputs);
             return;
         }
+        // fb(a := [1, 2]) and fb(s := (x := 1)) are assigned element by element: an aggregate has no value of its own.
         const bool isList = given.kind == syntax::ExprKind::ArrayInit || given.kind == syntax::ExprKind::StructInit;
         if (isList && m_context.types.isAggregate(type)) {
             assignAggregate(m_context, field, given, {}, m_inputs);
@@ -224,6 +252,7 @@ private:
     std::vector<tree::Stmt*> m_inputs, m_outputs, m_after;
 };
 
+// Without it, a variable that is only used in a wrong call would be reported as unused beside the real mistake.
 /// Arguments of a call that is wrong: what they name is used all the same.
 void lookAtArguments(Context& context, const Matched& matched) {
     for (const Match& each : matched.matches) {
@@ -236,6 +265,7 @@ void lookAtArguments(Context& context, const Matched& matched) {
 }
 
 /// EN and ENO: the block runs only if EN is TRUE, and ENO says whether it did.
+// 2.5.1.2: with EN = FALSE nothing of the block happens, its inputs are not assigned either.
 tree::Stmt* withEnable(Context& context, const Matched& matched, tree::Stmt* block, SourceRange call,
                        SourceRange range) {
     const TypeId boolean = context.elementary(TypeKind::Bool);
@@ -264,6 +294,8 @@ tree::Stmt* withEnable(Context& context, const Matched& matched, tree::Stmt* blo
 void instanceCall(Context& context, tree::Place* instance, Unit& unit, const syntax::Expr& e, const Denoted& callee,
                   std::vector<tree::Stmt*>& out, SourceRange range) {
     completeUnit(context, unit, e.range);
+    // An abstract type behind a pointer or an in-out is some block that is derived from it; only a variable of the type
+    // itself is wrong.
     if (unit.isAbstract && callee.isExact) context.emit(e.base->range, findings::AbstractInstance(unit.name));
     const Matched matched = match(context, e, unit.name, unit.parameters);
     if (!matched.isGood) return lookAtArguments(context, matched);

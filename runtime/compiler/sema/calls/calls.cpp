@@ -28,8 +28,10 @@ namespace {
 /// The outputs of SPLIT_DATE and its like are any integers (table 36): a part whose range fits is no loss.
 bool fitsPartOfDate(const Unit& unit, const Variable& part, TypeKind to) {
     if (!unit.isLibrary() || !unit.name.starts_with("SPLIT_")) return false;
+    // UINT holds every part, the year as well.
     if (to == TypeKind::Uint) return true;
     if (to != TypeKind::Usint && to != TypeKind::Sint) return false;
+    // The milliseconds are missing: 999 does not fit into a byte.
     return part.name == "MONTH" || part.name == "DAY" || part.name == "HOUR" || part.name == "MINUTE" ||
            part.name == "SECOND";
 }
@@ -54,6 +56,8 @@ Matched match(Context& context, const syntax::Expr& call, const std::string& nam
     const auto find = [&](NameId id) -> Match* {
         for (Match& match : out.matches)
             if (match.parameter->id == id) return &match;
+        // A library may give a pin a second name by {attribute 'alias'}; both are members that lead to the same
+        // variable.
         for (Match& match : out.matches) { // aliases of a pin
             if (!match.parameter->owner) continue;
             const auto it = match.parameter->owner->members.find(id);
@@ -61,6 +65,7 @@ Matched match(Context& context, const syntax::Expr& call, const std::string& nam
         }
         return nullptr;
     };
+    // Two rounds over the parameters in one counter: the first takes inputs and in-outs, the second outputs.
     size_t next = 0;
     // positional: inputs and in-outs in order of declaration, then outputs
     const auto nextPositional = [&]() -> Match* {
@@ -91,6 +96,8 @@ Matched match(Context& context, const syntax::Expr& call, const std::string& nam
         out.isFormal = true;
         if (!argument.name.isValid()) continue;
         Match* match = find(context.key(argument.name.text));
+        // Only where the unit has no parameter of that name: a block may declare EN itself and do with it what it
+        // likes.
         if (!match && equalsIgnoringCase(argument.name.text, "EN") && argument.kind == ArgumentKind::Input) {
             out.en = &argument;
             continue;
@@ -108,6 +115,8 @@ Matched match(Context& context, const syntax::Expr& call, const std::string& nam
             continue;
         }
         const SectionKind kind = match->parameter->kind;
+        // := where => is needed is the most frequent slip of those who come from other languages; the fix only turns
+        // the sign.
         const bool isOutput = kind == SectionKind::Output || isArrayOutput(*match->parameter);
         if (isOutput != (argument.kind == ArgumentKind::Output)) {
             const Verbatim own(isOutput ? "=>" : ":=");
@@ -125,6 +134,7 @@ Matched match(Context& context, const syntax::Expr& call, const std::string& nam
             out.isGood = false;
             continue;
         }
+        // The parameter's use is noted before it is known whether it is given twice: renaming must reach both.
         refer(context, argument.name.range, match->parameter->symbol, isOutput ? Access::Read : Access::Write);
         if (match->argument) {
             context.emit(argument.name.range, findings::ArgumentTwice(match->parameter->name));
@@ -133,6 +143,7 @@ Matched match(Context& context, const syntax::Expr& call, const std::string& nam
         }
         match->argument = &argument;
     }
+    // Calls with side effects in named arguments must run in the order in which they can be read.
     // Arguments are evaluated as written, whatever the order of the declarations; what is omitted has no effects.
     std::stable_sort(out.matches.begin(), out.matches.end(), [](const Match& a, const Match& b) {
         return a.argument && (!b.argument || a.argument < b.argument);
@@ -150,23 +161,31 @@ void holdInputs(Context& context, tree::Call& call, std::vector<tree::Stmt*>& be
 
 /// The value of an expression that is computed by a statement in `before`.
 tree::Expr* held(Context& context, tree::Expr* value, std::vector<tree::Stmt*>& before) {
+    // Nothing can change a constant before it is read.
     if (value->kind == tree::ExprKind::Constant) return value;
     tree::Place* place = localPlace(context, newLocal(context, "argument", value->type), value->type, value->range);
     before.push_back(assignStmt(context, place, value, {}));
     return load(context, place, value->range).expr;
 }
 
+// What an input has when a call leaves it out (2.5.1.1).
 tree::Expr* defaultOf(Context& context, Variable& parameter, SourceRange range) {
     const TypeId type = typeOf(context, parameter);
     if (parameter.declaration && parameter.declaration->initial) {
+        // The default is seen from where the parameter is declared, not from where the call stands, and was reported
+        // there.
         Context inner(context, parameter.scope, context.sink, context.arena);
         inner.isMuted = true;
+        // A watch on another thread may be checked while the program runs; its context must leave the World as it is.
         inner.isExpression = context.isExpression; // which adds no types
         const Operand value = context.types.isAggregate(type)
                                   ? aggregate(inner, *parameter.declaration->initial, type)
                                   : converted(inner, expression(inner, *parameter.declaration->initial, type), type);
+        // A default that is not constant is computed by the callee at its start; here the type's own value stands for
+        // it.
         if (!value.isUnknown() && value.isConstant()) return value.expr;
     }
+    // A large array by value would become a constant of that size in the code, once per call.
     if (!fitsIntoCode(context, type, range)) return unknown(context, range).expr;
     types::Value value = types::initialValue(context.types, type);
     value.type = type;
@@ -179,6 +198,7 @@ tree::Place* inOutTarget(Context& context, Variable& parameter, const syntax::Ar
                          std::vector<tree::Stmt*>& before, std::vector<tree::Stmt*>& after) {
     const TypeId type = typeOf(context, parameter);
     const SourceRange range = argument.value->range;
+    // VAR_IN_OUT CONSTANT and REFERENCE TO that is only read take values as well: what is never written may be a copy.
     const bool isConstant = (parameter.section && parameter.section->constant) || parameter.isReadOnlyReference;
     const Denoted denoted = denote(context, *argument.value, isConstant ? Access::Read : Access::ReadWrite);
     if (denoted.kind == Denoted::Kind::Nothing || context.isKind(type, TypeKind::Unknown)) return nullptr;
@@ -186,6 +206,7 @@ tree::Place* inOutTarget(Context& context, Variable& parameter, const syntax::Ar
         context.emit(range, findings::InOutNeedsVariable(parameter.name, context.nameOf(type)));
         return nullptr;
     };
+    // A local of the caller that has an address for the length of the call.
     const auto held = [&](Operand value) -> tree::Place* {
         const uint32_t local = newLocal(context, parameter.name, type);
         tree::Place* place = localPlace(context, local, type, range);
@@ -205,6 +226,7 @@ tree::Place* inOutTarget(Context& context, Variable& parameter, const syntax::Ar
     tree::Place* place = denoted.place;
     const types::Type &wanted = context.types[type], &given = context.types[place->type];
     if (given.kind == TypeKind::Unknown) return nullptr;
+    // Bounds may differ, that is what ARRAY[*] is for; the number of dimensions and the element may not.
     if (wanted.kind == TypeKind::OpenArray) {
         const bool good = (given.kind == TypeKind::Array || given.kind == TypeKind::OpenArray) &&
                           given.dimensions.size() == wanted.dimensions.size() &&
@@ -214,6 +236,7 @@ tree::Place* inOutTarget(Context& context, Variable& parameter, const syntax::Ar
         return place;
     }
     if (context.types.isText(type) && given.kind == wanted.kind) {
+        // The callee writes up to its own capacity: a longer text is safe in place, a shorter one would be overrun.
         if (given.capacity >= wanted.capacity && hasAddress(place)) {
             takeAddress(context, place);
             return place;
@@ -222,12 +245,15 @@ tree::Place* inOutTarget(Context& context, Variable& parameter, const syntax::Ar
         if (!isConstant) after.push_back(assignStmt(context, place, load(context, copy, range).expr, {}));
         return copy;
     }
+    // A derived block may stand for its base (edition 3, 6.6.5), a subrange for its base and back, since the callee
+    // checks no bounds of the caller.
     const bool same =
         sameType(context.world, place->type, type) ||
         (wanted.kind == TypeKind::Block && context.types.isDerivedFrom(place->type, type)) ||
         (wanted.kind == TypeKind::Subrange && context.types.storage(place->type) == context.types.storage(type)) ||
         (given.kind == TypeKind::Subrange && context.types.storage(place->type) == type) ||
         (given.kind == TypeKind::Enum && !given.isStrict && context.types.storage(place->type) == type);
+    // The reference is made for this call: the callee may point it elsewhere without effect on the caller's block.
     if (wanted.kind == TypeKind::Interface && given.kind == TypeKind::Block &&
         context.types.implements(place->type, type)) {
         const Operand value = converted(context, load(context, place, range), type);
@@ -244,6 +270,7 @@ tree::Place* inOutTarget(Context& context, Variable& parameter, const syntax::Ar
 }
 
 void recordCall(Context& context, tree::FunctionId to, bool isDispatched, SourceRange range) {
+    // The call graph finds recursion and what a task reaches. Muted checks look at the same text a second time.
     if (context.functionId.isValid() && !context.isMuted)
         context.gathered.calls.push_back({context.functionId.value, to.value, isDispatched, range});
 }
@@ -257,10 +284,12 @@ void prepareCall(Context& context, tree::Call& call, const Denoted& callee, Sour
     } else if (unit.owner || unit.isInstanced()) {
         call.instance = callee.instance ? callee.instance : thisPlace(context, range);
         takeAddress(context, call.instance);
+        // Direct where nobody overrides: SUPER^ and a variable of the exact type need no table, and the optimiser can
+        // inline.
         const bool dispatches =
             unit.isOverridden && !callee.isSuper && !callee.isExact && !unit.isFinal && unit.slot != Id<int>::kNone;
-        if (dispatches)
-            call.dispatch = tree::Call::Dispatch::Virtual;
+        if (dispatches) call.dispatch = tree::Call::Dispatch::Virtual;
+        // There is no body to call directly; that nobody overrides it was reported where the block is declared.
         else if (unit.isAbstract && unit.kind != UnitKind::Action && !callee.isSuper)
             call.dispatch = tree::Call::Dispatch::Virtual;
     }
@@ -272,6 +301,7 @@ void prepareCall(Context& context, tree::Call& call, const Denoted& callee, Sour
 Operand callUnit(Context& context, const Denoted& callee, const syntax::Expr& e) {
     Unit& unit = *callee.unit;
     completeUnit(context, unit, e.range);
+    // D7: an expression shown beside the program must not change it, and a call may.
     if (context.isExpression) {
         context.emit(e.range, findings::NotAllowedInExpression(unit.name));
         return unknown(context, e.range);
@@ -284,11 +314,14 @@ Operand callUnit(Context& context, const Denoted& callee, const syntax::Expr& e)
     result->kind = tree::ExprKind::Call;
     result->type = unit.result.isValid() ? unit.result : context.elementary(TypeKind::Void);
     result->range = e.range;
+    // Constants of declarations, and muted first looks that only ask for a type: there is no frame for arguments.
     if (!context.function) return {result, &context.types}; // only its type is asked for
     tree::Call* call = context.arena.make<tree::Call>();
     result->call = call;
     prepareCall(context, *call, callee, e.range);
     Matched matched = match(context, e, unit.name, unit.parameters);
+    // `before` runs ahead of the call and `after` behind it; with either the call becomes a sequence with its result
+    // held.
     std::vector<tree::Stmt*> before, after;
     bool good = matched.isGood;
     for (const Match& each : matched.matches) {
@@ -306,6 +339,7 @@ Operand callUnit(Context& context, const Denoted& callee, const syntax::Expr& e)
                 good = false;
                 continue;
             }
+            // Local 0 stands for "some value of this type": only convertibility is asked, the load is never emitted.
             Operand probe = load(context, localPlace(context, 0, type, argument->value->range), argument->value->range);
             if (target.kind == Denoted::Kind::Place && !argument->negated &&
                 target.place->kind != tree::PlaceKind::TextIndex) {
@@ -331,11 +365,13 @@ Operand callUnit(Context& context, const Denoted& callee, const syntax::Expr& e)
             std::vector<tree::Stmt*> copies;
             made.place = inOutTarget(context, parameter, *argument, copies, after);
             if (!made.place) good = false;
+            // F(x, io := y) with a copy of y: x was to be read first, but copies now run ahead of the call.
             if (!copies.empty()) holdInputs(context, *call, before);
             before.insert(before.end(), copies.begin(), copies.end());
         } else {
             if (!argument || !argument->value) {
                 const bool hasDefault = parameter.declaration && parameter.declaration->initial;
+                // 2.5.1.1: a call with names may omit inputs, one by position has all of them.
                 if (!matched.isFormal && !hasDefault) {
                     context.emit(e.base ? e.base->range : e.range,
                                  findings::MissingArgument(parameter.name, unit.name));
@@ -350,6 +386,7 @@ Operand callUnit(Context& context, const Denoted& callee, const syntax::Expr& e)
             } else {
                 const Operand value = expression(context, *argument->value, type);
                 Operand fitting = converted(context, value, type);
+                // NOT on the pin turns the bits of the parameter's type, thus after the conversion.
                 if (argument->negated) fitting = inverted(context, fitting, argument->value->range);
                 if (fitting.isUnknown()) good = false;
                 made.value = fitting.expr;
@@ -359,6 +396,7 @@ Operand callUnit(Context& context, const Denoted& callee, const syntax::Expr& e)
     }
     Operand out{result, &context.types};
     if (!good)
+        // A wrong call of something without a result is kept: as a statement it has no value that could be unknown.
         return unit.result.isValid() && !context.isKind(unit.result, TypeKind::Void) ? unknown(context, e.range) : out;
     if (!before.empty() || !after.empty()) {
         tree::Expr* sequence = context.arena.make<tree::Expr>();
@@ -366,6 +404,7 @@ Operand callUnit(Context& context, const Denoted& callee, const syntax::Expr& e)
         sequence->range = e.range;
         sequence->type = result->type;
         sequence->statements = std::move(before);
+        // The result is read before `after` runs: what is copied back might overwrite what it was computed from.
         if (context.isKind(result->type, TypeKind::Void)) {
             tree::Stmt* evaluate = newStmt(context, tree::StmtKind::Evaluate, {});
             evaluate->a = result;
@@ -390,6 +429,8 @@ Operand withEnable(Context& context, Operand value, const Matched& matched, Sour
     return withEnable(context, value, arguments, range);
 }
 
+// The value when EN is FALSE is the initial one of its type: the standard leaves it open, zero is what a newcomer
+// expects.
 Operand withEnable(Context& context, Operand value, const StandardArguments& arguments, SourceRange range) {
     if ((!arguments.en && !arguments.eno) || value.isUnknown()) return value;
     const TypeId boolean = context.elementary(TypeKind::Bool);
@@ -408,6 +449,8 @@ Operand withEnable(Context& context, Operand value, const StandardArguments& arg
         else if (denoted.kind != Denoted::Kind::Nothing)
             mismatch(context, arguments.eno->value->range, boolean, denoted.place ? denoted.place->type : boolean);
     }
+    // Intrinsics and conversions report failure themselves (a division by zero, a number out of range): then ENO is
+    // their own, not merely "EN was TRUE" (2.5.1.2).
     tree::Expr& computed = value.expr->kind == tree::ExprKind::Sequence && value.expr->a ? *value.expr->a : *value.expr;
     const bool setsOk = computed.kind == tree::ExprKind::Intrinsic || computed.kind == tree::ExprKind::Convert;
     if (eno && setsOk) computed.ok = eno;
@@ -423,6 +466,7 @@ Operand withEnable(Context& context, Operand value, const StandardArguments& arg
     tree::Expr* yes = eno && !setsOk ? sequence(value.expr, true) : value.expr;
     if (!en) return {yes, &context.types};
     const bool isVoid = context.isKind(value.type(), TypeKind::Void);
+    // A conditional has a value; what gives none needs a statement around it.
     if (isVoid) { // only as a statement: IF en THEN … END_IF
         tree::Expr* out = context.arena.make<tree::Expr>();
         out->kind = tree::ExprKind::Sequence;
@@ -456,6 +500,7 @@ Operand withEnable(Context& context, Operand value, const StandardArguments& arg
 }
 
 ///   wrong: x := block.Speed;  where Speed has only SET (P2023)
+// Reading a property is a call of its GET.
 Operand propertyValue(Context& context, const Denoted& denoted, SourceRange range) {
     Property& property = *denoted.property;
     if (!property.get) {
@@ -466,6 +511,7 @@ Operand propertyValue(Context& context, const Denoted& denoted, SourceRange rang
         context.emit(range, findings::NotAllowedInExpression(property.name));
         return unknown(context, range);
     }
+    // The accessor's own access counts: PUBLIC to read and PRIVATE to write is usual.
     checkAccess(context, property.get->access, property.owner, property.name, range);
     Denoted callee;
     callee.kind = Denoted::Kind::Unit;
@@ -474,12 +520,14 @@ Operand propertyValue(Context& context, const Denoted& denoted, SourceRange rang
     callee.interface = denoted.interface;
     callee.isSuper = denoted.isSuper;
     callee.isExact = denoted.isExact;
+    // A property is read by a call without arguments; the text has no call expression, so one is made.
     syntax::Expr bare;
     bare.kind = syntax::ExprKind::Call;
     bare.range = range;
     return callUnit(context, callee, bare);
 }
 
+// Of calls whose callee is unknown: their arguments have mistakes and uses of their own.
 void checkArguments(Context& context, const syntax::Expr& call) {
     for (const syntax::Argument& argument : call.arguments) {
         if (!argument.value) continue;
@@ -521,6 +569,7 @@ Operand call(Context& context, const syntax::Expr& e, TypeId hint) {
                              : findings::NotCallable(context.textOf(e.base->range)));
         checkArguments(context, e);
         return unknown(context, e.range);
+    // TIME, DATE and their kin are types and functions; parentheses decide.
     case Denoted::Kind::Type:
         if (library::findSignature(context.world.textOf(e.base->range)))
             return standardCall(context, context.world.textOf(e.base->range), e, hint); // TIME()

@@ -27,6 +27,7 @@ namespace {
 ///   ok:    INT_TO_STRING(5); BOOL_TO_INT(TRUE);      wrong: STRING_TO_INT(5); INT_TO_STRING('x'); TIME_TO_INT(5);
 bool suitsConversion(const Context& context, const Operand& literal, TypeId from) {
     const Family family = context.types.family(from);
+    // TIME_TO_INT(5) is refused: 5 is no duration, and which unit is meant cannot be seen.
     const bool isNumber = std::holds_alternative<int64_t>(literal.expr->value.data) ||
                           std::holds_alternative<double>(literal.expr->value.data);
     const bool isText =
@@ -38,6 +39,7 @@ bool suitsConversion(const Context& context, const Operand& literal, TypeId from
 /// The type a conversion names; a text that is wanted longer than 80 characters is made that long.
 TypeId typeNamed(Context& context, TypeKind kind, TypeId hint) {
     if (kind != TypeKind::String && kind != TypeKind::Wstring) return context.elementary(kind);
+    // A watch adds no types; STRING(80) is there from the start.
     if (!context.isExpression && hint.isValid() && context.types.kind(hint) == kind &&
         context.types[hint].capacity > 80)
         return hint;
@@ -53,6 +55,7 @@ bool isTextLiteral(const syntax::Expr& e) {
 Operand argumentOf(Context& context, const syntax::Expr& value, TypeId from) {
     const bool takesText =
         !from.isValid() || context.types.isText(from) || context.types.family(from) == Family::Character;
+    // 'x' for a number: with the hint it would be read as a character's code and pass.
     const bool isMistakenText = isTextLiteral(value) && !takesText;
     const Operand operand = expression(context, value, isMistakenText ? TypeId() : from);
     if (operand.isUnknown()) return operand;
@@ -67,11 +70,14 @@ Operand argumentOf(Context& context, const syntax::Expr& value, TypeId from) {
 
 /// The argument in the type the name asks for.
 Operand inTypeAskedFor(Context& context, Operand operand, TypeId from, How how) {
+    // TO_REAL(x) takes whatever x is; only the long names ask for a type.
     if (!from.isValid()) return settled(context, operand);
+    // INT_TO_DINT(70000) is an error where it is written, not a wrapped number: the literal was never an INT.
     const bool isTooLarge = operand.isFlexible && how == How::Convert && types::isInteger(context.types.family(from)) &&
                             !fits(context, operand.expr->value, from) &&
                             std::holds_alternative<int64_t>(operand.expr->value.data);
     if (isTooLarge) return converted(context, operand, from);
+    // INT_TO_STRING(5): the literal keeps its smallest type where a text is wanted, so that no sign or digit changes.
     if (operand.isFlexible && suitsConversion(context, operand, from))
         return convertNode(context, operand, context.types.isText(from) ? smallestType(context, operand) : from);
     if (context.types.isText(from) && context.types.isText(operand.type()))
@@ -81,6 +87,7 @@ Operand inTypeAskedFor(Context& context, Operand operand, TypeId from, How how) 
 
 /// Nothing to do for the same type; but ENO needs a value of its own.
 Operand plainConversion(Context& context, Operand operand, TypeId to, bool hasEno, SourceRange range) {
+    // The range becomes the call's: a message or a step shall mark INT_TO_REAL(i), not i alone.
     const Operand out = convertNode(context, operand, to);
     out.expr->range = range;
     const bool isSame = out.expr == operand.expr && out.expr->kind != tree::ExprKind::Constant;
@@ -95,6 +102,7 @@ Operand bcdConversion(Context& context, Operand operand, const library::Conversi
         return unknown(context, range);
     }
     TypeId to = typeNamed(context, conversion.to, hint);
+    // A REAL has no digits in the sense of BCD (2.5.1.5.1): only whole numbers.
     const bool toBcd = conversion.how == How::ToBcd;
     // INT_TO_BCD takes the bit string that is wanted
     if (toBcd && foldCase(name).ends_with("_bcd") && hint.isValid() && context.types.family(hint) == Family::Bits)
@@ -113,6 +121,7 @@ void sayWhatIsConverted(Context& context, const Operand& operand, TypeId to, std
     const auto isReal = [&](TypeId type) { return context.types.family(type) == Family::Real; };
     const TypeId from = operand.type();
     const bool isBetween = (isWide(from) && isReal(to)) || (isReal(from) && isWide(to));
+    // Libraries mean what they do, and an expression of a watch is nobody's program.
     const bool isUsers = !context.isExpression && context.scope.unit && !context.scope.unit->isLibrary();
     if (isBetween && isUsers && !operand.isFlexible)
         context.emit(e.base ? e.base->range : e.range, findings::ConvertsTheNumber(name));
@@ -121,8 +130,11 @@ void sayWhatIsConverted(Context& context, const Operand& operand, TypeId to, std
 } // namespace
 
 ///   ok:    INT_TO_REAL(i)      wrong: INT_TO_REAL(s)  with s : STRING (P2003)
+// By the name alone: INT_TO_REAL, TO_REAL, REAL_TRUNC_INT; library::findConversion has taken it apart.
 Operand conversionCall(Context& context, const library::Conversion& conversion, std::string_view name,
                        const syntax::Expr& e, TypeId hint) {
+    // Conversions have no entry in the table of signatures (they are all pairs of types): one with a single input is
+    // made up.
     Signature signature;
     signature.name = name;
     signature.parameters.push_back({"IN", {"IN1", "STR", "X"}, library::Generic::Any});
@@ -132,6 +144,7 @@ Operand conversionCall(Context& context, const library::Conversion& conversion, 
     Operand operand = argumentOf(context, *arguments.inputs[0]->value, from);
     if (operand.isUnknown()) return unknown(context, e.range);
     const TypeKind kind = context.types.kind(operand.type());
+    // An address is 64 bits; DWORD_TO_… of a pointer would cut it, so it goes by LWORD and is narrowed visibly.
     if (kind == TypeKind::Pointer || kind == TypeKind::Reference || kind == TypeKind::Interface)
         operand = settled(context, sameBits(context, operand, context.elementary(TypeKind::Lword)));
     else
@@ -146,6 +159,7 @@ Operand conversionCall(Context& context, const library::Conversion& conversion, 
     switch (conversion.how) {
     case How::Convert:
         sayWhatIsConverted(context, operand, to, name, e);
+        // {attribute 'to_string'}: TO_STRING of an enumeration is its name.
         if (const auto named = nameOfValue(context, operand, to, e.range))
             out = *named;
         else

@@ -1,3 +1,4 @@
+// Operators that CODESYS has beside the standard: __POUNAME, __POSITION, TEST_AND_SET, and names of enumerators.
 #include "runtime/compiler/sema/calls/operators_of_codesys.h"
 
 #include "runtime/compiler/sema/names/names.h"
@@ -30,6 +31,7 @@ Operand placeText(Context& context, const syntax::Expr& e, bool isUnit) {
         return unknown(context, e.range);
     }
     const TypeId type = textType(context, 80, false);
+    // An expression typed into a watch has no line.
     if (isUnit || !e.range.file.isValid()) return textConstant(context, type, nameOfUnit(context), e.range);
     const LineColumn place = context.world.sources[e.range.file].lineColumn(e.range.begin);
     return textConstant(context, type,
@@ -54,6 +56,7 @@ Operand testAndSet(Context& context, const syntax::Expr& e) {
     const Denoted flag = target(context, argument);
     if (flag.kind != Denoted::Kind::Place) return unknown(context, e.range);
     const TypeId type = flag.place->type, boolean = context.elementary(TypeKind::Bool);
+    // CODESYS has it for BOOL and for whole numbers, where any number but 0 counts as set.
     const types::Family family = context.types.family(type);
     if (family != types::Family::Bool && !types::isInteger(family)) {
         context.emit(argument.range, findings::OperatorNotForType(context.textOf(e.base->range), context.nameOf(type)));
@@ -74,6 +77,8 @@ Operand testAndSet(Context& context, const syntax::Expr& e) {
     return {sequence, &context.types};
 }
 
+// A CASE over the enumerators. Nothing: the type has no such attribute, or no function is there to hold the CASE; the
+// caller then converts the number.
 std::optional<Operand> nameOfValue(Context& context, const Operand& value, TypeId text, SourceRange range) {
     const auto known = context.world.enumsByType.find(value.type());
     if (known == context.world.enumsByType.end() || !known->second->isTextNamed || !context.types.isText(text))
@@ -96,6 +101,7 @@ std::optional<Operand> nameOfValue(Context& context, const Operand& value, TypeI
         arm.body.push_back(assignStmt(context, name, textConstant(context, text, each.name, range).expr, {}));
         choice->arms.push_back(std::move(arm));
     }
+    // A variable of an enumeration can hold a number without a name (a cast, a register): its digits are shown.
     choice->elseBody.push_back(assignStmt(context, name, convertNode(context, selector, text).expr, {}));
     tree::Expr* sequence = context.arena.make<tree::Expr>();
     sequence->kind = tree::ExprKind::Sequence;

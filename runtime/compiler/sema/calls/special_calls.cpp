@@ -35,6 +35,7 @@ Operand addressOf(Context& context, tree::Place* place, TypeId pointer, SourceRa
         return unknown(context, range);
     }
     takeAddress(context, place);
+    // From here on the variable has to be in memory: takeAddress keeps it out of registers.
     tree::Expr* e = context.arena.make<tree::Expr>();
     e->kind = tree::ExprKind::AddressOf;
     e->type = pointer;
@@ -43,6 +44,7 @@ Operand addressOf(Context& context, tree::Place* place, TypeId pointer, SourceRa
     return {e, &context.types};
 }
 
+// Of pointers, references and interfaces alike: all three are an address, and 0 is none.
 Operand isNull(Context& context, Operand pointer, SourceRange range) {
     tree::Expr* e = context.arena.make<tree::Expr>();
     e->kind = tree::ExprKind::IsNull;
@@ -56,6 +58,7 @@ Operand isNull(Context& context, Operand pointer, SourceRange range) {
 Operand isUnbound(Context& context, const tree::Place& inOut, SourceRange range) {
     if (inOut.kind != tree::PlaceKind::InOutSlot)
         return constant(context, {context.elementary(TypeKind::Bool), int64_t(0)}, range);
+    // The slot in the instance, seen as what it holds: an address. Reading the in-out itself would already follow it.
     tree::Place* slot = fieldPlace(context, inOut.base ? inOut.base : thisPlace(context, range), inOut.offset,
                                    context.elementary(TypeKind::Lword), -1, range);
     return isNull(context, load(context, slot, range), range);
@@ -68,6 +71,7 @@ Operand boundCall(Context& context, const syntax::Expr& e, bool isUpper) {
     const StandardArguments arguments = standardArguments(context, *signature, e);
     if (!arguments.isGood) return unknown(context, e.range);
     tree::Place* array = place(context, *arguments.inputs[0]->value, Access::Read);
+    // The dimension must be constant: it chooses which bound is read, and code has no list of them.
     const Operand dimension = expression(context, *arguments.inputs[1]->value);
     if (!array || dimension.isUnknown()) return unknown(context, e.range);
     const types::Type& type = context.types[array->type];
@@ -89,6 +93,7 @@ Operand boundCall(Context& context, const syntax::Expr& e, bool isUpper) {
     }
     const TypeId dint = context.elementary(TypeKind::Dint);
     if (type.kind == TypeKind::Array) {
+        // Of an ordinary array the bounds are known, and may be used in constants.
         const types::Dimension& bounds = type.dimensions[static_cast<size_t>(number - 1)];
         return constant(context, {dint, isUpper ? bounds.high : bounds.low}, e.range);
     }
@@ -111,6 +116,8 @@ Operand sizeCall(Context& context, const syntax::Expr& e, TypeKind result) {
         return unknown(context, e.range);
     }
     const syntax::Expr& argument = *e.arguments[0].value;
+    // A type, a variable, a constant, a block: all have a size. The argument is looked at as a name first, because INT
+    // is no expression.
     TypeId type;
     if (argument.kind == syntax::ExprKind::NameRef || argument.kind == syntax::ExprKind::Member ||
         argument.kind == syntax::ExprKind::Index || argument.kind == syntax::ExprKind::Deref) {
@@ -136,7 +143,9 @@ Operand sizeCall(Context& context, const syntax::Expr& e, TypeKind result) {
         context.emit(argument.range, findings::NoValue(context.textOf(argument.range)));
         return unknown(context, e.range);
     }
+    // A watch sees the finished program: its types are complete, and it must not complete any.
     if (!context.isExpression) completeType(context, type, argument.range);
+    // Not the declared result: as a literal it takes whatever integer type is wanted beside it.
     (void)result;
     return constant(context, {context.elementary(TypeKind::Lint), int64_t(context.types[type].size)}, e.range, true);
 }
@@ -153,6 +162,7 @@ Operand addressOfLiteral(Context& context, const syntax::Expr& argument, SourceR
     return {sequence, &context.types};
 }
 
+// REF is the standard's (edition 3, 6.4.4.10), ADR CODESYS's; both give a pointer to the variable.
 Operand addressCall(Context& context, const syntax::Expr& e, bool isReference) {
     const library::Signature* signature = library::findSignature(isReference ? "REF" : "ADR");
     const StandardArguments arguments = standardArguments(context, *signature, e);
@@ -171,10 +181,12 @@ Operand addressCall(Context& context, const syntax::Expr& e, bool isReference) {
         context.emit(argument.range, findings::TemporaryReference());
         return unknown(context, e.range);
     }
+    // ARRAY[*] is an address with bounds: its address alone would lose them.
     if (context.isKind(denoted.place->type, TypeKind::OpenArray)) {
         context.emit(argument.range, findings::TemporaryReference());
         return unknown(context, e.range);
     }
+    // In an initial value it is allowed: such values become code that runs before the first scan.
     if (!context.function && !context.isInitialiser && !context.isMuted) {
         context.emit(e.range, findings::NotConstant());
         return unknown(context, e.range);
@@ -183,6 +195,8 @@ Operand addressCall(Context& context, const syntax::Expr& e, bool isReference) {
                       arguments, e.range);
 }
 
+// ** and EXPT. The result's type follows table 24 as far as it says something: a real base keeps its type; two whole
+// numbers stay whole unless a real is wanted, as in CODESYS.
 Operand exptCall(Context& context, Operand base, Operand exponent, SourceRange range, SourceRange operatorRange,
                  TypeId hint) {
     if (isStrict(context, base) || isStrict(context, exponent)) return unknown(context, range);
@@ -197,8 +211,10 @@ Operand exptCall(Context& context, Operand base, Operand exponent, SourceRange r
                realExponent = context.types.family(exponent.type()) == Family::Real;
     const bool wantsReal = hint.isValid() && context.types.family(hint) == Family::Real;
     if (!realBase && !realExponent && !wantsReal) {
+        // 2 ** 20 of two literals is a literal again, so that it fits wherever the number fits.
         if (base.isFlexible && exponent.isFlexible && exponent.expr->value.integer() >= 0 &&
             exponent.expr->value.integer() < 64) {
+            // Wide enough for one multiplication too many; after each it is asked whether the result still fits.
             __int128 result = 1;
             const int64_t factor = base.expr->value.integer();
             bool fitsIn = true;
@@ -210,6 +226,8 @@ Operand exptCall(Context& context, Operand base, Operand exponent, SourceRange r
                 return constant(context, {context.elementary(TypeKind::Lint), static_cast<int64_t>(result)}, range,
                                 true);
         }
+        // A literal base takes the type that is wanted when it fits, else what it shares with the exponent; a variable
+        // decides for itself.
         const TypeId type = base.isFlexible ? (hint.isValid() && types::isInteger(context.types.family(hint)) &&
                                                        fits(context, base.expr->value, hint)
                                                    ? context.types.storage(hint)
@@ -229,11 +247,13 @@ Operand exptCall(Context& context, Operand base, Operand exponent, SourceRange r
         if (o.isFlexible) continue;
         onlyFlexible = false;
         if (context.types.storageKind(o.type()) == TypeKind::Lreal) kind = TypeKind::Lreal;
+        // REAL has 24 bits of mantissa: a DINT would lose digits before the power is even taken.
         if (context.types.family(o.type()) != Family::Real && types::bitsOf(context.types.storageKind(o.type())) > 16 &&
             !realBase)
             kind = TypeKind::Lreal;
     }
     if (onlyFlexible) kind = TypeKind::Lreal;
+    // Where only whole numbers are raised to a power for a REAL, the variable that gets it says how exact.
     if (wantsReal && (onlyFlexible || (!realBase && !realExponent))) kind = context.types.storageKind(hint);
     const TypeId type = context.elementary(kind);
     base = base.isFlexible ? converted(context, base, type) : convertNode(context, base, type);
@@ -258,6 +278,7 @@ Operand queryCall(Context& context, const syntax::Expr& e) {
     const Denoted to = target(context, *e.arguments[1].value);
     if (from.isUnknown() || to.kind != Denoted::Kind::Place) return unknown(context, e.range);
     const TypeId wanted = to.place->type;
+    // The target is an interface (__QUERYINTERFACE) or a pointer to a block (__QUERYPOINTER).
     if (!context.isKind(wanted, TypeKind::Interface) &&
         !(context.isKind(wanted, TypeKind::Pointer) &&
           context.isKind(context.types[wanted].element, TypeKind::Block))) {
@@ -265,6 +286,7 @@ Operand queryCall(Context& context, const syntax::Expr& e) {
                      findings::OperatorNotForType(context.textOf(e.base->range), context.nameOf(wanted)));
         return unknown(context, e.range);
     }
+    // A block itself may be asked as well; what is compared is the number at the begin of the instance it is at.
     if (context.isKind(from.type(), TypeKind::Block) && from.expr->place)
         from = addressOf(context, from.expr->place, context.types.pointer(from.type()), from.expr->range);
     if (!context.isKind(from.type(), TypeKind::Interface) && !context.isKind(from.type(), TypeKind::Pointer)) {
@@ -282,10 +304,13 @@ Operand queryCall(Context& context, const syntax::Expr& e) {
     sequence->type = context.elementary(TypeKind::Bool);
     sequence->range = e.range;
     sequence->statements.push_back(assignStmt(context, to.place, cast, {}));
+    // The result is read from the target and not from the cast, which is thus made once.
     sequence->a = inverted(context, isNull(context, load(context, to.place, e.range), e.range), e.range).expr;
     return {sequence, &context.types};
 }
 
+// Functions whose arguments are not values of a type: names of types, variables themselves, units. First those that
+// read their arguments themselves.
 Operand specialCall(Context& context, const library::Signature& signature, const syntax::Expr& e, TypeId hint) {
     const std::string_view name = signature.name;
     if (name == "LOWER_BOUND" || name == "UPPER_BOUND") return boundCall(context, e, name.front() == 'U');
@@ -310,6 +335,8 @@ Operand specialCall(Context& context, const library::Signature& signature, const
         const Denoted denoted = denote(context, first, Access::Read);
         if (denoted.kind == Denoted::Kind::Nothing) return unknown(context, e.range);
         if (denoted.kind == Denoted::Kind::Place && context.isKind(denoted.place->type, TypeKind::Unknown))
+            // __ISVALIDREF asks a pointer, a reference, an interface or an in-out; each keeps its address in another
+            // way, so each has its own question below.
             return unknown(context, e.range); // its type was reported
         if (denoted.kind == Denoted::Kind::Property || denoted.kind == Denoted::Kind::Value) {
             const Operand given = value(context, denoted, first, TypeId());
@@ -332,6 +359,8 @@ Operand specialCall(Context& context, const library::Signature& signature, const
     const Denoted denoted = denote(context, first, Access::Read);
     if (denoted.kind == Denoted::Kind::Nothing) return unknown(context, e.range);
     if (name == "BITADR") {
+        // BITADR gives the number of the bit within its area, as the address was written; an address in memory would
+        // mean nothing to a register map.
         const tree::Place* place = denoted.place;
         if (denoted.kind != Denoted::Kind::Place || place->kind != tree::PlaceKind::Absolute) {
             context.emit(first.range, findings::TemporaryReference());
@@ -349,6 +378,8 @@ Operand specialCall(Context& context, const library::Signature& signature, const
         return unknown(context, e.range);
     }
     if (name == "INDEXOF") {
+        // INDEXOF of CODESYS: a number for a unit. Here it is that of its function, which only says whether two are the
+        // same.
         if (denoted.kind != Denoted::Kind::Unit) {
             context.emit(first.range, findings::NotCallable(context.textOf(first.range)));
             return unknown(context, e.range);

@@ -13,6 +13,8 @@ using syntax::ArgumentKind;
 
 namespace {
 
+// MAX, ADD, MUX and others take any number of inputs (tables 24 to 28, "extensible"); a name that is given by
+// number is found without a list of all of them.
 /// IN3, IN4, … behind the last parameter of a function that takes any number.
 std::optional<size_t> furtherParameter(const Signature& signature, std::string_view name) {
     const size_t count = signature.parameters.size();
@@ -24,6 +26,7 @@ std::optional<size_t> furtherParameter(const Signature& signature, std::string_v
         return std::nullopt;
     const int first = std::atoi(std::string(last.substr(digits)).c_str());
     const int number = std::atoi(std::string(name.substr(digits)).c_str());
+    // A thousand: IN999999999 in a text that is only being typed must not make a list of that length.
     if (number <= first || number >= first + 1000) return std::nullopt;
     return count - 1 + static_cast<size_t>(number - first);
 }
@@ -58,6 +61,7 @@ public:
         case ArgumentKind::Input:
             break;
         }
+        // Each standard function has EN and ENO (2.5.1.2) without listing them.
         if (equalsIgnoringCase(argument.name.text, "EN")) {
             m_out.en = &argument;
         } else if (const auto index = parameterNamed(m_signature, argument.name.text)) {
@@ -73,6 +77,7 @@ public:
     StandardArguments finish(SourceRange callee) {
         for (size_t i = 0; i < m_out.inputs.size(); ++i) {
             if (m_out.inputs[i] && m_out.inputs[i]->value) continue;
+            // With an argument that is unknown or too many, "is missing" is most often the same mistake said twice.
             if (!m_out.isGood) break;
             m_context.emit(callee,
                            findings::MissingArgument(nameOf(i, "IN" + std::to_string(i + 1)), m_signature.name));
@@ -91,6 +96,7 @@ private:
     }
     bool addPositional(const syntax::Argument& argument) {
         const size_t count = m_signature.parameters.size();
+        // Positional ones after named ones fill the gaps.
         while (m_next < m_out.inputs.size() && m_out.inputs[m_next]) ++m_next; // FIND(STR1 := a, b)
         if (m_next >= count && !m_signature.isExtensible) {
             m_context.emit(argument.range, findings::TooManyArguments(m_signature.name, count));

@@ -38,6 +38,7 @@ static std::vector<tree::Stmt*> holdAsWritten(Context& context, std::vector<Oper
 
 namespace {
 /// Bounded by the height of the expression, which the parser limits.
+// Asked of the text, not of the tree: in the tree an intrinsic is no call any more.
 bool containsCall(const syntax::Expr& e) {
     if (e.kind == syntax::ExprKind::Call) return true;
     const auto inArgument = [](const syntax::Argument& a) { return a.value && containsCall(*a.value); };
@@ -47,6 +48,7 @@ bool containsCall(const syntax::Expr& e) {
 } // namespace
 
 Operand standardCall(Context& context, std::string_view name, const syntax::Expr& e, TypeId hint) {
+    // Signatures first: a function of the table may be named as a conversion would be.
     if (const Signature* signature = library::findSignature(name)) return signatureCall(context, *signature, e, hint);
     if (const auto conversion = library::findConversion(name))
         return conversionCall(context, *conversion, name, e, hint);
@@ -71,6 +73,8 @@ bool accepts(Context& context, const library::Parameter& parameter, const Operan
     case Generic::AnyElementary:
         good = elementaryType;
         break;
+    // ANY_MAGNITUDE is numbers and durations; dates and pointers are taken as well, because MAX of two dates and MOVE
+    // of a pointer are in every larger program.
     case Generic::AnyMagnitude:
         good = isNumeric(context, type) || isTime || family == Family::Date || family == Family::TimeOfDay ||
                family == Family::DateTime || context.isKind(type, TypeKind::Pointer) || family == Family::Character;
@@ -82,6 +86,7 @@ bool accepts(Context& context, const library::Parameter& parameter, const Operan
     case Generic::AnyInt:
         good = types::isInteger(family);
         break;
+    // Whole numbers as well: the standard has only bit strings here (SHL of an INT), compilers in use take both.
     case Generic::AnyBit:
         good = types::isInteger(family) || family == Family::Bool;
         break;
@@ -99,6 +104,7 @@ bool accepts(Context& context, const library::Parameter& parameter, const Operan
         break;
     }
     if (good) return true;
+    // "gives no value" and "is not for this type" are different mistakes.
     if (context.isKind(type, TypeKind::Void))
         context.emit(operand.expr->range, findings::NoValue(context.textOf(operand.expr->range)));
     else
@@ -113,6 +119,7 @@ Operand operatorCall(Context& context, const Signature& signature, std::vector<O
     const std::string_view name = signature.operatorName;
     const SourceRange at = e.base->range;
     if (operands.size() == 1) {
+        // The second operand is part of the function: it adds or subtracts a fixed number.
         if (signature.selector >= 0) {
             const Operand one =
                 constant(context, {context.elementary(TypeKind::Lint), signature.selector}, e.range, true);
@@ -133,6 +140,7 @@ Operand operatorCall(Context& context, const Signature& signature, std::vector<O
     BinaryOp op = BinaryOp::Add;
     for (const auto& [spelling, code] : kOperators)
         if (spelling == name) op = code;
+    // GT(a, b, c) is a > b AND b > c (table 28), each pair with the rules of the operator.
     if (signature.rule == Rule::Compare) {
         Operand all;
         for (size_t i = 0; i + 1 < operands.size(); ++i) {
@@ -143,6 +151,7 @@ Operand operatorCall(Context& context, const Signature& signature, std::vector<O
         }
         return all;
     }
+    // ADD(a, b, c) from left to right, as the operator would be.
     Operand result = operands[0];
     for (size_t i = 1; i < operands.size() && !result.isUnknown(); ++i)
         result = combine(context, op, signature.name, result, operands[i], e.range, at, hint);
@@ -163,6 +172,8 @@ Operand signatureCall(Context& context, const Signature& signature, const syntax
     if (signature.rule == Rule::Special) return specialCall(context, signature, e, hint);
     const StandardArguments arguments = standardArguments(context, signature, e);
     const bool compares = signature.rule == Rule::Compare;
+    // A comparison's result is BOOL, which says nothing about what is compared; a fixed result says nothing about
+    // operands.
     const bool passesHint = !compares && signature.rule != Rule::FixedResult && hint.isValid();
     std::vector<Operand> operands;
     bool good = arguments.isGood;
@@ -174,8 +185,10 @@ Operand signatureCall(Context& context, const Signature& signature, const syntax
                             ? context.elementary(parameter.fixed)
                             : TypeId();
         if (isFixed && parameter.fixed == TypeKind::Wstring) wanted = textType(context, 80, true);
+        // The first operand's type is what a literal or an enumerator in the others is read as.
         if (!isFixed && compares && !operands.empty() && !operands[0].isUnknown() && !operands[0].isFlexible)
             wanted = operands[0].type();
+        // Counts and positions (ANY_INT) have nothing to do with the type of the result.
         if (!isFixed && passesHint && parameter.generic != Generic::AnyInt) wanted = hint;
         Operand operand = expression(context, *arguments.inputs[i]->value, wanted);
         if (!operand.isUnknown() && arguments.inputs[i]->negated)
@@ -195,6 +208,7 @@ Operand signatureCall(Context& context, const Signature& signature, const syntax
         operands.push_back(operand);
     }
     if (!good) return unknown(context, e.range);
+    // Only now that all are good: held values go into locals, which a wrong call need not have.
     std::vector<tree::Stmt*> before = holdAsWritten(context, operands, arguments.inputs);
     Operand out = signature.operatorName.empty() ? signatureResult(context, signature, std::move(operands), e, hint)
                                                  : operatorResult(context, signature, std::move(operands), e, hint);
@@ -223,6 +237,7 @@ std::vector<tree::Stmt*> holdAsWritten(Context& context, std::vector<Operand>& o
     std::sort(written.begin(), written.end(), [&](size_t a, size_t b) { return inputs[a] < inputs[b]; });
     std::vector<tree::Stmt*> before;
     for (const size_t i : written)
+        // Literals have no moment at which they are evaluated.
         if (!operands[i].isFlexible) operands[i].expr = held(context, operands[i].expr, before);
     return before;
 }

@@ -23,6 +23,7 @@ using types::Family;
 namespace {
 
 /// The widest kind of text there is among them, with the largest capacity.
+// WSTRING wins over STRING whatever the capacities: the other way characters would be lost.
 TypeId widestText(const Context& context, const std::vector<Operand>& operands, size_t first) {
     TypeId type;
     for (size_t i = first; i < operands.size(); ++i)
@@ -36,6 +37,8 @@ TypeId widestText(const Context& context, const std::vector<Operand>& operands, 
     return type;
 }
 
+// Only the kind of text is made equal; lengths stay, since text functions take any capacity. The longest operand gives
+// the result's capacity.
 Operand makeCommonText(Context& context, std::vector<Operand>& operands, size_t first) {
     const SourceRange range = operands[first].expr->range;
     const TypeId type = widestText(context, operands, first);
@@ -51,6 +54,7 @@ Operand makeCommonText(Context& context, std::vector<Operand>& operands, size_t 
 }
 
 /// A value of the type, to ask what it has in common with another.
+// Offset 0 is never read: only the type of the load is looked at.
 Operand valueOfType(Context& context, TypeId type, SourceRange range) {
     return load(context, absolutePlace(context, 0, type, -1, range), range);
 }
@@ -67,6 +71,7 @@ std::optional<Operand> strongestOf(Context& context, const std::vector<Operand>&
             strongest = operand;
             continue;
         }
+        // Also keeps structures and enumerations, which have nothing in common with anything else.
         if (sameType(context.world, strongest->type(), operand.type())) continue;
         const TypeId type = commonType(context, *strongest, operand);
         if (!type.isValid()) {
@@ -75,6 +80,7 @@ std::optional<Operand> strongestOf(Context& context, const std::vector<Operand>&
                                                       context.nameOf(operand.type())));
             return unknown(context, range);
         }
+        // The common type may be that of none of them: SINT and USINT meet in INT.
         strongest = valueOfType(context, type, range);
     }
     return strongest;
@@ -82,6 +88,7 @@ std::optional<Operand> strongestOf(Context& context, const std::vector<Operand>&
 
 /// The type of those that have one, wider where a literal beside it needs it.
 TypeId widenedFor(Context& context, const std::vector<Operand>& operands, size_t first, TypeId type, TypeId hint) {
+    // A subrange's values leave it as soon as they are computed with; enumerations stay what they are.
     if (context.types.family(type) != Family::Other && !context.isKind(type, TypeKind::Enum))
         type = context.types.storage(type);
     for (size_t i = first; i < operands.size(); ++i) {
@@ -91,6 +98,7 @@ TypeId widenedFor(Context& context, const std::vector<Operand>& operands, size_t
         const Operand probe = valueOfType(context, type, operands[first].expr->range);
         const TypeId wider = commonType(context, probe, operands[i]);
         if (wider.isValid()) type = wider;
+        // i + 0.5 in a REAL assignment: REAL, although the common type of an INT and a literal is LREAL.
         if (context.types.family(type) == Family::Real && hint.isValid() && context.types.family(hint) == Family::Real)
             type = context.types.storage(hint);
     }
@@ -98,6 +106,7 @@ TypeId widenedFor(Context& context, const std::vector<Operand>& operands, size_t
 }
 
 /// Literals alone: the type wanted when all fit, else the smallest that holds them.
+// At least INT, since a sum of two small literals would otherwise wrap in SINT.
 TypeId typeOfLiterals(Context& context, const std::vector<Operand>& operands, size_t first, TypeId hint) {
     const bool real = std::any_of(operands.begin() + static_cast<std::ptrdiff_t>(first), operands.end(),
                                   [](const Operand& o) { return std::holds_alternative<double>(o.expr->value.data); });
@@ -127,6 +136,8 @@ Operand makeCommon(Context& context, std::vector<Operand>& operands, size_t firs
     if (strongest && strongest->isUnknown()) return *strongest;
     const TypeId type = strongest ? widenedFor(context, operands, first, strongest->type(), hint)
                                   : typeOfLiterals(context, operands, first, hint);
+    // Numbers are converted without a question here (they are widened, see strongestOf); all others by the rules of
+    // assignment, which refuse what does not fit.
     const bool isImplicit = context.types.isAggregate(type) || context.isKind(type, TypeKind::Interface) ||
                             context.isKind(type, TypeKind::Pointer) || !isNumeric(context, type);
     for (size_t i = first; i < operands.size(); ++i) {
@@ -139,6 +150,8 @@ Operand makeCommon(Context& context, std::vector<Operand>& operands, size_t firs
 }
 
 /// A text that holds `sum` characters, at most 255 where the operands are no longer themselves.
+// CONCAT and INSERT must not cut what fits by declaration. 255 is the longest text without a declared length of its
+// own; without a bound, texts in loops of calls would grow with every nesting.
 TypeId grownText(Context& context, TypeId text, size_t sum) {
     const size_t own = context.types[text].capacity;
     return textType(context, std::max<size_t>(own, std::min<size_t>(sum, 255)),
@@ -156,6 +169,7 @@ TypeId commonResult(Context& context, const Signature& signature, std::vector<Op
     return sum > context.types[common.type()].capacity ? grownText(context, common.type(), sum) : common.type();
 }
 
+// SHL, LEFT, DELETE …: the result is what the first operand is, the others are counts and positions.
 TypeId firstOperandResult(Context& context, const Signature& signature, std::vector<Operand>& operands, TypeId hint) {
     for (size_t i = 0; i < operands.size(); ++i) operands[i] = settled(context, operands[i], i == 0 ? hint : TypeId());
     TypeId result = operands[0].type();
@@ -168,6 +182,7 @@ TypeId firstOperandResult(Context& context, const Signature& signature, std::vec
     return grownText(context, result, context.types[result].capacity + context.types[operands[1].type()].capacity);
 }
 
+// LEN, FIND, TRUNC …: the result's type is in the signature.
 TypeId fixedResult(Context& context, const Signature& signature, std::vector<Operand>& operands, TypeId hint) {
     for (Operand& operand : operands) operand = settled(context, operand);
     if (*signature.intrinsic == Intrinsic::Find &&
@@ -178,6 +193,7 @@ TypeId fixedResult(Context& context, const Signature& signature, std::vector<Ope
         narrow = convertedText(context, narrow, operands[isFirstWide ? 0 : 1].type());
         if (narrow.isUnknown()) return {};
     }
+    // TRUNC gives ANY_INT (table 22): the variable it is assigned to chooses which.
     if (signature.name == "TRUNC" && hint.isValid() && types::isInteger(context.types.family(hint)))
         return context.types.storage(hint);
     if (signature.result == TypeKind::String || signature.result == TypeKind::Wstring)
@@ -194,6 +210,7 @@ TypeKind realKindOf(const Context& context, const std::vector<Operand>& operands
         if (operand.isFlexible) continue;
         onlyFlexible = false;
         const TypeKind own = context.types.storageKind(operand.type());
+        // More than 16 bits do not fit into REAL's 24 bits of mantissa in general.
         const bool wide = own == TypeKind::Lreal ||
                           (types::isInteger(context.types.family(operand.type())) && types::bitsOf(own) > 16);
         if (wide)
@@ -201,6 +218,8 @@ TypeKind realKindOf(const Context& context, const std::vector<Operand>& operands
         else if (kind == TypeKind::Unknown)
             kind = TypeKind::Real;
     }
+    // SQRT(i) for a REAL is computed as REAL: the assignment would otherwise be reported as lossy, for an LREAL that
+    // nobody asked for.
     if (wholeOnly && hint.isValid() && context.types.family(hint) == Family::Real)
         return context.types.storageKind(hint);
     if (!onlyFlexible) return kind;
@@ -226,6 +245,7 @@ TypeId resultType(Context& context, const Signature& signature, std::vector<Oper
         return fixedResult(context, signature, operands, hint);
     case Rule::RealOperand:
         return realResult(context, operands, hint);
+    // SEL and MUX: the first operand chooses, the others share the type of the result.
     case Rule::SecondOperand: {
         operands[0] = settled(context, operands[0]);
         const Operand common = makeCommon(context, operands, 1, signature, hint);
@@ -248,6 +268,7 @@ Operand signatureResult(Context& context, const Signature& signature, std::vecto
     const bool cuts = code == Intrinsic::Trunc || code == Intrinsic::Floor || code == Intrinsic::Ceil;
     if (cuts && signature.rule == Rule::FixedResult && context.types.family(operands[0].type()) != Family::Real)
         return convertNode(context, operands[0], result); // an integer has nothing to cut
+    // In an expression MOVE is its argument: nothing is there to copy it to.
     if (context.isExpression && code == Intrinsic::Move) return operands[0];
     return intrinsic(context, code, result, operands, e.range, signature.selector);
 }

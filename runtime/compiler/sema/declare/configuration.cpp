@@ -30,6 +30,8 @@ void forEachResource(const World& world,
             visit(configuration, *resource);
 }
 
+// Names of one RESOURCE are seen everywhere as long as no other has the same; only then do they need R1. before them.
+// Most configurations have one RESOURCE and never see the difference.
 /// The folded names of a RESOURCE's globals, or of its program instances.
 static std::set<NameId> namesOf(WorldBuilder& world, const syntax::ResourceDecl& resource, bool ofPrograms) {
     std::set<NameId> out;
@@ -54,6 +56,8 @@ static bool isInAnother(WorldBuilder& world, const Configuration& configuration,
     return false;
 }
 
+// What VAR_EXTERNAL refers to. A name that several RESOURCEs have is that of the RESOURCE which runs the program, as
+// far as only one does (edition 2, 2.7.1).
 Variable* globalOf(WorldBuilder& world, const Variable& external) {
     Scope outside = external.scope;
     outside.unit = nullptr;
@@ -71,6 +75,7 @@ Variable* globalOf(WorldBuilder& world, const Variable& external) {
 }
 
 void declareConfigurations(WorldBuilder& world) {
+    // VAR in a CONFIGURATION or RESOURCE is not in the standard but in the wild; it means VAR_GLOBAL.
     const auto sections = [&](const std::vector<syntax::VarSection*>& list, const Configuration& configuration,
                               std::string_view name) {
         for (syntax::VarSection* section : list) {
@@ -86,6 +91,7 @@ void declareConfigurations(WorldBuilder& world) {
         const bool isShared = isInAnother(world, configuration, resource, false, namesOf(world, resource, false));
         sections(resource.sections, configuration, isShared ? resource.name.text : std::string_view());
         if (isShared || !isInAnother(world, configuration, resource, true, namesOf(world, resource, true))) return;
+        // A list without variables: the name alone makes R1.A possible.
         auto* none = world.arena.make<syntax::GlobalList>(); // R1.A names an instance, also where R1 has no globals
         none->section = world.arena.make<syntax::VarSection>();
         none->section->kind = SectionKind::Global;
@@ -118,6 +124,7 @@ void declareConfigurations(WorldBuilder& world) {
             if (!equalsIgnoringCase(variable.name, unit.name))
                 world.top.entities[variable.id].push_back({&variable, nullptr, nullptr});
         }
+        // With one instance the program's name means it (Main.x); with a second one it would be ambiguous.
         ++unit.instanceCount;
         unit.instance = unit.instanceCount == 1 ? &variable : nullptr;
         world.instances.push_back({&variable, declaration, resource, scope, 0, std::string(resourceName)});
@@ -157,6 +164,7 @@ void addAccess(WorldBuilder& world, const syntax::VarDecl& declaration, const im
         root.bit = place.bit;
         root.constant = declaration.isReadOnly;
         root.declaration = name.range;
+        // A second name for the same bytes: shown in no list, recorded and saved only once.
         root.isHidden = true;
     }
 }
@@ -180,6 +188,7 @@ void accessAddress(WorldBuilder& world, const syntax::VarDecl& declaration, cons
               {type, areaOf(world, address->area).begin + address->byte, isBit ? address->bit : int16_t(-1)}, {});
 }
 
+// After the layout: a path such as motor.speed is found in the finished image.
 /// VAR_ACCESS of a PROGRAM: names below each of its instances, `i1.level`.
 void accessPrograms(WorldBuilder& world) {
     for (const Instance& instance : world.instances) {
@@ -215,6 +224,7 @@ void applyVarConfig(WorldBuilder& world) {
             }
             if (path.empty()) continue;
             const SourceRange range = joined(path.front().range, path.back().range);
+            // Paths may begin with the configuration's and the resource's name (2.7.1); the image has neither.
             const auto dropFirst = [&](const syntax::Name& name) {
                 if (path.size() > 1 && name.isValid() && equalsIgnoringCase(path.front().text, name.text))
                     path.erase(path.begin());
@@ -239,6 +249,8 @@ void applyVarConfig(WorldBuilder& world) {
                 addAccess(world, *declaration, *found, {});
                 continue;
             }
+            // The copy runs with the task of the instance that holds the variable, before its inputs or after its
+            // outputs.
             uint32_t rootIndex = 0;
             for (const Instance& instance : world.instances)
                 if (found->offset >= instance.variable->offset &&
@@ -259,6 +271,8 @@ void applyVarConfig(WorldBuilder& world) {
                     copy.isInput = address->area == image::Area::Input;
                     copy.root = rootIndex;
                     world.copies.push_back(copy);
+                    // Memory has no direction; whoever wrote last must win, so it is copied in before and out after the
+                    // program.
                     if (address->area == image::Area::Memory) { // both ways
                         copy.isInput = true;
                         world.copies.push_back(copy);
@@ -270,6 +284,8 @@ void applyVarConfig(WorldBuilder& world) {
             }
             if (declaration->initial) {
                 InitialValue initial;
+                // The value of VAR_CONFIG is written over that of the declaration: members it does not name keep
+                // theirs.
                 initial.bytes.assign(world.image.begin() + found->offset,
                                      world.image.begin() + found->offset + std::max(1u, world.types[found->type].size));
                 initialise(world, initial, found->type, 0, -1, declaration->initial, scope, nullptr);
@@ -292,6 +308,7 @@ void applyVarConfig(WorldBuilder& world) {
     }
     accessPrograms(world);
     for (const Located& open : world.openAddresses) {
+        // AT %Q* without an address from anywhere is only a warning: the program runs, nothing is connected.
         if (open.isCompleted || isLibraryFile(world, open.variable->range.file)) continue;
         const SourceRange range = open.variable->declaration->addressRange.file.isValid()
                                       ? open.variable->declaration->addressRange

@@ -30,6 +30,7 @@ bool isNamed(const syntax::TypeSpec* spec, std::string_view type) {
            equalsIgnoringCase(spec->path[0].text, type);
 }
 
+// Steps of a chart are variables of the type SFC_STEP by the time they get here (lower).
 bool isStepOfChart(const Variable* variable) { return variable && isNamed(variable->spec, "SFC_STEP"); }
 
 std::string pathText(const syntax::Path& path) {
@@ -38,12 +39,14 @@ std::string pathText(const syntax::Path& path) {
     return text;
 }
 
+// CODESYS names a list of globals by its file; an ST file with VAR_GLOBAL gets its name in the same way.
 std::string_view stemOf(std::string_view path) {
     if (const size_t slash = path.find_last_of("/\\"); slash != std::string_view::npos) path.remove_prefix(slash + 1);
     if (const size_t dot = path.find('.'); dot != std::string_view::npos) path = path.substr(0, dot);
     return path;
 }
 
+// 'a, b' in one attribute: libraries keep old names of pins in this way.
 std::vector<std::string> aliasesOf(const std::vector<syntax::Pragma>& pragmas) {
     std::vector<std::string> out;
     for (const syntax::Pragma& pragma : pragmas) {
@@ -100,6 +103,7 @@ types::FieldSection sectionOf(SectionKind kind) {
 } // namespace
 
 Space& childSpace(WorldBuilder& world, Space& parent, std::string_view name) {
+    // A namespace may be opened in many files; it is one (edition 3, 6.9).
     Space*& child = parent.spaces[world.key(name)];
     if (!child) {
         child = &world.spaces.emplace_back();
@@ -112,11 +116,13 @@ Space& childSpace(WorldBuilder& world, Space& parent, std::string_view name) {
 }
 
 void declareFile(WorldBuilder& world, const syntax::SyntaxFile& file) {
+    // By the file's number, with gaps: a text of the library may be given without a file.
     if (file.file.isValid()) {
         if (world.fileOf.size() <= file.file.index()) world.fileOf.resize(file.file.index() + 1);
         world.fileOf[file.file.index()] = &file;
     }
     Space* space = &world.top;
+    // What a library declares is in a space of its own, which look-up asks last.
     if (!file.library.empty()) {
         space = &childSpace(world, world.top, file.library);
         if (!space->isLibrary) {
@@ -149,6 +155,7 @@ void declare(WorldBuilder& world, const syntax::Decl& decl, Space& space, const 
     case syntax::DeclKind::Namespace: {
         if (!decl.space) return;
         Space* inner = &space;
+        // NAMESPACE a.b.c.… of a generated text: qualified names would grow with the square of the depth.
         if (decl.space->path.size() > kMaximumBases) // each has the names of those around it in its own
             return (void)world.emit(joined(decl.space->path.front().range, decl.space->path.back().range),
                                     findings::NestedTooDeep());
@@ -170,6 +177,7 @@ void declare(WorldBuilder& world, const syntax::Decl& decl, Space& space, const 
 ///   ok:    NAMESPACE Here … END_NAMESPACE USING Here;      wrong: USING Nowhere;  (P3026)
 void resolveUsings(WorldBuilder& world) {
     const auto resolve = [&](Space& from, const syntax::Path& path) -> Space* {
+        // As with names: the innermost namespace in which the path is found.
         for (Space* start = &from; start; start = start->parent) {
             Space* found = start;
             for (const syntax::Name& name : path) {
@@ -195,6 +203,7 @@ void resolveUsings(WorldBuilder& world) {
             if (!path.empty())
                 if (Space* used = resolve(*unit.space, path)) world.unitUsings[&unit].push_back(used);
     }
+    // USING at the top of a file holds for that file only.
     for (const syntax::SyntaxFile* file : world.fileOf) {
         if (!file) continue;
         for (const syntax::Decl* decl : file->declarations) {
@@ -233,9 +242,12 @@ Unit* declareUnit(WorldBuilder& world, const syntax::Pou& pou, Space& space, con
     unit.access = pou.access;
     unit.isAbstract = pou.isAbstract;
     unit.isFinal = pou.isFinal;
+    // {attribute 'simulation'}: a model of the plant, which runs after the programs that it serves.
     unit.isSimulation = hasAttribute(pou.pragmas, "simulation");
     unit.symbol = addSymbol(world, symbolKindOf(unit.kind), unit.name, space.qualified, unit.range, pou.comment);
     if (pou.name.isValid()) {
+        // A second unit of the same name is declared all the same, so that its own text is checked; look-up finds the
+        // first.
         std::vector<Entity>& entities = space.entities[unit.id];
         for (const Entity& other : entities) {
             if (!other.unit && !other.type) continue;
@@ -246,6 +258,7 @@ Unit* declareUnit(WorldBuilder& world, const syntax::Pou& pou, Space& space, con
         }
         entities.push_back({nullptr, &unit, nullptr});
     }
+    // The type exists before anything is known about it: variables of it may be declared in any order.
     if (unit.isInstanced() || unit.kind == UnitKind::Interface) {
         unit.type =
             world.types.declare(unit.kind == UnitKind::Interface ? TypeKind::Interface : TypeKind::Block, unit.name);
@@ -273,10 +286,12 @@ Unit* declareMethod(WorldBuilder& world, const syntax::Pou& pou, Unit& owner, st
     unit.space = owner.space;
     unit.owner = &owner;
     unit.access = pou.access;
+    // A method's prototype in an interface has no body by definition.
     unit.isAbstract = pou.isAbstract || owner.kind == UnitKind::Interface;
     unit.isFinal = pou.isFinal;
     unit.isOverride = pou.isOverride;
     unit.function = newFunction(world, unit.qualified, &unit);
+    // Accessors get their variable and symbol from the property, see declareMembers.
     if (kind == UnitKind::Method) {
         unit.symbol = addSymbol(world, SymbolKind::Method, unit.name, owner.name, unit.range, pou.comment);
         declareMembers(world, unit);
@@ -290,6 +305,7 @@ void declareMembers(WorldBuilder& world, Unit& unit) {
     const syntax::Pou& pou = *unit.pou;
     declareVariables(world, unit, pou.sections);
     if (!unit.isInstanced() && unit.kind != UnitKind::Interface && pou.result && unit.kind != UnitKind::PropertyGet) {
+        // The function's name is a variable inside of it (2.5.1.1).
         Variable result;
         result.name = unit.name;
         result.id = unit.id;
@@ -310,6 +326,7 @@ void declareMembers(WorldBuilder& world, Unit& unit) {
     };
     for (const syntax::Pou* method : pou.methods) {
         if (!method->name.isValid()) continue;
+        // It is declared although the name is taken, so that its body is checked; only the name leads to the first.
         const bool twice = taken(method->name);
         Unit* made = declareMethod(world, *method, unit, method->name.text, UnitKind::Method);
         if (!twice) unit.members[made->id].unit = made;
@@ -332,6 +349,7 @@ void declareMembers(WorldBuilder& world, Unit& unit) {
             made->property = &property;
             made->symbol = property.symbol;
             made->range = declared->name.range;
+            // What is written at the property holds for both accessors unless one says something else.
             if (made->access == syntax::Access::Default) made->access = declared->access;
             made->isAbstract = made->isAbstract || declared->isAbstract;
             made->isFinal = made->isFinal || declared->isFinal;
@@ -363,6 +381,7 @@ void declareMembers(WorldBuilder& world, Unit& unit) {
             if (namesake) diagnostic.related.push_back({namesake->range, notes::TheVariable()});
             if (!isBool) continue;
         }
+        // An action is code without variables of its own: self() is the unit around it, whose instance it works on.
         Unit& made = world.units.emplace_back();
         made.kind = UnitKind::Action;
         made.name = std::string(action->name.text);
@@ -387,6 +406,8 @@ void declareImplicitEno(WorldBuilder& world, Unit& unit) {
     const bool canHave =
         unit.kind == UnitKind::Function || unit.kind == UnitKind::Method || unit.kind == UnitKind::Block;
     if (!canHave || !unit.file || !unit.pou->body.range.file.isValid() || unit.members.count(world.key("ENO"))) return;
+    // The tokens of the body are read, not its tree: this happens before anything is resolved, and a text without ENO
+    // (most) costs one comparison for each identifier.
     const SourceRange body = unit.pou->body.range;
     const std::string_view text = world.sources[unit.file->file].text();
     const auto& tokens = unit.file->tokens.tokens;
@@ -396,11 +417,13 @@ void declareImplicitEno(WorldBuilder& world, Unit& unit) {
     for (; at != tokens.end() && at->begin < body.end && !found; ++at) {
         if (at->kind != lex::TokenKind::Identifier || at->end - at->begin != 3 || (text[at->begin] | 0x20) != 'e')
             continue;
+        // f(ENO => ok) names the callee's ENO and x.ENO a member: neither is a variable of this unit.
         const bool isArgument = at + 1 != tokens.end() && (at + 1)->kind == lex::TokenKind::Output;
         const bool isMember = at != tokens.begin() && (at - 1)->kind == lex::TokenKind::Dot;
         found = !isArgument && !isMember && equalsIgnoringCase(text.substr(at->begin, 3), "ENO");
     }
     if (!found) return;
+    // As if "ENO : BOOL := TRUE" were written: everything behind sees an ordinary output.
     auto* boolean = world.arena.make<syntax::TypeSpec>();
     boolean->kind = syntax::TypeSpecKind::Named;
     boolean->path.push_back({"BOOL", unit.range});
@@ -429,6 +452,7 @@ Variable& addVariable(WorldBuilder& world, Unit& unit, Variable variable, const 
     variable.owner = &unit;
     variable.space = unit.space;
     variable.scope = {&unit, unit.space, unit.file};
+    // A deque: references to variables stay good while others are added.
     unit.variables.push_back(std::move(variable));
     Variable& added = unit.variables.back();
     Member& member = unit.members[added.id];
@@ -437,12 +461,14 @@ Variable& addVariable(WorldBuilder& world, Unit& unit, Variable variable, const 
                                   : member.unit   ? member.unit->range
                                                   : SourceRange{};
         auto& diagnostic = world.emit(added.range, findings::DuplicateName(added.name));
+        // What a lowering has added has no place to show.
         if (first.file.isValid()) diagnostic.related.push_back({first, notes::FirstDeclaredHere()});
     } else {
         member.variable = &added;
     }
     if (pragmas)
         for (const std::string& alias : aliasesOf(*pragmas))
+            // try_emplace: a declared name is never hidden by somebody's alias.
             unit.members.try_emplace(world.key(alias)).first->second.variable = &added;
     return added;
 }

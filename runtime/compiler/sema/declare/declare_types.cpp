@@ -20,8 +20,10 @@ bool hasAttribute(const std::vector<syntax::Pragma>& pragmas, std::string_view k
                        [&](const syntax::Pragma& p) { return p.isAttribute && equalsIgnoringCase(p.key, key); });
 }
 
+// x : (Off, On) declares enumerators where the variable is declared; they have to be known before any body.
 void declareInlineEnums(WorldBuilder& world, const syntax::TypeSpec* spec, const Scope& scope,
                         std::unordered_map<NameId, std::vector<EnumeratorRef>>& table) {
+    // ARRAY OF ARRAY OF …: as deep as types may be.
     for (int depth = 0; spec && depth < 32; spec = spec->element, ++depth) {
         if (spec->kind == syntax::TypeSpecKind::Enum) {
             declareEnum(world, *spec, "enumeration", scope, table, nullptr);
@@ -35,6 +37,7 @@ void declareGlobals(WorldBuilder& world, const syntax::GlobalList& declared, Spa
                     const syntax::SyntaxFile& file, std::string_view name) {
     if (!declared.section) return;
     const NameId id = world.key(name);
+    // Several VAR_GLOBAL sections of one file are one list: they have one name.
     GlobalsList*& list = space.lists[id];
     if (!list) {
         list = &world.lists.emplace_back();
@@ -43,6 +46,7 @@ void declareGlobals(WorldBuilder& world, const syntax::GlobalList& declared, Spa
         list->space = &space;
         if (!name.empty()) addSymbol(world, SymbolKind::GlobalList, name, space.qualified, {}, declared.comment);
     }
+    // {attribute 'qualified_only'}: GVL.x is the only name of x.
     const bool qualifiedOnly = hasAttribute(declared.section->pragmas, "qualified_only");
     const Scope scope{nullptr, &space, &file};
     for (const syntax::VarDecl* declaration : declared.section->declarations) {
@@ -64,6 +68,7 @@ void declareGlobals(WorldBuilder& world, const syntax::GlobalList& declared, Spa
             variable.isLocated = !declaration->address.empty();
             variable.symbol = addSymbol(world, variable.isConstant ? SymbolKind::Constant : SymbolKind::Variable,
                                         varName.text, list->name, varName.range, declaration->comment);
+            // symbols grows with each declaration: the reference is taken after addSymbol and not kept.
             Symbol& symbol = world.symbols[variable.symbol.index()];
             symbol.isConstant = variable.isConstant;
             symbol.path = list->name.empty() ? variable.name : list->name + "." + variable.name;
@@ -92,6 +97,7 @@ EnumType* declareEnum(WorldBuilder& world, const syntax::TypeSpec& spec, std::st
     // Until completeEnum has read the type that is written; its values may need constants declared later.
     type.element = types::TypeTable::of(TypeKind::Int);
     type.size = type.align = 2;
+    // Size and base type are guesses that every ordinary enumeration keeps.
     type.qualifiedOnly = qualifiedOnly;
     type.isStrict = attributes && hasAttribute(*attributes, "strict");
     made.isTextNamed = attributes && hasAttribute(*attributes, "to_string");
@@ -104,6 +110,7 @@ EnumType* declareEnum(WorldBuilder& world, const syntax::TypeSpec& spec, std::st
         made.symbols.push_back(
             addSymbol(world, SymbolKind::Enumerator, declared.name.text, name, declared.name.range, declared.comment));
         world.symbols.back().type = made.type;
+        // Twice the same enumerator: the first keeps its number, so later ones do not shift.
         if (!made.indices.try_emplace(world.key(declared.name.text), i).second)
             world.emit(declared.name.range, findings::DuplicateName(declared.name.text));
         if (!qualifiedOnly && declared.name.isValid()) table[world.key(declared.name.text)].push_back({&made, i});
@@ -116,6 +123,7 @@ TypeId declareStruct(WorldBuilder& world, const syntax::TypeSpec& spec, std::str
     made.spec = &spec;
     made.scope = scope;
     made.name = name;
+    // The fields come with completeStruct: their types may be declared further on.
     made.isUnion = spec.kind == syntax::TypeSpecKind::Union;
     made.type = world.types.declare(made.isUnion ? TypeKind::Union : TypeKind::Struct, std::move(name));
     world.structsByType[made.type] = &made;
@@ -132,6 +140,7 @@ void declareType(WorldBuilder& world, const syntax::TypeDecl& declared, Space& s
     type.scope = {nullptr, &space, &file};
     type.symbol = addSymbol(world, SymbolKind::Type, type.name, space.qualified, declared.name.range, declared.comment);
     std::vector<Entity>& entities = space.entities[type.id];
+    // A type and a unit share one space of names, a variable may have the name of either.
     for (const Entity& other : entities) {
         if (!other.unit && !other.type) continue;
         world.emit(declared.name.range, findings::DuplicateName(type.name))

@@ -17,7 +17,9 @@ using syntax::StmtKind;
 
 /// No program holds the block: its variables and statements are checked, nothing is laid out or compiled.
 void declareTest(WorldBuilder& world, const syntax::TestDecl& test, Space& space, const syntax::SyntaxFile& file) {
+    // TEST is a word only in tests/: elsewhere the parser has said so.
     if (!isTestPath(world.sources[file.file].path())) return;
+    // A test is declared as a block because it has variables, statements and calls of blocks, like one.
     syntax::Pou* pou = world.arena.make<syntax::Pou>();
     pou->kind = syntax::PouKind::FunctionBlock;
     pou->name = {world.names.folded(world.key(testUnitName(test))), test.titleRange};
@@ -39,11 +41,14 @@ void checkTestNames(WorldBuilder& world) {
     };
     for (const Reference& reference : world.references) {
         const Symbol& symbol = world.symbols[reference.symbol.index()];
+        // The program is built without its tests: a name that only they have would be missing then, so it is missing
+        // now.
         if (symbol.owner.empty() && isInTests(symbol.declaration) && !isInTests(reference.range))
             world.emit(reference.range, findings::UndeclaredName(symbol.name));
     }
 }
 
+// Names of VAR_ACCESS exist only after the layout. A test may use them; that one exists is all that can be said here.
 bool isAccessName(const World& world, std::string_view name) {
     const auto has = [&](const std::vector<syntax::VarSection*>& sections) {
         for (const syntax::VarSection* section : sections) {
@@ -73,6 +78,7 @@ void testStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree:
     switch (stmt.kind) {
     case StmtKind::Run:
         if (stmt.value) (void)condition(context, *stmt.value);
+        // RUN 5 SCANS or RUN T#2s: the same field of the syntax, another type.
         if (stmt.to && stmt.countsScans)
             (void)converted(context, expression(context, *stmt.to, context.elementary(TypeKind::Lint)),
                             context.elementary(TypeKind::Lint));
@@ -85,6 +91,7 @@ void testStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree:
         return;
     case StmtKind::Force: {
         if (!stmt.target || !stmt.value) return;
+        // FORCE x := v is checked as x := v: the same types fit, and what cannot be assigned cannot be forced.
         syntax::Stmt assigned = stmt;
         assigned.kind = StmtKind::Assign;
         assigned.op = lex::TokenKind::Assign;

@@ -13,6 +13,7 @@ namespace plc::sema {
 namespace {
 
 /// Each use once; false: of a variable that has no number.
+// Uses are counted as "is read at all" and "is written at all"; how often is of no interest, so a body needs each once.
 bool makeUnique(std::vector<VariableUse>& uses) {
     const auto order = [](const VariableUse& a, const VariableUse& b) {
         return std::tuple(a.variable, a.isRead, a.isWrite) < std::tuple(b.variable, b.isRead, b.isWrite);
@@ -32,10 +33,13 @@ public:
         records.resize(m_world.units.size());
         for (size_t i = 0; i < m_world.units.size(); ++i) {
             Unit& unit = m_world.units[i];
+            // Units without a body (prototypes, those that a lowering took over) have no record either.
             if (!beginBody(m_world, unit)) continue;
             const std::shared_ptr<const BodyRecord> before = m_valid.isAny ? m_last->records[i] : nullptr;
             if (before && isStillGood(*before, unit)) {
                 take(*before, unit);
+                // Shared, not copied: the record keeps the shapes of the text that it was made from, however many
+                // keystrokes ago.
                 records[i] = before;
             } else {
                 records[i] = check(unit);
@@ -50,6 +54,8 @@ public:
 private:
     [[nodiscard]] bool isStillGood(const BodyRecord& record, const Unit& unit) const {
         if (!record.isKeepable || m_valid.isChanged(unit)) return false;
+        // Suggestions are limited for the whole program; a body's messages depend on the count before it as soon as the
+        // limit is near.
         const size_t most = std::max(record.suggestionsBefore, m_world.suggestions) + record.suggestions;
         return record.suggestionsBefore == m_world.suggestions || most <= kMaximumSuggestions;
     }
@@ -65,6 +71,7 @@ private:
         const size_t completions = world.completions, types = world.types.count(), found = world.sink.all().size(),
                      references = world.references.size(), symbols = world.symbols.size(), calls = world.calls.size();
         record->suggestionsBefore = world.suggestions;
+        // Gathered by the body alone, so that the record knows its own.
         world.uses.clear();
         checkBody({world, world}, unit, *m_arena);
         noteUses(world, world.uses);
@@ -79,6 +86,7 @@ private:
                                    world.sink.all().end());
         record->references.assign(world.references.begin() + static_cast<std::ptrdiff_t>(references),
                                   world.references.end());
+        // Numbers of labels depend on the bodies before. In the record they count from m_declaredSymbols.
         for (Reference& reference : record->references) // its own labels from the first of them on
             if (reference.symbol.index() >= m_declaredSymbols)
                 reference.symbol = SymbolId(reference.symbol.index() - symbols + m_declaredSymbols);
@@ -86,6 +94,8 @@ private:
         record->calls.assign(world.calls.begin() + static_cast<std::ptrdiff_t>(calls), world.calls.end());
         record->uses = world.uses;
         record->suggestions = world.suggestions - record->suggestionsBefore;
+        // A body that completed something shared (a constant, a type of a local) must run again: without it nobody
+        // would.
         record->isKeepable = world.completions == completions && makeUnique(record->uses);
         for (size_t i = types; i < world.types.count(); ++i) {
             const types::Type& type = world.types[TypeId(i)];
@@ -101,6 +111,7 @@ private:
         WorldBuilder& world = m_world;
         const Moves moved(*record.shapes, *m_valid.shapes);
         for (const auto& [kind, capacity] : record.texts)
+            // Texts are numbered in the order of their first use: taking a record has to use them in the same order.
             (void)(kind == TypeKind::String ? world.types.string(capacity) : world.types.wstring(capacity));
         for (const diagnostics::Diagnostic& each : record.diagnostics) world.sink.add(inPlace(each, moved));
         const auto firstLabel = static_cast<uint32_t>(world.symbols.size());
@@ -123,6 +134,7 @@ private:
         tree::Function& function = world.functions[unit.function.index()];
         function.body = record.body;
         function.locals = record.locals;
+        // Trees are not moved here; withTreesInPlace does it for those who build.
         if (moved.isNeeded())
             for (tree::Local& local : function.locals) local.declaration = moved(local.declaration);
         function.labelCount = record.labelCount;
@@ -156,6 +168,7 @@ size_t checkChangedBodies(WorldBuilder& world, const std::vector<std::shared_ptr
     check->rules = {world.options.strict, world.options.addressing, world.options.memoryForNew};
     check->declared = summaryOf(world);
     StillValid valid = stillValid(last, world, files);
+    // The same text is not enough: a file of a library may have changed what it means.
     valid.isAny = valid.isAny && last->declared == check->declared;
     check->shapes = valid.shapes;
     const size_t checked = ChangedBodies(world, last, std::move(valid)).run(check->records);

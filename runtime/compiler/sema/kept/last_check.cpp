@@ -1,3 +1,4 @@
+// What of the last check still holds, decided per file: the same file object, the same text but for bodies, or nothing.
 #include "runtime/compiler/sema/kept/last_check.h"
 
 namespace plc::sema {
@@ -32,10 +33,12 @@ StillValid stillValid(const LastCheck* last, const World& world,
     for (size_t i = 0; i < files.size(); ++i) {
         const SourceText& text = world.sources[FileId(i)];
         const bool hasBefore = last && i < last->files.size();
+        // The same object: KeptFiles found the text unchanged. This is the case of all files but one at a keystroke.
         if (hasBefore && last->files[i] == files[i]) {
             (*shapes)[i] = (*last->shapes)[i];
             continue;
         }
+        // Also where nothing is kept any more: the next check needs it.
         (*shapes)[i] = shapeOf(*files[i], text.text());
         if (!out.isAny) continue;
         out.isAny = isSameFile(*last, i, *files[i], text);
@@ -45,6 +48,7 @@ StillValid stillValid(const LastCheck* last, const World& world,
         out.isAny = changed.has_value();
         if (!changed) continue;
         out.changed[i] = std::move(*changed);
+        // An edit that keeps all lengths (a letter for a letter): records need no moving.
         if (before.bodies == (*shapes)[i]->bodies) (*shapes)[i] = (*last->shapes)[i]; // nothing moved
     }
     out.shapes = std::move(shapes);
@@ -52,12 +56,15 @@ StillValid stillValid(const LastCheck* last, const World& world,
 }
 
 std::vector<uint64_t> summaryOf(const WorldBuilder& world) {
+    // What bodies see of the declarations, as numbers. A number more costs nothing; one too few keeps a wrong tree, so
+    // whatever a body can read of a declaration has to be in here or in the text.
     std::vector<uint64_t> out{world.types.count(), world.functions.size(), world.symbols.size(), world.units.size(),
                               world.rangeOfInputs, world.rangeOfOutputs,   world.rangeOfMemory,  world.image.size()};
     const auto add = [&](const Variable& variable) {
         out.push_back(uint64_t(variable.offset) << 32 | uint64_t(variable.type.value) << 8 |
                       uint64_t(variable.storage) << 1 | uint64_t(variable.isConstant));
     };
+    // %IW3.1 is placed after what flat addresses use, those in bodies included.
     for (const auto& [name, place] : world.hierarchical) {
         for (const char c : name) out.push_back(static_cast<unsigned char>(c));
         out.push_back(uint64_t(place.address.byte) << 32 | place.size);

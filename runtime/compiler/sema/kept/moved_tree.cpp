@@ -24,6 +24,7 @@ private:
     /// The copy of a node: `fill` moves it on, once.
     template <class T, class Fill> T* copy(Copies<T>& copies, const T* node, const Fill& fill) {
         if (!node) return nullptr;
+        // Before `fill`, which may come back here by another way.
         if (const auto it = copies.find(node); it != copies.end()) return it->second;
         T* made = m_arena.make<T>(*node);
         copies.emplace(node, made);
@@ -31,6 +32,8 @@ private:
         return made;
     }
 
+    // Every pointer of a node is listed here by hand: one that is forgotten would leave the copy pointing into the
+    // record. KeptBodies compares whole trees after random edits for that.
     tree::Place* place(const tree::Place* node) {
         return copy(m_places, node, [&](tree::Place& made) {
             made.range = m_moves(made.range);
@@ -94,6 +97,8 @@ private:
 
 std::shared_ptr<tree::Program> copyOf(const tree::Program& program) {
     auto copy = std::make_shared<tree::Program>();
+    // Bodies are shared with the original as long as they are not moved: it lives as long as the analysis that is
+    // passed on.
     copy->functions = program.functions;
     copy->dispatch = program.dispatch;
     copy->types = program.types;
@@ -114,6 +119,7 @@ std::shared_ptr<const Analysis> withTreesInPlace(const std::shared_ptr<const Ana
     std::shared_ptr<tree::Program> program;
     for (size_t i = 0; i < world.units.size(); ++i) {
         const BodyRecord* record = world.check->records[i].get();
+        // Made from this very text.
         if (!record || record->shapes == world.check->shapes) continue;
         const Moves moves(*record->shapes, *world.check->shapes);
         if (!moves.isNeeded()) continue;

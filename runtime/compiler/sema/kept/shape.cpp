@@ -1,3 +1,5 @@
+// A file as its bodies and what is between them. Everything that a check keeps relies on bodyAt and changedBodies being
+// right: two readings that differ outside of bodies are different declarations.
 #include "runtime/compiler/sema/kept/shape.h"
 
 #include "runtime/base/text.h"
@@ -20,6 +22,7 @@ public:
 
     std::vector<Piece> run() {
         declarations(m_file.declarations);
+        // By begin, and of equal begins the longer first: what contains another comes before it.
         std::sort(m_found.begin(), m_found.end(),
                   [](Piece a, Piece b) { return std::pair(a.begin, b.end) < std::pair(b.begin, a.end); });
         std::vector<Piece> apart;
@@ -44,6 +47,7 @@ private:
     }
 
     void unit(const Pou& pou) {
+        // Prototypes have no bodies.
         if (pou.kind == syntax::PouKind::Interface) return;
         for (const Pou* method : pou.methods) unit(*method);
         for (const syntax::Property* property : pou.properties) {
@@ -52,11 +56,13 @@ private:
         }
         bool declares = isLowered(pou.body); // lowering charts and lists adds variables to the unit
         for (const syntax::ActionDecl* action : pou.actions) declares = declares || isLowered(action->body);
+        // The whole body counts as declaration: a changed step is a changed variable.
         if (declares) return;
         add(pou.body);
         for (const syntax::ActionDecl* action : pou.actions) add(action->body);
     }
 
+    // Comments and spaces at the edges belong to the body: typing there is the most frequent edit of all.
     /// From the end of the token before it to the begin of the one after it.
     void add(const Body& body) {
         if (body.range.file != m_file.file) return;
@@ -100,6 +106,7 @@ std::optional<std::vector<bool>> changedBodies(const FileShape& before, std::str
     uint32_t endBefore = 0, endNow = 0;
     for (size_t i = 0; i < now.bodies.size(); ++i) {
         const Piece a = before.bodies[i], b = now.bodies[i];
+        // Text between two bodies, comments included: they are shown with declarations.
         if (textBefore.substr(endBefore, a.begin - endBefore) != textNow.substr(endNow, b.begin - endNow)) return {};
         const std::string_view bodyBefore = textBefore.substr(a.begin, a.end - a.begin);
         const std::string_view bodyNow = textNow.substr(b.begin, b.end - b.begin);
@@ -119,6 +126,7 @@ SourceRange Moves::operator()(SourceRange range) const {
     if (&from == &to) return range;
     const auto moved = [&](uint32_t offset) {
         // the last body that begins at or before it: it is in there, or in what follows
+        // Places between bodies move by as much as the body before them.
         const auto after = std::upper_bound(from.bodies.begin(), from.bodies.end(), offset,
                                             [](uint32_t at, const Piece& piece) { return at < piece.begin; });
         if (after == from.bodies.begin()) return offset;

@@ -1,3 +1,4 @@
+// Direct addresses: how large the areas %I, %Q and %M have to be, and where hierarchical addresses are in them.
 #include "runtime/compiler/sema/layout/addresses.h"
 
 #include "runtime/compiler/sema/layout/layout.h"
@@ -7,8 +8,11 @@ namespace {
 
 using image::Area;
 
+// Programs that grow by an address or two should not move everything behind the areas with each of them: retained
+// values and recordings are found by offset.
 constexpr uint32_t kMinimumArea = 256;
 
+// %ML is 8 bytes and each area begins at a multiple of 8: the widest access is aligned wherever it is.
 uint64_t aligned(uint64_t offset) { return (offset + 7) / 8 * 8; }
 
 uint32_t bytesOf(TypeKind kind) { return std::max(1u, types::bitsOf(kind) / 8); }
@@ -20,6 +24,7 @@ public:
 
     void use(std::string_view text, uint32_t bytes) {
         const auto address = image::parseAddress(text, m_world.options.addressing);
+        // Wrong addresses are reported where the variable is placed; here they only must not make the area huge.
         if (!address || address->isOpen || address->byte > kMaximumAddress) return;
         if (address->isHierarchical) {
             HierarchicalPlace& place = m_world.hierarchical[image::hierarchicalName(text)];
@@ -61,6 +66,7 @@ std::optional<DirectAddress> addressIn(const World& world, std::string_view text
     return known == world.hierarchical.end() ? std::nullopt : std::optional(known->second.address);
 }
 
+// Tokens and not trees: an address counts wherever it is written, also in a body that is not checked again.
 void measureAddresses(WorldBuilder& world) {
     Measure measure(world);
     for (const syntax::SyntaxFile* file : world.fileOf) {
@@ -70,6 +76,7 @@ void measureAddresses(WorldBuilder& world) {
             if (token.kind == lex::TokenKind::DirectAddress)
                 measure.use(text.substr(token.begin, token.end - token.begin), 1);
     }
+    // AT %MB0 : ARRAY[0..99] OF BYTE reaches farther than its letter says.
     const auto located = [&](const Variable& variable) {
         if (variable.isLocated && variable.declaration)
             measure.use(variable.declaration->address, std::max(1u, world.types[variable.type].size));
@@ -91,6 +98,7 @@ std::vector<image::HierarchicalAddress> hierarchicalAddresses(const World& world
     return out;
 }
 
+// The same byte with the letter of another size, for fixes.
 std::string withLetter(const World& world, std::string_view text, TypeKind kind) {
     const auto address = image::parseAddress(text, world.options.addressing);
     const std::string letter(types::bitsOf(kind) == 1    ? "X"
@@ -106,6 +114,7 @@ std::string withLetter(const World& world, std::string_view text, TypeKind kind)
     return std::string(text).replace(2, 1, letter); // in words, of an odd byte: the same number
 }
 
+// Counts the last number up: a neighbour in the same module of the rack is the likeliest free place.
 std::string freeHierarchical(const World& world, std::string_view text) {
     const std::string name = image::hierarchicalName(text);
     const size_t last = name.rfind('.') + 1;

@@ -25,12 +25,16 @@ static tree::FunctionId initialiserOf(const Check& check, TypeId type);
 
 namespace {
 
+// FB_Init is CODESYS's constructor, kept because whole libraries hang on it. find and not key: this runs with a const
+// World, and if nobody wrote the name it is nowhere.
 Unit* initMethodOf(const World& world, TypeId type) {
     Unit* unit = world.unitOf(type);
     if (!unit || unit->kind != UnitKind::Block) return nullptr;
     return findMember(*unit, world.names.find("FB_Init")).unit;
 }
 
+// The sink is its own: the messages of an expression that turns out not to be constant come when its code is made, and
+// would be there twice.
 /// Runs an expression without knowing yet whether it is constant; what it says counts only if it is, or is wrong.
 struct Trial {
     Trial(const Check& check, const Scope& scope)
@@ -53,6 +57,7 @@ struct Trial {
 namespace {
 /// before + made * times, as far as it can be counted: repetitions in repetitions grow without bounds.
 uint64_t sumWithin(uint64_t before, uint64_t made, int64_t times) {
+    // Far beyond every array, far below an overflow of the next product.
     constexpr uint64_t most = uint64_t(1) << 40;
     if (times <= 0) return before;
     if (made > most / static_cast<uint64_t>(times)) return most;
@@ -62,6 +67,7 @@ uint64_t sumWithin(uint64_t before, uint64_t made, int64_t times) {
 
 bool needsConstruction(const World& world, TypeId type) {
     const TypeKind kind = world.types.kind(type);
+    // Recursive over element types, which are bounded by kMaximumNesting.
     if (kind == TypeKind::Array) return needsConstruction(world, world.types[type].element);
     if (kind != TypeKind::Block && kind != TypeKind::Struct && kind != TypeKind::Union) return false;
     const auto it = world.typeInitials.find(type);
@@ -71,6 +77,7 @@ bool needsConstruction(const World& world, TypeId type) {
 void writeConstant(const World& world, InitialValue& out, TypeId type, uint32_t offset, int16_t bit,
                    const types::Value& value) {
     const uint32_t size = bit >= 0 ? 1 : world.types[type].size;
+    // A type that was reported as wrong may have any size; nothing is written outside of the bytes there are.
     if (uint64_t(offset) + size > out.bytes.size()) return;
     types::writeValue(world.types, type, value, std::span(out.bytes).subspan(offset, size), bit);
 }
@@ -90,6 +97,7 @@ public:
         if (hasInit || needsConstruction(m_check.world, m_type)) {
             DynamicInit dynamic = dynamicHere();
             dynamic.isConstruction = true;
+            // m : Motor(number := 1) gives arguments to FB_Init if there is one, else initial values to members.
             dynamic.constructor = hasInit ? constructor : nullptr;
             m_out.dynamics.push_back(dynamic);
         }
@@ -102,6 +110,7 @@ public:
     }
 
     void value(const syntax::Expr& value, int16_t bit) {
+        // By the form of the value first: the parser has already told lists from expressions.
         if (value.kind == ExprKind::StructInit) {
             if (hasMembers()) return members(value.arguments);
             m_check.emit(value.range, findings::TypeMismatch(Verbatim("(… := …)"), m_check.world.nameOf(m_type)));
@@ -128,6 +137,7 @@ private:
     }
 
     void members(const std::vector<syntax::Argument>& arguments) {
+        // The missing base was reported; each member it might have had would be a message more.
         if (hasUnknownBase(m_check.world.unitOf(m_type))) return; // its members are not known
         for (const syntax::Argument& argument : arguments)
             if (argument.value) member(argument);
@@ -149,7 +159,9 @@ private:
         if (Unit* unit = m_check.world.unitOf(m_type))
             if (const Member found = findMember(*unit, m_check.world.names.find(argument.name.text)); found.variable)
                 refer(m_check, range, found.variable->symbol, false, true);
+        // A copy and not a reference:
         const types::Field field = *known; // the table of types may grow meanwhile
+        // An in-out has no value before a call binds it.
         if (field.section == types::FieldSection::InOut) {
             m_check.emit(range, findings::NotAllowedHere(phrases::AnInOut(field.name), phrases::InAnInitialValue()));
             return;
@@ -161,16 +173,20 @@ private:
     void elements(const syntax::Expr& value) {
         m_element = m_check.world.types[m_type].element;
         m_size = m_check.world.types[m_element].size;
+        // All dimensions in one row (table 15): [1, 2, 3, 4] fills ARRAY[0..1, 0..1] line by line.
         m_count = m_size ? m_check.world.types[m_type].size / m_size : 0;
         fill(value.arguments, value.range);
         if (m_index > m_count) m_check.emit(value.range, findings::TooManyInitialValues(m_index, m_count));
     }
 
     void fill(const std::vector<syntax::Argument>& arguments, SourceRange whole) {
+        // ARRAY OF ARRAY: an inner list is one element. With several dimensions, inner brackets are only for the
+        // reader.
         const bool isNested = m_check.world.types.kind(m_element) == TypeKind::Array;
         for (const syntax::Argument& argument : arguments) {
             const syntax::Expr* item = argument.value;
             if (!item) {
+                // [1, , 3]: an element that is left out begins as its type does.
                 ++m_index; // the default
             } else if (item->kind == ExprKind::Repeat || isConstantRepeat(*item)) {
                 if (!repeat(*item, whole)) return;
@@ -190,9 +206,11 @@ private:
         if (item.kind != ExprKind::Call || !item.base ||
             (item.base->kind != ExprKind::NameRef && item.base->kind != ExprKind::Member))
             return false;
+        // 3(0) and cCount(0) look the same; a call of a function looks so as well. What the name denotes decides.
         Trial trial(m_check, m_scope);
         trial.checker.isMuted = true;
         const Denoted denoted = denote(trial.checker, *item.base, Access::Read);
+        // Whether it is a repetition is all that was asked: the real look comes later.
         trial.drop();
         return denoted.kind == Denoted::Kind::Value && denoted.value.isConstant() &&
                std::holds_alternative<int64_t>(denoted.value.expr->value.data);
@@ -207,11 +225,13 @@ private:
             return true;
         }
         for (int64_t i = 0; i < *times; ++i) {
+            // What is repeated may itself be a list, so the first round is made to find out how many elements it has.
             const uint64_t before = m_index;
             const size_t dynamics = m_out.dynamics.size();
             fill(item.arguments, whole);
             const uint64_t made = m_index - before;
             if (made == 0) return true;
+            // Each element that is no constant costs code: a million of them is a mistake, not a wish.
             if (m_out.dynamics.size() > kMaximumInitialisedByCode) {
                 m_check.emit(whole, findings::NotConstant());
                 return false;
@@ -251,6 +271,7 @@ private:
             return;
         }
         const Operand operand = converted(trial.checker, expression(trial.checker, value, m_type), m_type);
+        // Unknown was wrong and its message counts; constant is done here.
         if (operand.isUnknown() || operand.isConstant()) {
             trial.keep();
             if (operand.isConstant()) writeConstant(m_check.world, m_out, m_type, m_offset, bit, operand.expr->value);
@@ -325,6 +346,7 @@ void initialiseDeclared(const Check& check, InitialValue& out, TypeId type, uint
     const uint32_t size = check.world.types[element].size, count = size ? check.world.types[type].size / size : 0;
     if (inner->constructors.size() > count)
         check.emit(spec->range, findings::TooManyInitialValues(inner->constructors.size(), count));
+    // Equal arguments for all: a loop instead of a call for each, so that code does not grow with the array.
     if (initMethodOf(check.world, element) && inner->constructors.empty()) { // one loop for all of them
         DynamicInit dynamic;
         dynamic.offset = offset;
@@ -340,6 +362,7 @@ void initialiseDeclared(const Check& check, InitialValue& out, TypeId type, uint
                                                                        : nullptr;
             const size_t dynamics = out.dynamics.size();
             initialise(check, out, element, offset + i * size, -1, nullptr, scope, constructor);
+            // Without code and with one list for all, the bytes of the first element are those of every other.
             const bool areEqual = inner->constructors.empty() && out.dynamics.size() == dynamics;
             if (out.dynamics.size() > kMaximumInitialisedByCode) {
                 check.emit(spec->range, findings::NotConstant());
@@ -397,6 +420,8 @@ void callInit(Context& checker, tree::Place* place, Unit& method, const std::vec
     syntax::Expr call;
     call.kind = syntax::ExprKind::Call;
     call.range = place->range;
+    // CODESYS's FB_Init has these two, and nobody writes them at the declaration: TRUE at the first start, FALSE
+    // because this is no online change.
     static constexpr std::string_view kImplicit[] = {"bInitRetains", "bInCopyCode"};
     completeUnit(checker, method, place->range);
     std::vector<const Variable*> own;
@@ -425,6 +450,8 @@ void callInit(Context& checker, tree::Place* place, Unit& method, const std::vec
         for (syntax::Argument argument : *constructor) {
             if (argument.kind == syntax::ArgumentKind::Positional) {
                 if (next >= own.size()) {
+                    // Bases take from the arguments what they know; only the block's own FB_Init may complain about the
+                    // rest.
                     if (isLast) checker.emit(argument.range, findings::TooManyArguments(method.name, own.size()));
                     break;
                 }
@@ -442,6 +469,7 @@ void callInit(Context& checker, tree::Place* place, Unit& method, const std::vec
     callee.kind = Denoted::Kind::Unit;
     callee.unit = &method;
     callee.instance = place;
+    // Directly, without dispatch: a base's FB_Init must not end in that of the derived block.
     callee.isSuper = true;
     syntax::Expr base;
     base.kind = syntax::ExprKind::NameRef;
@@ -459,6 +487,7 @@ void construct(Context& checker, tree::Place* place, const std::vector<syntax::A
     if (checker.world.types.kind(place->type) == TypeKind::Array)
         return constructArray(checker, place, constructor, out);
     takeAddress(checker, place);
+    // First what the type itself needs (inner blocks, references), since FB_Init may already use it.
     if (const tree::FunctionId init = initialiserOf(checker, place->type); init.isValid()) {
         tree::Expr* call = checker.arena.make<tree::Expr>();
         call->kind = tree::ExprKind::Call;
@@ -483,6 +512,7 @@ void construct(Context& checker, tree::Place* place, const std::vector<syntax::A
 
 void emitDynamics(Context& checker, const std::vector<DynamicInit>& dynamics,
                   const std::function<tree::Place*(const DynamicInit&)>& placeOf, std::vector<tree::Stmt*>& out) {
+    // Each value is seen from where it was written: a block's declaration, not the program that has the block.
     const Scope outer = checker.scope;
     for (const DynamicInit& dynamic : dynamics) {
         tree::Place* place = placeOf(dynamic);
@@ -514,12 +544,14 @@ tree::FunctionId initialiserOf(const Check& check, TypeId type) {
     Context checker(check, {check.world.unitOf(type), nullptr, nullptr}, gathered.sink, gathered.arena);
     checker.function = &function;
     checker.functionId = id;
+    // A copy: making the code may complete other types, and the table of them moves.
     const std::vector<DynamicInit> dynamics = initial->second.dynamics;
     emitDynamics(
         checker, dynamics,
         [&](const DynamicInit& dynamic) {
             tree::Place* place =
                 absolutePlace(checker, dynamic.offset, dynamic.type, dynamic.bit, check.world.types[type].declaration);
+            // Offsets are those within the type, so one function initialises every instance.
             place->kind = tree::PlaceKind::Instance;
             return place;
         },
@@ -528,6 +560,7 @@ tree::FunctionId initialiserOf(const Check& check, TypeId type) {
 }
 
 void buildInitialiser(WorldBuilder& world) {
+    // Most programs have none: they begin with their bytes alone, which is a copy.
     if (world.programInits.empty()) return;
     const tree::FunctionId id = newFunction(world, "INIT", nullptr);
     tree::Function& function = world.functions[id.index()];

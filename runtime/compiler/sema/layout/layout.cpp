@@ -21,6 +21,8 @@ static void checkOverlaps(WorldBuilder& world);
 
 namespace {
 constexpr uint32_t kHeader = sizeof(image::ImageHeader);
+// Frames of functions are in the image, so that a halted scan can be recorded and shown with its locals. This much is
+// there for recursion and for expressions of the debugger.
 constexpr uint32_t kMinimumFrames = 256 << 10;
 
 uint32_t aligned(uint64_t offset, uint32_t align) {
@@ -28,6 +30,7 @@ uint32_t aligned(uint64_t offset, uint32_t align) {
 }
 } // namespace
 
+// The three areas follow the header; a driver exchanges each with one copy.
 image::AreaRange areaOf(const World& world, Area area) {
     const uint32_t outputs = aligned(kHeader + world.rangeOfInputs, 8),
                    memory = aligned(outputs + world.rangeOfOutputs, 8);
@@ -48,14 +51,18 @@ void locate(WorldBuilder& world, Variable& variable, std::string_view text) {
     const SourceRange range = variable.declaration && variable.declaration->addressRange.file.isValid()
                                   ? variable.declaration->addressRange
                                   : variable.range;
+    // locate runs twice for variables of blocks: when their type is completed, which may be before the areas are
+    // measured, and once more afterwards.
     if (!address && world.rangeOfInputs == 0) return; // a hierarchical one: its place is measured later
     if (!address || address->byte > kMaximumAddress) {
+        // The lexer has said what is wrong with it.
         if (hasSyntaxErrorAt(world, range)) return;
         world.emit(range, findings::AddressOutOfRange(text, addressAreas()));
         return;
     }
     variable.offset = areaOf(world, address->area).begin + address->byte;
     const TypeKind kind = world.types.storageKind(variable.type);
+    // %QX0.1 of a BOOL is a bit in a byte that others share; every other type begins at a byte.
     variable.bit = -1;
     if (address->kind == TypeKind::Bool && address->bit >= 0) {
         if (kind == TypeKind::Bool)
@@ -74,6 +81,7 @@ void checkAddressSize(WorldBuilder& world, const Variable& variable, std::string
     const bool isNumber = types::isInteger(family) || family == types::Family::Real || family == types::Family::Bool;
     const unsigned has = types::bitsOf(world.types.storageKind(variable.type)), holds = types::bitsOf(address->kind);
     if (!isNumber || has == holds || address->isOpen) return;
+    // The fix keeps the place and changes the letter, because the type is what the rest of the program relies on.
     const TypeKind letter = has == 1    ? TypeKind::Bool
                             : has == 8  ? TypeKind::Byte
                             : has == 16 ? TypeKind::Word
@@ -93,12 +101,16 @@ public:
     explicit GlobalLayout(WorldBuilder& world) : m_world(world), m_layout(world.program->layout) {}
 
     void run() {
+        // The order decides all offsets. Program instances come last: they grow most often, and what is before them
+        // stays where it is when the program is changed online.
         areas();
         globals();
         statics();
         instances();
+        // Reported once for all, with the sum; the offsets are then all 0 and nothing is built.
         if (m_isTooLarge) reportSize();
         m_layout.dataEnd = aligned(m_next, 64);
+        // Only now are initial values written: they may name the address of any variable.
         m_world.image.assign(m_layout.dataEnd, std::byte{});
         for (const auto& [variable, index] : m_placed) {
             if (m_world.types.kind(variable->type) == TypeKind::Unknown || m_isTooLarge) continue;
@@ -117,11 +129,13 @@ private:
         m_layout.memory = areaOf(m_world, Area::Memory);
         m_layout.addressing = m_world.options.addressing;
         m_layout.hierarchical = hierarchicalAddresses(m_world);
+        // 64 bytes are a cache line: I/O copied by a driver shares none with the program's data.
         m_next = aligned(m_layout.memory.begin + m_layout.memory.size, 64);
     }
 
     void globals() {
         for (Variable& variable : m_world.globals)
+            // `globals` holds instances and VAR_EXTERNAL as well, which have their place elsewhere.
             if (!variable.isProgramInstance && variable.kind == syntax::SectionKind::Global)
                 place(variable, Area::Global, variable.list ? variable.list->name : std::string());
     }
@@ -147,6 +161,7 @@ private:
             image::Root& root = m_layout.roots.back();
             root.programType = variable.program->name;
             root.isSimulation = variable.program->isSimulation;
+            // Paths of instances have no namespace: Main.x and not Plant.Main.x, as tasks and recordings name them.
             root.space.clear();
             if (instance.declaration) root.retain = instance.declaration->retain;
             instance.root = static_cast<uint32_t>(m_layout.roots.size() - 1);
@@ -158,7 +173,9 @@ private:
         variable.storage = Storage::Absolute;
         if (variable.isLocated && variable.declaration && placeAtAddress(variable, list)) return;
         const types::Type& type = m_world.types[variable.type];
+        // Natural alignment: the generated code reads and writes words directly.
         m_next = aligned(m_next, std::max(1u, type.align));
+        // m_next has 64 bits: a sum of large arrays cannot wrap.
         if (m_next + type.size > kMaximumData) m_isTooLarge = true;
         variable.offset = m_isTooLarge ? 0 : static_cast<uint32_t>(m_next);
         if (!m_isTooLarge) m_next += type.size;
@@ -178,6 +195,7 @@ private:
             m_world.emit(written.file.isValid() ? written : variable.range,
                          findings::AddressOutOfRange(variable.declaration->address, addressAreas()));
         else if (address)
+            // AT %I* keeps its value here until VAR_CONFIG or devices.json say where it comes from.
             m_world.openAddresses.push_back({&variable, false});
         return false;
     }
@@ -220,6 +238,7 @@ private:
                 dynamic.isConstruction = true;
                 initial.dynamics.push_back(dynamic);
             }
+            // A constant with storage is there for the watch: in code it is folded, so its bytes are only written once.
         } else if (variable.isConstant && isFoldable(m_world.types, variable.type)) {
             if (const types::Value* value = constantOf(m_world, variable))
                 writeConstant(m_world, initial, variable.type, 0, -1, *value);
@@ -232,6 +251,7 @@ private:
     void write(const Variable& variable, const InitialValue& initial) {
         std::vector<std::byte>& image = m_world.image;
         if (variable.bit >= 0) {
+            // Only ever set: another variable at the same bit may have said TRUE.
             const auto mask = static_cast<std::byte>(1u << variable.bit);
             if (initial.bytes[0] != std::byte{}) image[variable.offset] |= mask;
         } else if (variable.offset + initial.bytes.size() <= image.size()) {
@@ -311,6 +331,7 @@ void checkOverlaps(WorldBuilder& world) {
         if (!variable.isLocated || variable.storage != Storage::Absolute || !variable.declaration ||
             variable.declaration->address.find('*') != std::string_view::npos)
             return;
+        // Nobody can change a library's addresses.
         if (isLibraryFile(world, variable.range.file)) return;
         const uint64_t begin = uint64_t(variable.offset) * 8 + static_cast<uint64_t>(std::max<int>(0, variable.bit));
         used.push_back(
@@ -323,6 +344,7 @@ void checkOverlaps(WorldBuilder& world) {
     if (used.empty()) return;
     // what the code addresses directly is taken as well
     TakenBits taken;
+    // The fix offers a place that is really free, so everything that anybody uses has to be known.
     for (const Used& one : used) taken.add(one.begin, one.end);
     for (const syntax::SyntaxFile* file : world.fileOf) {
         if (!file || !file->library.empty()) continue;
@@ -353,6 +375,7 @@ void checkOverlaps(WorldBuilder& world) {
         return image::addressText(free, world.options.addressing).value_or(std::string(text));
     };
     for (size_t i = 1; i < used.size(); ++i) {
+        // An advice and not an error: seeing %MW0 as two bytes is what overlapping addresses are used for.
         const Used &a = used[i - 1], &b = used[i];
         if (b.begin >= a.end) continue;
         const SourceRange range = b.variable->declaration->addressRange.file.isValid()
@@ -371,10 +394,14 @@ void finishLayout(WorldBuilder& world) {
     image::Layout& layout = world.program->layout;
     layout.frameBegin = aligned(layout.dataEnd, 64);
     uint64_t frames = kMinimumFrames;
+    // Twice the room of every function at once: an upper bound for calls without recursion, since each is at most once
+    // in a chain.
     for (const tree::Function& function : world.functions)
         for (const tree::Local& local : function.locals)
             frames += aligned(world.types[local.type].size + 8, 8) * uint64_t(2);
+    // A gigabyte: above it 32-bit offsets come near their end.
     layout.imageSize = aligned(std::min<uint64_t>(layout.frameBegin + frames, uint64_t(1) << 30), 64);
+    // Frames begin as zeros and are not part of the initial image.
     world.image.resize(layout.dataEnd);
     world.program->initialImage = std::move(world.image);
 }

@@ -25,6 +25,7 @@ bool hasSimulation(const std::vector<syntax::Pragma>& pragmas) {
     });
 }
 
+// Everything of a task is constant: its times are known before the first scan.
 /// Reads one TASK of a resource. Lives for that.
 class TaskReader {
 public:
@@ -47,6 +48,8 @@ public:
     }
 
 private:
+    // INTERVAL := 10 is an error in the standard and milliseconds in the tools that accept it: it is read as those, so
+    // that the rest of the project can be checked.
     /// A constant TIME; a number is told and read as milliseconds.
     std::optional<std::chrono::nanoseconds> duration(const syntax::Expr& e) {
         Context checker(m_world, m_scope, m_world.sink, m_world.arena);
@@ -70,6 +73,7 @@ private:
     }
 
     void readPriority(const syntax::Expr& e) {
+        // 0 is the most urgent (edition 2, 2.7.2). A million is kept free for what has no task.
         const auto priority = constantInteger(m_world, &e, m_scope);
         if (!priority) return;
         if (*priority < 0 || *priority > 1'000'000)
@@ -81,6 +85,7 @@ private:
     void readInterval(const syntax::Expr& e) {
         const auto interval = duration(e);
         if (!interval) return;
+        // INTERVAL := T#0s is written by converters for "as often as possible".
         m_isIntervalZero = interval->count() == 0;
         if (interval->count() < 0)
             m_world.emit(e.range, findings::ConstantOutOfRange(types::durationText(interval->count()),
@@ -91,12 +96,14 @@ private:
 
     void readTrigger(const syntax::Expr& e) {
         Context checker(m_world, m_scope, m_world.sink, m_world.arena);
+        // The trigger counts as a use of its variable.
         checker.isMuted = false;
         const Denoted denoted = denote(checker, e, Access::Read);
         const bool isBool =
             denoted.kind == Denoted::Kind::Place && m_world.types.storageKind(denoted.place->type) == TypeKind::Bool;
         const tree::Place* place = denoted.place;
         if (isBool && place->kind == tree::PlaceKind::Bit && place->base &&
+            // SINGLE := word.3: the bit of a byte, which is all that the scheduler knows to look at.
             place->base->kind == tree::PlaceKind::Absolute) {
             m_task.kind = image::TaskKind::Event;
             m_task.trigger = image::Place{place->type, place->base->offset + static_cast<uint32_t>(place->bit) / 8,
@@ -104,6 +111,7 @@ private:
         } else if (isBool && place->kind == tree::PlaceKind::Absolute) {
             m_task.kind = image::TaskKind::Event;
             m_task.trigger = image::Place{place->type, place->offset, place->bit};
+            // A constant has no rising edge: the task is started by nothing, as it says.
         } else if (denoted.kind == Denoted::Kind::Value && denoted.value.isConstant() && !m_declared.interval) {
             m_task.kind = image::TaskKind::Freewheeling; // SINGLE := FALSE
         } else if (denoted.kind != Denoted::Kind::Nothing && denoted.kind != Denoted::Kind::Value) {
@@ -113,6 +121,7 @@ private:
     }
 
     void readOther(const syntax::Argument& argument) {
+        // WATCHDOG and SENSITIVITY are CODESYS's: a fault after so many scans in a row that took longer.
         if (equalsIgnoringCase(argument.name.text, "WATCHDOG")) {
             if (const auto limit = duration(*argument.value)) m_task.watchdog = *limit;
         } else if (equalsIgnoringCase(argument.name.text, "SENSITIVITY")) {
@@ -149,26 +158,32 @@ void TaskReader::tellFreewheeling() {
     const size_t open = text.find('(', range.end);
     if (open == std::string_view::npos || open >= m_declared.range.end) return;
     const auto at = static_cast<uint32_t>(open + 1);
+    // TASK Slow() needs no comma behind what is inserted.
     const bool isEmpty = text.find_first_not_of(" \t\r\n", at) == text.find(')', at);
     for (const std::string_view start : {"INTERVAL := T#10ms", "SINGLE := FALSE"})
         diagnostic.fixes.push_back(
             {fixes::Insert(std::string(start)), {{{range.file, at, at}, std::string(start) + (isEmpty ? "" : ", ")}}});
 }
 
+// Two functions for an instance (NAME.IN and NAME.OUT), because the task calls them around the body and debugging shows
+// them as no part of it.
 /// Assigns inputs before a program's body, outputs behind it.
 void connect(WorldBuilder& world, Instance& instance, image::TaskProgram& entry) {
     Unit& unit = *instance.variable->program;
     const Scope scope = instance.scope;
     const auto build = [&](bool isInput) -> uint32_t {
+        // Copies come from VAR_CONFIG: variables that got their address only there (configuration.cpp).
         const bool copies = std::any_of(world.copies.begin(), world.copies.end(),
                                         [&](const Copy& c) { return c.root == instance.root && c.isInput == isInput; });
         const bool connects = instance.declaration && !instance.declaration->connections.empty();
+        // 0 is no function: nothing is called.
         if (!copies && !connects) return 0;
         const tree::FunctionId id = newFunction(world, instance.variable->name + (isInput ? ".IN" : ".OUT"), nullptr);
         tree::Function& function = world.functions[id.index()];
         Context checker(world, scope, world.sink, world.arena);
         checker.function = &function;
         checker.functionId = id;
+        // The process image first, then the connections, which may read what was copied.
         for (const Copy& copy : world.copies) {
             if (copy.root != instance.root || copy.isInput != isInput) continue;
             tree::Place* data = absolutePlace(checker, copy.data.offset, copy.data.type, copy.data.bit, {});
@@ -191,6 +206,7 @@ void connect(WorldBuilder& world, Instance& instance, image::TaskProgram& entry)
             Variable& parameter = *member.variable;
             refer(world, argument.name.range, parameter.symbol, isOutput, !isOutput);
             const TypeId type = typeOf(world, parameter);
+            // From outside, so that an input that only the task sets is not reported as never written.
             ++parameter.writes;
             if (parameter.isInOut()) {
                 tree::Place* target = place(checker, *argument.value, Access::ReadWrite);
@@ -214,6 +230,7 @@ void connect(WorldBuilder& world, Instance& instance, image::TaskProgram& entry)
                 parameter.storage == Storage::Absolute
                     ? absolutePlace(checker, parameter.offset, type, parameter.bit, argument.range)
                     : absolutePlace(checker, instance.variable->offset + parameter.offset, type, -1, argument.range);
+            // PROGRAM A WITH T : P(speed := %ID4) with speed : REAL: the register holds the bits of a REAL.
             // an address of the type's size takes the value as it is: %IX0.0 for a BOOL, %IW2 for an INT
             const auto raw = [&](tree::Place* place) {
                 if (argument.value->kind != syntax::ExprKind::Address) return false;
@@ -241,6 +258,7 @@ void connect(WorldBuilder& world, Instance& instance, image::TaskProgram& entry)
 }
 
 /// A TASK that was declared, and where.
+// Tasks are found by name within their RESOURCE: two resources may each have a Fast.
 struct DeclaredTask {
     image::Task task;
     const syntax::ResourceDecl* resource = nullptr;
@@ -282,10 +300,12 @@ public:
         : m_world(world), m_declared(declaredTasks(world)), m_simulations(m_declared.size()) {
         m_free.name = "Free";
         m_simulation.name = "Simulation";
+        // Behind every priority that can be written: what has no task runs when nothing else has to.
         for (image::Task* task : {&m_free, &m_simulation}) {
             task->kind = image::TaskKind::Freewheeling;
             task->priority = 1'000'000;
         }
+        // The model of the plant runs in a copy of the task of what it simulates, after it and with its interval.
         for (size_t i = 0; i < m_declared.size(); ++i) m_simulations[i] = m_declared[i].task;
     }
 
@@ -296,6 +316,7 @@ public:
             const bool simulates =
                 instance.variable->program->isSimulation || hasSimulation(instance.declaration->pragmas);
             m_world.program->layout.roots[instance.root].isSimulation = simulates;
+            // A CONFIGURATION that only places models does not take away the default task.
             m_isConfigured = m_isConfigured || !simulates;
             const syntax::Name& name = instance.declaration->task;
             for (const syntax::Argument& block : instance.declaration->blockTasks) addBlock(instance, block, simulates);
@@ -320,6 +341,7 @@ public:
         }
         if (m_isConfigured) return;
         if (!byDefault.empty()) return addMain(byDefault);
+        // A project of libraries alone needs no program; one with files of its own is asked for one, not scolded.
         if (m_simulation.programs.empty() &&
             std::any_of(m_world.fileOf.begin(), m_world.fileOf.end(),
                         [](const syntax::SyntaxFile* f) { return f && f->library.empty(); }))
@@ -338,6 +360,7 @@ public:
                 task.isSimulation = true;
                 all.push_back(std::move(task));
             }
+        // Equal priorities keep the order of the text (2.7.2).
         std::stable_sort(all.begin(), all.end(),
                          [](const image::Task& a, const image::Task& b) { return a.priority < b.priority; });
         return all;
@@ -363,6 +386,7 @@ private:
         const Member member = findMember(*instance.variable->program, m_world.key(block.name.text));
         Variable* variable = member.variable;
         Unit* unit = variable ? m_world.unitOf(typeOf(m_world, *variable)) : nullptr;
+        // Only what is in the program's instance has a place of its own that another task could call.
         if (!unit || unit->kind != UnitKind::Block || variable->storage != Storage::Instance || variable->isInOut())
             return (void)m_world.emit(block.name.range, findings::BlockTask(block.name.text));
         refer(m_world, block.name.range, variable->symbol, false, true);
@@ -385,6 +409,7 @@ private:
 
     void addMain(const std::vector<Instance*>& byDefault) {
         Instance* chosen = byDefault.size() == 1 ? byDefault.front() : nullptr;
+        // The later name wins: a project with both was converted from CODESYS and then given a Main.
         for (const std::string_view name : {"PLC_PRG", "Main"})
             for (Instance* instance : byDefault)
                 if (equalsIgnoringCase(instance->variable->name, name)) chosen = instance;
@@ -395,6 +420,7 @@ private:
         }
         m_main.emplace();
         m_main->name = "Main";
+        // With the interval and priority that image::Task begins with.
         m_main->kind = image::TaskKind::Cyclic;
         m_main->declaration = chosen->variable->range;
         m_main->programs.push_back(entryOf(m_world, *chosen));

@@ -45,15 +45,18 @@ bool isParameter(SectionKind kind) {
 
 } // namespace
 
+// Arrays and structures have a place: elements may be chosen by a variable.
 /// A constant of a type whose value needs no storage: it is folded wherever it is used.
 bool isFoldable(const types::TypeTable& types, TypeId type) {
     const TypeKind kind = types.storageKind(type);
     return types::isElementary(kind) || kind == TypeKind::String || kind == TypeKind::Wstring;
 }
 
+// Only which there are and in which order; their types may still be open. Calls and overriding need no more.
 void collectParameters(WorldBuilder& world, Unit& unit) {
     if (unit.memberProgress == Progress::Done) return;
     unit.memberProgress = Progress::Done;
+    // Without bases the order of parameters is unknown: those of the base come first, as positional calls count.
     resolveBases(world, unit);
     if (unit.isInstanced() && unit.base) {
         collectParameters(world, *unit.base);
@@ -94,6 +97,7 @@ public:
         case SectionKind::Temp:
             variable.storage = Storage::Temporary;
             return;
+        // It is the global that it names; globalOf finds it when it is first used.
         case SectionKind::External:
             return;
         case SectionKind::Stat:
@@ -128,11 +132,14 @@ public:
 private:
     TypeId completedType(Variable& variable) {
         const TypeId type = typeOf(m_world, variable);
+        // A block may thus have an in-out of its own type.
         if (variable.kind == SectionKind::InOut) return type; // a reference: its size is known
         const SourceRange at = variable.spec ? variable.spec->range : variable.range;
         const bool isGood = completeType(m_world, type, at);
+        // Blocks in blocks in blocks: paths, recordings and the tree of variables all walk down to the last.
         const bool isTooDeep = isGood && nestingOf(m_world, type) >= kMaximumNesting;
         if (isTooDeep) m_world.emit(at, findings::NestedTooDeep());
+        // Unknown silences everything that would follow from a wrong type.
         if (!isGood || isTooDeep) variable.type = TypeTable::of(TypeKind::Unknown);
         return isGood && !isTooDeep ? type : variable.type;
     }
@@ -140,6 +147,7 @@ private:
     void place(Variable& variable, TypeId type) {
         if (variable.isConstant && variable.kind == SectionKind::Var) {
             if (isFoldable(m_world.types, type) && m_unit.kind != UnitKind::Program) return;
+            // Everybody's instance has the same value: it is stored once.
             makeStatic(variable); // a program's constants can be watched
             return;
         }
@@ -150,8 +158,10 @@ private:
         }
         variable.storage = Storage::Instance;
         add(variable, variable.name, type, false);
+        // AT %I* in a block: each instance has its own channel.
         if (variable.isLocated) m_world.openAddresses.push_back({&variable, false});
         if (!variable.declaration || variable.declaration->edge == syntax::VarEdge::None) return;
+        // R_EDGE and F_EDGE (2.5.2.2) compare with the value of the last call, which has to be kept in each instance.
         for (const char* part : {"__edge", "__before"}) { // what emitEdges compares
             add(variable, variable.name + part, TypeTable::of(TypeKind::Bool), true);
             m_world.types.edit(m_unit.type).fields.back().section = FieldSection::Local;
@@ -170,6 +180,7 @@ private:
             field.constant = variable.isConstant;
         }
         field.declaration = variable.range;
+        // Steps are shown as steps, not as the structures that they are stored in.
         if (variable.spec && variable.spec->path.size() == 1 &&
             equalsIgnoringCase(variable.spec->path.front().text, "SFC_STEP")) {
             field.section = FieldSection::Step;
@@ -183,6 +194,7 @@ private:
                 if (equalsIgnoringCase(pragma.key, "alias")) addAliases(field, pragma.value);
             }
         }
+        // Taken last: what is above may add types, and the table moves.
         std::vector<types::Field>& all = m_world.types.edit(m_unit.type).fields;
         m_fields.emplace_back(&variable, static_cast<uint32_t>(all.size()));
         all.push_back(std::move(field));
@@ -200,11 +212,13 @@ private:
 void placeVariables(WorldBuilder& world, Unit& unit, std::vector<std::pair<Variable*, uint32_t>>& fields) {
     FieldPlacing placing(world, unit, fields);
     for (Variable& variable : unit.variables) placing.own(variable);
+    // After the block's own, so that a new VAR_INST moves none of them.
     for (Unit* method : unit.methods)
         for (Variable& variable : method->variables) placing.ofMethod(*method, variable);
 }
 
 void noteBlockNesting(WorldBuilder& world, const Unit& unit) {
+    // In-outs are addresses and do not count: they end the nesting.
     uint32_t nesting = 0;
     for (const types::Field& field : world.types[unit.type].fields)
         if (field.section != FieldSection::InOut) nesting = std::max(nesting, 1 + nestingOf(world, field.type));
@@ -215,6 +229,7 @@ void noteBlockNesting(WorldBuilder& world, const Unit& unit) {
 /// bytes. A base lies at the beginning of what extends it, so that a pointer to the one is a pointer to the other.
 void completeUnit(WorldBuilder& world, Unit& unit, SourceRange usedAt) {
     if (unit.layoutProgress != Progress::Open) return;
+    // Working marks the way down: whoever meets it again has found a block that contains itself.
     unit.layoutProgress = Progress::Working;
     resolveBases(world, unit);
     collectParameters(world, unit);
@@ -233,6 +248,8 @@ void completeUnit(WorldBuilder& world, Unit& unit, SourceRange usedAt) {
             reportCycle(world, unit.base->type, usedAt);
             unit.base = nullptr;
         } else {
+            // The depth of the C++ stack, not of the type: a chain of bases in reverse order of declaration recurses
+            // once for each.
             const Waiting wait(world.completing, 1, kMaximumNesting + kMaximumBases);
             if (wait.isTooDeep) world.emit(unit.range, findings::NestedTooDeep());
             if (!wait.isTooDeep) completeUnit(world, *unit.base, unit.range);
@@ -243,7 +260,9 @@ void completeUnit(WorldBuilder& world, Unit& unit, SourceRange usedAt) {
     std::vector<std::pair<Variable*, uint32_t>> fields;
     placeVariables(world, unit, fields);
     noteBlockNesting(world, unit);
+    // 8 and not 4: fields behind the number stay aligned.
     world.types.layoutFields(unit.type, unit.hasHeader ? 8 : 0);
+    // Too large for an image: without initial bytes, which would have to be allocated to be thrown away.
     if (!checkSize(world, unit.type, unit.range)) {
         unit.layoutProgress = Progress::Done;
         world.types.edit(unit.type).base = unit.base ? unit.base->type : TypeId();
@@ -253,8 +272,10 @@ void completeUnit(WorldBuilder& world, Unit& unit, SourceRange usedAt) {
     initial.bytes = world.types[unit.type].initial;
     initial.bytes.resize(world.types[unit.type].size);
     if (unit.base) {
+        // The base's bytes are a prefix of these, its number included; the number is replaced below.
         const std::vector<std::byte>& base = world.types[unit.base->type].initial;
         std::copy_n(base.begin(), std::min(base.size(), initial.bytes.size()), initial.bytes.begin());
+        // Dynamic initial values of the base apply at the same offsets here.
         initial.dynamics = world.typeInitials[unit.base->type].dynamics;
     }
     if (unit.hasHeader) {
@@ -267,6 +288,7 @@ void completeUnit(WorldBuilder& world, Unit& unit, SourceRange usedAt) {
     for (const auto& [variable, index] : fields) {
         const types::Field& field = world.types[unit.type].fields[index];
         if (variable == previous) { // hidden fields of an edge input
+            // __edge is the first of the two; __before follows directly.
             if (variable->edgeOffset == Id<int>::kNone) variable->edgeOffset = field.offset;
             continue;
         }
@@ -280,6 +302,7 @@ void completeUnit(WorldBuilder& world, Unit& unit, SourceRange usedAt) {
         const uint32_t offset = world.types[unit.type].fields[index].offset;
         if (variable->kind != SectionKind::InOut) setInitial(world, initial, *variable, offset);
     }
+    // No bytes mean zeros: most types begin so, and their instances need no copy.
     const bool isZero =
         std::all_of(initial.bytes.begin(), initial.bytes.end(), [](std::byte b) { return b == std::byte{}; });
     world.types.edit(unit.type).initial = isZero ? std::vector<std::byte>{} : std::move(initial.bytes);
@@ -294,6 +317,7 @@ void completeUnit(const Check& check, Unit& unit, SourceRange usedAt) {
 /// A function keeps nothing between its calls (edition 3, 6.6.2).
 ///   wrong: FUNCTION F VAR RETAIN x : INT; END_VAR  (P3018)      advice: FUNCTION F VAR t : TON; END_VAR  (P3030)
 void completeFunction(WorldBuilder& world, Unit& unit) {
+    // The function is asked for by its index each time: the list of functions grows while types are completed.
     const auto addLocal = [&](Variable& variable, tree::LocalKind kind) {
         tree::Function& function = world.functions[unit.function.index()];
         tree::Local local;
@@ -319,6 +343,7 @@ void completeFunction(WorldBuilder& world, Unit& unit) {
                        findings::NotAllowedHere(Verbatim(variable.section->retain ? "RETAIN" : "PERSISTENT"),
                                                 phrases::InAFunction()));
     }
+    // Parameters first and in their order: calls place arguments by the index of the local.
     for (Variable* parameter : unit.parameters) {
         const tree::LocalKind kind = parameter->kind == SectionKind::Input    ? tree::LocalKind::Input
                                      : parameter->kind == SectionKind::Output ? tree::LocalKind::Output
@@ -349,6 +374,7 @@ void completeFunction(WorldBuilder& world, Unit& unit) {
                        findings::NotAllowedHere(syntax::keywordOf(variable.kind), phrases::InAFunction()));
             continue;
         }
+        // Folded where it is used, or stored once: a constant costs nothing in a frame.
         if (variable.isConstant) {
             if (!isFoldable(world.types, variable.type)) makeStatic(variable);
             continue;
@@ -363,11 +389,15 @@ void completeFunction(WorldBuilder& world, Unit& unit) {
             !isLibraryFile(world, variable.range.file))
             world.emit(variable.range, findings::TimerInFunction(variable.name));
     }
+    // A property shows the type of its value, whichever accessor this is.
     world.symbols[unit.symbol.index()].type = unit.property ? typeOf(world, unit.variables.front()) : unit.result;
 }
 
 /// Blocks with methods, interfaces or relatives carry their number at offset 0 of each instance.
+// A block without any of these is never asked what it is, and its instances save the eight bytes.
 void markHeaders(WorldBuilder& world) {
+    // Numbers follow the order of declaration and are made again at each build; a recording keeps those of its own
+    // version.
     uint32_t number = 0;
     for (Unit& unit : world.units) {
         if (!unit.isInstanced()) continue;

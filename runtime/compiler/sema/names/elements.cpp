@@ -20,6 +20,8 @@ using syntax::ExprKind;
 
 using DK = Denoted::Kind;
 
+// One type for all, so that code has one way to check bounds and no bound of a type is in the way: a[b] with b : USINT
+// and ARRAY[0..1000].
 /// The indices as LINT, unknown where they are no integers.
 static std::vector<Operand> indicesOf(Context& context, const syntax::Expr& e) {
     std::vector<Operand> indices;
@@ -41,6 +43,7 @@ static std::vector<Operand> indicesOf(Context& context, const syntax::Expr& e) {
 }
 
 /// Makes a place of what is indexed: a value is kept in a temporary. False: it has no elements, or was reported.
+// Elements of what a function or a property gives can be read, not written: the value is gone afterwards.
 static bool becomePlace(Context& context, Denoted& from, const syntax::Expr& e) {
     if (from.kind == DK::Property) {
         const Operand value = propertyValue(context, from, e.base->range);
@@ -64,6 +67,7 @@ static bool areKnown(const std::vector<Operand>& indices) {
 }
 
 /// Where the element lies when all indices are constant. `isGood` false: one is out of range, and reported.
+// A constant index that is out of range is an error here; the same index in a variable is a fault when it runs.
 static std::optional<uint64_t> constantElement(Context& context, const types::Type& type, const syntax::Expr& e,
                                                const std::vector<Operand>& indices, bool& isGood) {
     bool allConstant = type.kind == TypeKind::Array;
@@ -82,6 +86,7 @@ static std::optional<uint64_t> constantElement(Context& context, const types::Ty
             isGood = false;
             return std::nullopt;
         }
+        // Row-major, as arrays are laid out: the last index is the neighbour.
         number = number * dimension.count() + static_cast<uint64_t>(index - dimension.low);
     }
     return allConstant ? std::optional(number) : std::nullopt;
@@ -102,6 +107,7 @@ static Denoted elementOfArray(Context& context, Denoted out, const syntax::Expr&
     const bool isStatic = base->kind == tree::PlaceKind::Absolute || base->kind == tree::PlaceKind::Instance ||
                           base->kind == tree::PlaceKind::Field;
     tree::Place* place = nullptr;
+    // a[3] with a known place is a field like any other: no bounds to check, an offset that a watch can show.
     if (number && isStatic) {
         place = fieldPlace(context, base, static_cast<uint32_t>(*number * context.types[type.element].size),
                            type.element, -1, e.range);
@@ -113,6 +119,7 @@ static Denoted elementOfArray(Context& context, Denoted out, const syntax::Expr&
         place->base = base;
         for (const Operand& index : indices) place->indices.push_back(index.expr);
     }
+    // ARRAY OF REFERENCE TO T: naming the element means what it refers to.
     out.place = context.isKind(place->type, TypeKind::Reference) ? dereferenced(context, place, e.range) : place;
     return out;
 }
@@ -126,6 +133,8 @@ static Denoted characterOfText(Context& context, Denoted out, const syntax::Expr
         return {};
     }
     if (!areKnown(indices)) return {};
+    // Characters count from 0 (edition 3, 6.4.4.10 leaves it open; CODESYS and this compiler count so), positions of
+    // LEFT and MID from 1.
     if (indices[0].isConstant()) {
         const int64_t index = indices[0].expr->value.integer();
         if (index < 0 || index >= static_cast<int64_t>(type.capacity)) {
@@ -153,6 +162,8 @@ static Denoted elementBehind(Context& context, Denoted out, const syntax::Expr& 
         if (areKnown(indices)) context.emit(e.range, findings::WrongIndexCount(1, indices.size()));
         return {};
     }
+    // By arithmetic on addresses: there is no array to take bounds from. The controller checks the address that
+    // results.
     const Operand address = sameBits(context, load(context, base, e.base->range), context.elementary(TypeKind::Lword));
     const Operand size =
         constant(context, {context.elementary(TypeKind::Lword), int64_t(context.types[type.element].size)}, e.range);
@@ -182,6 +193,7 @@ Denoted denoteIndex(Context& context, const syntax::Expr& e, Access access) {
     const std::vector<Operand> indices = indicesOf(context, e);
     if (!becomePlace(context, from, e)) return {};
     Denoted out = from;
+    // An element has exactly the declared type, unlike what a pointer to it might be.
     out.isExact = true;
     out.isSuper = false;
     switch (context.types.kind(from.place->type)) {
@@ -203,6 +215,7 @@ Denoted denoteIndex(Context& context, const syntax::Expr& e, Access access) {
 
 ///   ok:    p^ := 5;  with p : REF_TO INT      wrong: x^ := 5;  with x : INT (P2020)
 Denoted denoteDeref(Context& context, const syntax::Expr& e, Access access) {
+    // THIS^ and SUPER^: the mark is required by CODESYS, and THIS is already the instance.
     if (e.base->kind == ExprKind::This || e.base->kind == ExprKind::Super) {
         Denoted out = denote(context, *e.base, access);
         if (out.place) out.place->range = e.range;
@@ -234,6 +247,7 @@ Denoted denoteDeref(Context& context, const syntax::Expr& e, Access access) {
 
 ///   ok:    b.7  with b : BYTE      wrong: b.8  (P2021)
 Denoted denoteBit(Context& context, const syntax::Expr& e, Access access) {
+    // Writing a bit keeps the others, so the variable is read as well.
     const Access baseAccess = access == Access::Write || access == Access::Address ? Access::ReadWrite : access;
     Denoted from = denote(context, *e.base, baseAccess);
     if (from.kind == DK::Property) {
@@ -255,10 +269,12 @@ Denoted denoteBit(Context& context, const syntax::Expr& e, Access access) {
     tree::Place* base = from.place;
     const types::Family family = context.types.family(base->type);
     if (context.isKind(base->type, TypeKind::Unknown)) return {};
+    // A bit of a bit: %X0.1 of an address is a BOOL already.
     if (!types::isInteger(family) || base->bit >= 0) {
         context.emit(e.range, findings::UnknownMember(context.nameOf(base->type), e.text));
         return {};
     }
+    // b.7, b.%X7, w.%B1 (edition 3, 6.5.1.3): a bit, or a part of that size counted from the lowest.
     std::string_view text = e.text;
     unsigned width = 1;
     if (!text.empty() && text.front() == '%') text.remove_prefix(1);
@@ -307,12 +323,15 @@ Denoted denoteBit(Context& context, const syntax::Expr& e, Access access) {
                            : width == 16 ? TypeKind::Word
                            : width == 32 ? TypeKind::Dword
                                          : TypeKind::Lword;
+    // A part is a field at an offset, so the variable must be in memory. Bytes are in the order of the machine, little
+    // endian: %B0 is the lowest.
     takeAddress(context, base);
     out.place =
         fieldPlace(context, base, static_cast<uint32_t>(number) * (width / 8), context.elementary(piece), -1, e.range);
     return out;
 }
 
+// status.cReady with a constant cReady : INT := 3, as CODESYS allows.
 std::optional<Denoted> namedBit(Context& context, const Denoted& from, tree::Place* base, const syntax::Name& name,
                                 SourceRange range) {
     if (!types::isInteger(context.types.family(base->type)) || base->bit >= 0) return std::nullopt;
@@ -350,6 +369,7 @@ Denoted denoteAddress(Context& context, const syntax::Expr& e) {
         return {};
     }
     const image::AreaRange area = areaOf(context.world, address->area);
+    // Areas are measured from all addresses of the program; only an expression of a watch can name one outside.
     if (address->byte + std::max(1u, types::bitsOf(address->kind) / 8) > area.size) {
         context.emit(e.range, findings::AddressOutOfRange(e.text, {{address->area == image::Area::Input    ? "%I"
                                                                     : address->area == image::Area::Output ? "%Q"

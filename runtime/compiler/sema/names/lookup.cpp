@@ -12,6 +12,8 @@ static Found lookupUsed(const std::vector<Space*>& used, NameId id, bool wantsTy
 
 /// Interfaces may be reached on many ways; each is searched once.
 Member findInInterfaces(Unit& first, NameId id) {
+    // Depth first and in the order of EXTENDS. Diamonds of interfaces doubled the ways with each level, so what was
+    // seen is not searched again.
     std::vector<Unit*> open{&first}, seen{&first};
     while (!open.empty()) {
         Unit& unit = *open.back();
@@ -26,15 +28,19 @@ Member findInInterfaces(Unit& first, NameId id) {
     return {};
 }
 
+// The unit's own before its base's: overriding and hiding are the same look-up.
 Member findMember(Unit& unit, NameId id) {
     if (unit.kind == UnitKind::Interface) return findInInterfaces(unit, id);
     for (Unit* at = &unit; at; at = at->base) {
         if (const auto it = at->members.find(id); it != at->members.end()) return it->second;
+        // Only blocks and programs inherit members; a method's base would be the one it overrides.
         if (!at->isInstanced()) break;
     }
     return {};
 }
 
+// A name may be a variable, a unit and a type at once; who asks chooses by what is written around it (a call, a type, a
+// value).
 Found lookupIn(Space& space, NameId id) {
     Found found;
     if (const auto* entities = space.find(id)) {
@@ -49,6 +55,7 @@ Found lookupIn(Space& space, NameId id) {
             if (entity.unit && !found.entity.unit) found.entity.unit = entity.unit;
             if (entity.type && !found.entity.type) found.entity.type = entity.type;
         }
+        // Two lists with the same global: GVL1.x or GVL2.x has to be said. With a unit of that name the call is meant.
         if (owners.size() > 1 && !found.entity.unit && !found.entity.type) found.ambiguous = std::move(owners);
     }
     if (const auto it = space.enumerators.find(id); it != space.enumerators.end()) found.enumerators = it->second;
@@ -57,6 +64,7 @@ Found lookupIn(Space& space, NameId id) {
     return found;
 }
 
+// x : Motor must not stop at a variable called motor: where a type is wanted, only types end the search.
 bool hasWanted(const Found& f, bool wantsType) {
     return wantsType ? f.entity.type || (f.entity.unit && f.entity.unit->type.isValid()) || f.space : !f.isNothing();
 }
@@ -93,6 +101,8 @@ Found lookup(const World& world, const Scope& scope, NameId id, bool wantsType) 
         const auto it = unit.enumerators.find(id);
         if (it != unit.enumerators.end() && found.enumerators.empty()) found.enumerators = it->second;
     };
+    // From inside out: the method's own, the block's, its bases'. The first that has anything ends the search (edition
+    // 3, 6.6.5): an inner name hides, it does not overload.
     if (scope.unit && !wantsType) {
         found.member = findMember(*scope.unit, id);
         enumeratorsIn(*scope.unit);
@@ -110,6 +120,7 @@ Found lookup(const World& world, const Scope& scope, NameId id, bool wantsType) 
         found = lookupUsed(used->second, id, wantsType);
         if (isEnough(found)) return found;
     }
+    // The top is the last of the enclosing namespaces, unless the scope is in a library, whose spaces end elsewhere.
     bool searchedTop = false;
     for (Space* space = scope.space; space; space = space->parent) {
         searchedTop = searchedTop || space == &world.top;
@@ -149,6 +160,7 @@ Found lookupPath(const World& world, const Scope& scope, const syntax::Path& pat
 }
 
 /// What a namespace has.
+// For suggestions; the order does not matter, visibleNames sorts.
 void addNames(const World& world, const Space& space, std::vector<std::string>& out) {
     for (const auto& [id, entities] : space.entities)
         for (const Entity& entity : entities)
@@ -162,6 +174,7 @@ void addNames(const World& world, const Space& space, std::vector<std::string>& 
     for (const auto& [id, child] : space.spaces) out.push_back(child->name);
 }
 
+// Thousands of names in a large project: it is asked at an unknown name only, and maySuggest ends that.
 std::vector<std::string> visibleNames(const World& world, const Scope& scope) {
     std::vector<std::string> out;
     const auto addUnit = [&](const Unit& unit) {

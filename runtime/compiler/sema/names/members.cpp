@@ -39,6 +39,7 @@ syntax::Access accessOf(const syntax::VarSection* section) {
     return syntax::Access::Default;
 }
 
+// Silent where a base is unknown: the member may well be there.
 Denoted unknownMember(Context& context, TypeId type, const syntax::Name& name) {
     if (hasUnknownBase(context.world.unitOf(type))) return {};
     suggest(context, context.emit(name.range, findings::UnknownMember(context.nameOf(type), name.text)), name.range,
@@ -61,6 +62,7 @@ Denoted memberOfStruct(Context& context, tree::Place* base, const Denoted& from,
     Denoted out = from;
     out.kind = DK::Place;
     out.place = context.isKind(place->type, TypeKind::Reference) ? dereferenced(context, place, range) : place;
+    // Behind a reference the constness of the structure ends.
     if (out.place != place) out.isReadOnly = false;
     out.isExact = true;
     out.isSuper = false;
@@ -76,6 +78,7 @@ bool isSeenFromInside(const Context& context, const tree::Place& base) {
 
 Denoted propertyOf(Context& context, Property& property, const Denoted& from, tree::Place* instance,
                    const syntax::Name& name, Access access) {
+    // The property's; that of GET or SET is checked when it is known which one runs.
     checkAccess(context, property.declaration->access, property.owner, property.name, name.range);
     Denoted out;
     out.kind = DK::Property;
@@ -108,6 +111,7 @@ Denoted memberOfBlock(Context& context, tree::Place* base, const Denoted& from, 
     if (member.variable) {
         Variable& variable = *member.variable;
         checkAccess(context, accessOf(variable.section), variable.owner, variable.name, name.range);
+        // From inside, THIS^.x is x: the same place, and nothing of the block is read only.
         Denoted out = ofVariable(context, variable, fromInside ? nullptr : base, range, access);
         if (out.kind == DK::Place && name.range.file.isValid() && !out.variable) out.variable = member.variable;
         return out;
@@ -132,6 +136,7 @@ Denoted memberOfInterface(Context& context, tree::Place* base, const syntax::Nam
     } else {
         return unknownMember(context, base->type, name);
     }
+    // Called through the interface: which block it is, and thus which code, is only known when it runs.
     out.interface = load(context, base, range).expr;
     return out;
 }
@@ -167,6 +172,7 @@ Denoted memberOf(Context& context, tree::Place* base, const Denoted& from, const
 }
 
 /// Whether a variable of this type could have such a member; scalars have none.
+// Asked where a variable hides something of the same name: motor.speed with motor : INT can only mean the other one.
 bool hasMembers(Context& context, Variable& variable, std::string_view name) {
     const TypeId type = typeOf(context, variable);
     const TypeKind kind = context.types.kind(type);
@@ -177,6 +183,7 @@ bool hasMembers(Context& context, Variable& variable, std::string_view name) {
 
 /// A member of a value that no variable holds: the value is kept in a temporary for it.
 Denoted memberOfValue(Context& context, const Denoted& from, const syntax::Expr& e, Access access) {
+    // A function gives an interface: its methods are called on what it gives, once.
     if (context.isKind(from.value.type(), TypeKind::Interface)) {
         Denoted out = memberOf(context, temporary(context, from.value), from, e.name, e.range, access);
         out.interface = from.value.expr;
@@ -196,6 +203,7 @@ Denoted memberOfProperty(Context& context, const Denoted& from, const syntax::Ex
     const Operand value = propertyValue(context, from, base.range);
     if (value.isUnknown()) return {};
     tree::Place* held = temporary(context, value);
+    // PROPERTY p : REFERENCE TO S: p.x := 1 writes the variable that GET refers to.
     const bool isReference = context.isKind(value.type(), TypeKind::Reference);
     if (isReference) held = referredBy(context, value, base.range);
     Denoted out = memberOf(context, held, {}, e.name, e.range, access);
@@ -236,6 +244,7 @@ Denoted memberOfUnit(Context& context, const Denoted& from, const syntax::Expr& 
     if (unit.kind == UnitKind::Program) {
         Unit* self = context.scope.unit ? context.scope.unit->self() : nullptr;
         tree::Place* instance = nullptr;
+        // Inside of its own body the name of the program is THIS, whichever instance runs.
         if (self == &unit)
             instance = thisPlace(context, base.range);
         else if (unit.instance)
@@ -249,6 +258,7 @@ Denoted memberOfUnit(Context& context, const Denoted& from, const syntax::Expr& 
                 out.isReadOnly = false;
             return out;
         }
+        // In declarations only the type is asked for; several instances do not matter.
         if (!context.function && !context.isExpression && member.variable)
             return ofVariable(context, *member.variable, nullptr, e.range, access);
     }
@@ -337,16 +347,20 @@ Denoted denoteBase(Context& context, const syntax::Expr& e, Access access, TypeI
             return {};
         }
     }
+    // Lib.F where Lib is a namespace and nothing else; a unit of that name wins.
     if (!isOwn && result.space && !result.entity.unit && !result.entity.type && !result.member) {
         return found(context, lookupIn(*result.space, id), e.name, access, hint);
     }
     isWhole = false;
+    // What is found for the base decides how the name behind the dot is read.
     if (from.kind != DK::Nothing) return from;
     return found(context, result, base.name, baseAccess, {});
 }
 
 } // namespace
 
+// By what is in front of the dot. Names of units, lists and namespaces are no values, so they are looked up before
+// anything is evaluated.
 Denoted denoteMember(Context& context, const syntax::Expr& e, Access access, TypeId hint) {
     if (!e.base) return {};
     if (!e.name.isValid()) return {};

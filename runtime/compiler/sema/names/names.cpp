@@ -1,4 +1,6 @@
 // What names mean: NameRef, Member, Index, Deref, Bit, Address → a place, a value, a unit, a type…
+// A name is looked up once (lookup.cpp); what it means then depends on where it stands: `found` chooses among
+// everything of that name by the access that is wanted, in the order in which an outer thing is hidden by an inner one.
 #include "runtime/compiler/sema/names/names.h"
 
 #include "runtime/compiler/sema/calls/calls.h"
@@ -85,6 +87,7 @@ Denoted denote(Context& context, const syntax::Expr& e, Access access, TypeId hi
         return denoteAddress(context, e);
     case ExprKind::This:
     case ExprKind::Super: {
+        // self(): the block a method or action belongs to.
         Unit* self = context.scope.unit ? context.scope.unit->self() : nullptr;
         if (e.kind == ExprKind::Super && hasUnknownBase(self)) return {};
         if (!self || (e.kind == ExprKind::Super && !self->base)) {
@@ -94,6 +97,7 @@ Denoted denote(Context& context, const syntax::Expr& e, Access access, TypeId hi
         }
         Denoted out = placeOf(thisPlace(context, e.range));
         if (e.kind == ExprKind::Super) {
+            // The same instance seen as its base: fields have the same offsets.
             out.place->type = self->base->type;
             out.isSuper = true;
         }
@@ -111,6 +115,7 @@ Denoted denote(Context& context, const syntax::Expr& e, Access access, TypeId hi
 tree::Place* place(Context& context, const syntax::Expr& e, Access access) {
     const Denoted denoted = denote(context, e, access);
     if (denoted.kind == DK::Nothing) return nullptr;
+    // A property or a constant has no place that anybody could refer to.
     if (denoted.kind == DK::Place) return denoted.place;
     context.emit(e.range, findings::NotAssignable(context.textOf(e.range)));
     return nullptr;
@@ -131,6 +136,7 @@ static std::optional<Denoted> foundMember(Context& context, const Found& result,
         refer(context, name.range, own.symbol, Access::Read);
         return unitOf(own, own.owner ? thisPlace(context, name.range) : nullptr);
     }
+    // A variable hides a method of its name, except where it is called.
     if (result.member.variable && !(access == Access::Call && result.member.unit))
         return ofVariable(context, *result.member.variable, nullptr, name.range, access);
     if (result.member.unit) {
@@ -152,6 +158,7 @@ static std::optional<Denoted> foundMember(Context& context, const Found& result,
 
 static Denoted refuseAmbiguous(Context& context, const Found& result, const syntax::Name& name) {
     std::vector<std::string> all;
+    // Each of the full names is a fix: one of them is meant.
     for (const std::string& where : result.ambiguous)
         all.push_back((where.empty() ? "" : where + ".") + std::string(name.text));
     auto& diagnostic = context.emit(name.range, findings::AmbiguousName(name.text, all));
@@ -164,6 +171,7 @@ static Denoted refuseAmbiguous(Context& context, const Found& result, const synt
 
 /// Several enumerations may have the name: the type wanted chooses.
 static Denoted foundEnumerator(Context& context, const Found& result, const syntax::Name& name, TypeId hint) {
+    // color := Red finds Color.Red although Light.Red exists, because the left side says which.
     const EnumeratorRef* chosen = result.enumerators.size() == 1 ? &result.enumerators.front() : nullptr;
     for (const EnumeratorRef& ref : result.enumerators)
         if (hint.isValid() && (ref.type->type == hint || (context.world.enumsByType.count(hint) &&
@@ -180,8 +188,10 @@ static Denoted foundEnumerator(Context& context, const Found& result, const synt
 }
 
 static Denoted refuseUnknown(Context& context, const syntax::Name& name) {
+    // Names of VAR_ACCESS are made with the layout, after this.
     if (context.isTest && isAccessName(context.world, name.text)) return {};
     if (context.scope.unit && hasUnknownBase(context.scope.unit->self())) return {};
+    // In an instruction list an unknown word at the place of an operator is a misspelt operator.
     const bool isInstruction =
         context.scope.unit && context.scope.unit->pou && isOperatorOf(*context.scope.unit->pou, name.range);
     std::vector<std::string> candidates;
@@ -201,6 +211,7 @@ static Denoted refuseUnknown(Context& context, const syntax::Name& name) {
 ///   ok:    x := x + 1;      wrong: x := y;  where nothing is called y (P2001)
 Denoted found(Context& context, const Found& result, const syntax::Name& name, Access access, TypeId hint) {
     if (const auto member = foundMember(context, result, name, access)) return *member;
+    // After members: what the unit has itself is never ambiguous.
     if (!result.ambiguous.empty()) return refuseAmbiguous(context, result, name);
     if (result.entity.variable) return ofVariable(context, *result.entity.variable, nullptr, name.range, access);
     if (!result.enumerators.empty() && !(access == Access::Call && result.entity.unit))
@@ -218,6 +229,7 @@ Denoted found(Context& context, const Found& result, const syntax::Name& name, A
         refer(context, name.range, result.entity.type->symbol, Access::Read);
         return out;
     }
+    // Standard functions come after everything that the program declares: a project may have a MAX of its own.
     const bool isStandard = library::findSignature(name.text) || library::findConversion(name.text);
     if (isStandard && !(result.list && !result.list->name.empty() && access != Access::Call)) {
         Denoted out;
@@ -237,6 +249,7 @@ Denoted found(Context& context, const Found& result, const syntax::Name& name, A
         out.space = result.space;
         return out;
     }
+    // INT as an operand: SIZEOF(INT), or a cast INT(x).
     if (const auto kind = elementaryNamed(name.text)) {
         Denoted out;
         out.kind = DK::Type;
@@ -256,6 +269,7 @@ Denoted found(Context& context, const Found& result, const syntax::Name& name, A
 
 /// The value of a constant; Nothing when it was reported, or is written to.
 static Denoted ofConstant(Context& context, Variable& variable, SourceRange range, bool isRead) {
+    // Folded here if nobody has asked before; a cycle was reported and gives nothing.
     const types::Value* value = constantOf(context, variable);
     if (!value) return {};
     if (!isRead) {
@@ -290,6 +304,7 @@ static tree::Place* storedPlace(Context& context, Variable& variable, TypeId typ
                                 SourceRange range, bool isRead) {
     switch (variable.storage) {
     case Storage::None: // not laid out yet: only its type is asked for
+        // Offset 0: bodies are only checked once everything has its place, so this one is never emitted.
         return absolutePlace(context, 0, type, -1, range);
     case Storage::Absolute:
         return absolutePlace(context, variable.offset, type, variable.bit, range);
@@ -322,6 +337,7 @@ static void noteReadOnly(Context& context, Denoted& out, const Variable& variabl
         out.whyReadOnly = phrases::AnInput();
         return;
     }
+    // A watch may write everything, and a test is the machine's surroundings.
     if (!isOutside || context.isExpression || context.isTest) return;
     const bool isPublic = variable.section && variable.section->isPublic;
     const bool isOfBlock = variable.owner && variable.owner->kind == UnitKind::Block;
@@ -339,11 +355,14 @@ static void noteReadOnly(Context& context, Denoted& out, const Variable& variabl
 Denoted ofVariable(Context& context, Variable& declared, tree::Place* instance, SourceRange range, Access access) {
     const TypeId type = typeOf(context, declared);
     refer(context, range, declared.symbol, access);
+    // VAR_EXTERNAL: the global that it stands for.
     Variable& variable = declared.target ? *declared.target : declared;
     if (!context.isMuted && !context.isExpression) {
+        // Both are used: the declaration in the unit and the global.
         for (Variable* counted : {&declared, &variable})
             count(context, *counted, access != Access::Write, access != Access::Read);
     }
+    // Flow is followed by names: writing any part of the result counts as setting it.
     if (declared.isResult && access != Access::Read && access != Access::Call) context.flow.isResultSet = true;
     const bool isRead = access == Access::Read || access == Access::Call;
     if (variable.isConstant && isFoldable(context.types, type)) return ofConstant(context, variable, range, isRead);
@@ -352,6 +371,7 @@ Denoted ofVariable(Context& context, Variable& declared, tree::Place* instance, 
     if (!place) return {};
     Denoted out = placeOf(context.isKind(type, TypeKind::Reference) ? dereferenced(context, place, range) : place);
     out.variable = &variable;
+    // What is behind an in-out may be derived from the declared block.
     out.isExact = context.isKind(type, TypeKind::Block) && !variable.isInOut();
     noteReadOnly(context, out, variable, type, instance != nullptr);
     return out;

@@ -60,6 +60,7 @@ tree::Place* dereferenced(Context& context, tree::Place* reference, SourceRange 
     return referredBy(context, load(context, reference, range), range);
 }
 
+// Null is checked by the code that reads or writes through it, with the place that is written here.
 tree::Place* referredBy(Context& context, const Operand& reference, SourceRange range) {
     tree::Place* place = context.arena.make<tree::Place>();
     place->kind = tree::PlaceKind::Deref;
@@ -69,6 +70,7 @@ tree::Place* referredBy(Context& context, const Operand& reference, SourceRange 
     return place;
 }
 
+// F().x and (a + b).3: the value is kept for as long as the expression.
 tree::Place* temporary(Context& context, const Operand& operand) {
     tree::Place* place = context.arena.make<tree::Place>();
     place->kind = tree::PlaceKind::Temporary;
@@ -91,6 +93,8 @@ void takeAddress(Context& context, tree::Place* place) {
         context.function->locals[root->local].isAddressTaken = true;
 }
 
+// Addresses are those of bytes: bits have none, characters of texts are of a text's own layout, temporaries end with
+// their expression.
 bool hasAddress(const tree::Place* place) {
     if (place->bit >= 0) return false;
     for (const tree::Place* at = place; at; at = at->base) {
@@ -105,12 +109,15 @@ uint32_t newLocal(Context& context, std::string name, TypeId type, bool isInOut)
     tree::Local local;
     local.name = std::move(name);
     local.type = type;
+    // Made by the compiler: shown nowhere, but recorded with the frame like any other.
     local.isHidden = true;
     local.isInOut = isInOut;
     context.function->locals.push_back(std::move(local));
     return static_cast<uint32_t>(context.function->locals.size() - 1);
 }
 
+// VAR_TEMP of a block is a local of its body and of each action, made when it is first named: bodies that do not use it
+// have nothing to initialise.
 uint32_t temporaryOf(Context& context, Variable& variable) {
     if (const auto it = context.temporaries.find(&variable); it != context.temporaries.end()) return it->second;
     const uint32_t local = newLocal(context, variable.name, variable.type);

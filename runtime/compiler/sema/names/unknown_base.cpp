@@ -1,3 +1,5 @@
+// Units whose base is not known (a missing library, a misspelt name). What they inherit cannot be told, so nobody is
+// reported for using it: one message at EXTENDS instead of one at each use.
 #include "runtime/compiler/sema/names/unknown_base.h"
 
 #include <unordered_set>
@@ -8,6 +10,7 @@ namespace {
 /// Interfaces can be reached on very many ways: each is looked at once.
 bool reachesUnknown(const Unit& interface, std::unordered_set<const Unit*>& seen) {
     if (!seen.insert(&interface).second || !interface.pou) return false;
+    // Fewer were resolved than written.
     if (interface.interfaces.size() < interface.pou->extends.size()) return true;
     for (const Unit* base : interface.interfaces)
         if (base && reachesUnknown(*base, seen)) return true;

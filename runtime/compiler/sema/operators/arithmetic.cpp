@@ -15,6 +15,7 @@ namespace plc::sema {
 using library::BinaryOp;
 using types::Family;
 
+// A CHAR in a calculation is its code: 'A' + 1. Comparisons of two characters do not come here.
 Operand characterCode(Context& context, Operand operand) {
     if (context.types.family(operand.type()) != Family::Character) return operand;
     const bool isNarrow = context.types.storageKind(operand.type()) == TypeKind::Char;
@@ -23,6 +24,7 @@ Operand characterCode(Context& context, Operand operand) {
 
 namespace {
 
+// Literals are folded in LREAL and take their type later: 0.1 + 0.2 in a REAL assignment is rounded once, not twice.
 Operand foldReals(Context& context, const Operation& o, const Operand& a, const Operand& b) {
     const TypeId lreal = context.elementary(TypeKind::Lreal);
     const auto number = [&](const types::Value& v) {
@@ -34,15 +36,19 @@ Operand foldReals(Context& context, const Operation& o, const Operand& a, const 
         context.emit(o.range, findings::OperatorNotForType(Verbatim("MOD"), Verbatim("REAL")));
         return unknown(context, o.range);
     }
+    // A variable that is 0 gives infinity when it runs; 0 that is written is a mistake.
     if (o.op == BinaryOp::Divide && right.real() == 0) {
         context.emit(b.expr->range, findings::DivisionByConstantZero());
         return unknown(context, o.range);
     }
     const library::Evaluated folded = library::evaluateBinary(context.types, o.op, lreal, left, right);
     if (!folded.value.hasValue()) return unknown(context, o.range);
+    // A comparison's result is BOOL and no literal any more.
     return constant(context, folded.value, o.range, !isCompare(o.op));
 }
 
+// In 128 bits, so that 16#FFFF_FFFF_FFFF_FFFF - 1 and -9223372036854775808 both come out right; only the result has to
+// fit into 64.
 Operand foldIntegers(Context& context, const Operation& o, const Operand& a, const Operand& b) {
     const auto wide = [&](const types::Value& v) -> library::WideInteger {
         return context.types.storageKind(v.type) == TypeKind::Ulint
@@ -66,6 +72,8 @@ Operand foldIntegers(Context& context, const Operation& o, const Operand& a, con
                            {context.elementary(*result > INT64_MAX ? TypeKind::Ulint : TypeKind::Lint),
                             static_cast<int64_t>(static_cast<uint64_t>(*result))},
                            o.range, true);
+    // r := 1 / 2 is 0. The literal remembers that digits were lost, until it is known whether a REAL was wanted
+    // (P2029).
     out.isDivided = (o.op == BinaryOp::Divide && left % right != 0) || a.isDivided || b.isDivided;
     return out;
 }
@@ -84,9 +92,11 @@ TypeId typeOfBits(Context& context, const Operand& a, const Operand& b) {
     if (aBool && bBool) return context.elementary(TypeKind::Bool);
     if (aBool || bBool) {
         const Operand& other = aBool ? b : a;
+        // b AND 1: the literal can only be meant as a truth value.
         if (other.isFlexible) return context.elementary(TypeKind::Bool);
         return context.types.family(other.type()) == Family::Bits ? context.types.storage(other.type()) : TypeId();
     }
+    // As numbers at first, since integers are taken as well; the loop below corrects the kind, not the width.
     TypeId type = commonType(context, a, b);
     // bit strings stay bit strings beside integers of their width
     for (const Operand& o : {a, b})
@@ -105,6 +115,7 @@ Operand combineBits(Context& context, const Operation& o, Operand a, Operand b, 
         return unknown(context, o.range);
     }
     if (a.isFlexible && b.isFlexible) {
+        // 1 OR 0 is a number, unless a BOOL is wanted.
         if (!hint.isValid() || context.types.family(hint) != Family::Bool) return foldFlexible(context, o, a, b);
         const TypeId boolean = context.elementary(TypeKind::Bool);
         a = converted(context, a, boolean);
@@ -125,15 +136,18 @@ std::optional<Operand> combinePointers(Context& context, const Operation& o, con
     if (o.op != BinaryOp::Add && o.op != BinaryOp::Subtract) return std::nullopt;
     if (!(pointerLeft || isNumeric(context, a.type())) || !(pointerRight || isNumeric(context, b.type())))
         return std::nullopt;
+    // As in CODESYS, + counts bytes, not elements: p + SIZEOF(x) is how programs there are written.
     const TypeId lword = context.elementary(TypeKind::Lword);
     const auto bits = [&](Operand each) {
         return context.isKind(each.type(), TypeKind::Pointer) ? sameBits(context, each, lword)
                                                               : convertNode(context, settled(context, each), lword);
     };
     const Operand sum = makeBinary(context, o.op, lword, bits(a), bits(b), o.range);
+    // The distance of two pointers is a number, a pointer and a number a pointer.
     return pointerLeft && pointerRight ? sum : sameBits(context, sum, pointerLeft ? a.type() : b.type());
 }
 
+// The smallest wrong thing: the operand that does not fit, or the operator when both are of the same unfit type.
 Operand notNumeric(Context& context, const Operation& o, const Operand& a, const Operand& b) {
     const Operand& wrong = isNumeric(context, a.type()) ? b : a;
     const bool both = !isNumeric(context, a.type()) && !isNumeric(context, b.type());
@@ -152,6 +166,7 @@ Operand combineNumbers(Context& context, const Operation& o, Operand a, Operand 
         context.types.family(hint) == Family::Real) {
         // an integer beside a real literal is computed in the real type that is wanted
         const Operand& other = a.isFlexible ? b : a;
+        // i * 0.5 for a REAL would else be LREAL and be reported as lossy.
         if (context.types.family(other.type()) != Family::Real) type = context.types.storage(hint);
     }
     if (o.op == BinaryOp::Modulo && context.types.family(type) == Family::Real) {
@@ -160,6 +175,7 @@ Operand combineNumbers(Context& context, const Operation& o, Operand a, Operand 
     }
     for (Operand* each : {&a, &b}) {
         const tree::Expr& e = *each->expr;
+        // (i / 2) * 1.5: the integer division is a part of a real calculation, its digits are gone by now.
         if (!each->isFlexible && context.types.family(type) == Family::Real && e.kind == tree::ExprKind::Binary &&
             e.binary == BinaryOp::Divide && types::isInteger(context.types.family(each->type())))
             context.emit(e.range, findings::IntegerDivisionToReal(context.nameOf(type)));
@@ -180,6 +196,7 @@ std::optional<Operand> scaleDuration(Context& context, const Operation& o, Opera
     if (f == Family::Duration && isNumeric(context, b.type()) &&
         (o.op == BinaryOp::Multiply || o.op == BinaryOp::Divide)) {
         b = settled(context, b);
+        // With any other zero the duration is divided when it runs, and faults as integers do.
         if (o.op == BinaryOp::Divide && isConstantZero(b)) {
             context.emit(b.expr->range, findings::DivisionByConstantZero());
             return unknown(context, o.range);
@@ -198,6 +215,7 @@ std::optional<Operand> scaleDuration(Context& context, const Operation& o, Opera
 Operand combineTimes(Context& context, const Operation& o, const Operand& a, const Operand& b) {
     const Family f = context.types.family(a.type()), g = context.types.family(b.type());
     const bool adds = o.op == BinaryOp::Add, subtracts = o.op == BinaryOp::Subtract;
+    // Times are 64-bit counts of nanoseconds in every family, so adding is adding bits.
     const auto in = [&](TypeId type, const Operand& left, const Operand& right) {
         return makeBinary(context, o.op, type, sameBits(context, left, type), sameBits(context, right, type), o.range);
     };
@@ -205,9 +223,11 @@ Operand combineTimes(Context& context, const Operation& o, const Operand& a, con
         context.elementary(isLongTime(context, a) || isLongTime(context, b) ? TypeKind::Ltime : TypeKind::Time);
     const bool areDurations = f == Family::Duration && g == Family::Duration;
     if (areDurations && (adds || subtracts || o.op == BinaryOp::Modulo)) return in(duration, a, b);
+    // How often one duration is in another: a number.
     if (areDurations && o.op == BinaryOp::Divide) return in(context.elementary(TypeKind::Lint), a, b);
     if ((f == Family::TimeOfDay || f == Family::DateTime) && g == Family::Duration && (adds || subtracts))
         return in(context.types.storage(a.type()), a, b);
+    // t + d is accepted for TOD and DT (D11), not for DATE, which has no part of a day to add to.
     if (f == Family::Duration && (g == Family::TimeOfDay || g == Family::DateTime) && adds)
         return in(context.types.storage(b.type()), b, a);
     if (isTimeFamily(f) && f == g && f != Family::Duration && subtracts) return in(duration, a, b);
@@ -228,8 +248,10 @@ Operand foldFlexible(Context& context, const Operation& o, const Operand& a, con
 ///   wrong: b + c  with BOOL (P2006)   t + d  with t : TIME, d : DATE (P2007)
 Operand combine(Context& context, BinaryOp op, std::string_view spelling, Operand a, Operand b, SourceRange range,
                 SourceRange operatorRange, TypeId hint) {
+    // Unknown in, unknown out: what was reported below is not reported again on the way up.
     if (a.isUnknown() || b.isUnknown() || isStrict(context, a) || isStrict(context, b)) return unknown(context, range);
     const Operation o{op, spelling, range, operatorRange};
+    // Families are asked from the most special to the most general; numbers come last because they accept the most.
     if (op == BinaryOp::And || op == BinaryOp::Or || op == BinaryOp::Xor) return combineBits(context, o, a, b, hint);
     a = characterCode(context, a);
     b = characterCode(context, b);

@@ -27,6 +27,7 @@ bool isAddress(TypeKind kind) {
            kind == TypeKind::Null;
 }
 
+// Compared as 64 bits. A watch has no type for the pointer to a block and needs none.
 Operand addressBits(Context& context, Operand o) {
     const TypeId lword = context.elementary(TypeKind::Lword);
     if (context.isKind(o.type(), TypeKind::Block))
@@ -41,6 +42,7 @@ std::optional<Operand> compareAddresses(Context& context, const Operation& o, co
     const TypeKind x = context.types.kind(a.type()), y = context.types.kind(b.type());
     if (!isAddress(x) && !isAddress(y)) return std::nullopt;
     const bool isEquality = o.op == BinaryOp::Equal || o.op == BinaryOp::NotEqual;
+    // p = 0 asks whether p points anywhere; the code for that knows references and interfaces as well.
     if (isEquality && (isConstantZero(a) || isConstantZero(b))) {
         const Operand null = isNull(context, isConstantZero(a) ? b : a, o.range);
         return o.op == BinaryOp::Equal ? null : inverted(context, null, o.range);
@@ -49,11 +51,13 @@ std::optional<Operand> compareAddresses(Context& context, const Operation& o, co
                       (y == TypeKind::Pointer && isNumeric(context, a.type())) ||
                       (x == TypeKind::Interface && y == TypeKind::Block) ||
                       (y == TypeKind::Interface && x == TypeKind::Block);
+    // Not refused here: the following families may know the pair, and the last one gives the message.
     if (!good) return std::nullopt;
     return makeBinary(context, o.op, context.elementary(TypeKind::Lword), addressBits(context, a),
                       addressBits(context, b), o.range);
 }
 
+// Only a frame for the comparison: texts of different capacities are equal when their characters are.
 TypeId longerText(const Context& context, const Operand& a, const Operand& b) {
     return context.types[a.type()].capacity >= context.types[b.type()].capacity ? a.type() : b.type();
 }
@@ -70,6 +74,7 @@ Operand compareTwoTexts(Context& context, const Operation& o, Operand a, Operand
     return makeBinary(context, o.op, longerText(context, a, b), a, b, o.range);
 }
 
+// 'a' is a STRING literal of length 1; beside a CHAR it is meant as one.
 bool isOneCharacter(const Operand& text) {
     const auto* narrow = std::get_if<std::string>(&text.expr->value.data);
     const auto* wide = std::get_if<std::u16string>(&text.expr->value.data);
@@ -94,6 +99,7 @@ std::optional<Operand> compareTexts(Context& context, const Operation& o, Operan
         }
         return makeBinary(context, o.op, type, a, b, o.range);
     }
+    // A BYTE beside 'a': code that reads texts byte by byte compares so.
     if (!text.isConstant() || !types::isInteger(context.types.family(other.type()))) return refuse(context, o, a, b);
     const TypeId type = context.types.storage(other.type()); // s[i] was stored in a BYTE
     text = converted(context, text, type);
@@ -112,6 +118,7 @@ std::optional<Operand> compareTruths(Context& context, const Operation& o, Opera
         other = converted(context, other, boolean);
         return other.isUnknown() ? unknown(context, o.range) : makeBinary(context, o.op, boolean, a, b, o.range);
     }
+    // w = TRUE, written by generators of code, compares with 1.
     if (!truth.isConstant() || !isNumeric(context, other.type())) return refuse(context, o, a, b);
     const TypeId type = context.types.storage(other.type());
     truth = convertNode(context, truth, type);
@@ -121,6 +128,7 @@ std::optional<Operand> compareTruths(Context& context, const Operation& o, Opera
 std::optional<Operand> compareTimes(Context& context, const Operation& o, const Operand& a, const Operand& b) {
     const Family family = context.types.family(a.type());
     if (!isTimeFamily(family) || family != context.types.family(b.type())) return std::nullopt;
+    // TIME beside LTIME: both are counted in nanoseconds, the name of the type is that of the wider one.
     const bool isWiderRight =
         types::implicitConversion(context.types, b.type(), a.type()) == types::Implicit::Narrowing;
     const TypeId type = context.types.storage(isWiderRight ? b.type() : a.type());
@@ -137,6 +145,7 @@ std::optional<Operand> compareCharacters(Context& context, const Operation& o, c
 
 ///   wrong: a = b  with arrays (P2040)
 Operand notComparable(Context& context, const Operation& o, const Operand& a, const Operand& b) {
+    // Comparing bytes would compare what lies between fields as well; member by member is what is meant.
     if (context.types.isAggregate(a.type()) && context.types.isAggregate(b.type())) {
         context.emit(o.operatorRange, findings::CompareWhole(o.spelling, context.nameOf(a.type())));
         return unknown(context, o.range);
@@ -150,6 +159,7 @@ Operand notComparable(Context& context, const Operation& o, const Operand& a, co
 /// the next wider signed one. Beyond 64 bits there is none, and a negative number would count as a large one.
 ///   advice: l < u  with LINT and ULINT (P2031)
 TypeId typeOfMixedSigns(Context& context, const Operation& o, const Operand& a, const Operand& b) {
+    // C's rule (both become unsigned) makes -1 > 1u; a controller must not switch on because of that.
     const bool isSignedLeft = context.types.family(a.type()) == Family::Signed;
     const Operand& withSign = isSignedLeft ? a : b;
     const Operand& withoutSign = isSignedLeft ? b : a;
@@ -159,6 +169,7 @@ TypeId typeOfMixedSigns(Context& context, const Operation& o, const Operand& a, 
         return isUnsigned;
     if (withoutSign.isConstant() && fits(context, withoutSign.expr->value, isSigned)) return isSigned;
     const unsigned width = types::bitsOf(context.types.storageKind(isUnsigned));
+    // Every value of the unsigned type is one of the wider signed type.
     if (width < types::bitsOf(context.types.storageKind(isSigned))) return isSigned;
     if (width < 64)
         return context.elementary(width == 32 ? TypeKind::Lint : width == 16 ? TypeKind::Dint : TypeKind::Int);
@@ -199,6 +210,7 @@ Operand compare(Context& context, BinaryOp op, std::string_view spelling, Operan
         b = characterCode(context, b);
     }
     if (const auto done = compareTimes(context, o, a, b)) return *done;
+    // Values of two enumerations have nothing to do with each other, whatever their numbers.
     if (context.isKind(a.type(), TypeKind::Enum) && context.isKind(b.type(), TypeKind::Enum) &&
         !sameType(context.world, a.type(), b.type()))
         return refuse(context, o, a, b);

@@ -59,6 +59,7 @@ std::optional<BinaryOp> operatorOf(TokenKind kind) {
 
 /// Folded when the operand is constant.
 Operand makeUnary(Context& context, library::UnaryOp op, Operand operand, SourceRange range) {
+    // A subrange is left as soon as it is computed with.
     const TypeId type = context.types.storage(operand.type());
     if (operand.type() != type) operand = convertNode(context, operand, type);
     if (operand.isConstant()) {
@@ -75,8 +76,11 @@ Operand makeUnary(Context& context, library::UnaryOp op, Operand operand, Source
 }
 
 /// -literal: still without a type.
+// The lexer knows no signs: -32768 is a literal with an operator, and has to be one number again before its type is
+// chosen.
 Operand negatedLiteral(Context& context, const types::Value& value, SourceRange range) {
     if (std::holds_alternative<double>(value.data)) return constant(context, {value.type, -value.real()}, range, true);
+    // 9223372036854775808 does not fit into LINT, but its negative does.
     if (context.types.storageKind(value.type) == TypeKind::Ulint && value.integer() != INT64_MIN) {
         context.emit(range, findings::ConstantOutOfRange(context.textOf(range), Verbatim("LINT")));
         return unknown(context, range);
@@ -90,6 +94,7 @@ Operand negatedLiteral(Context& context, const types::Value& value, SourceRange 
 ///   wrong: x := x / 0; x := x MOD (1 - 1);  (P2017)
 Operand makeBinary(Context& context, BinaryOp op, TypeId operandType, Operand a, Operand b, SourceRange range) {
     const TypeId result = isCompare(op) ? context.elementary(TypeKind::Bool) : operandType;
+    // Found when it is compiled as far as the divisor is constant; otherwise it is a fault when it runs.
     const bool divides = op == BinaryOp::Divide || op == BinaryOp::Modulo;
     const Family family = context.types.family(operandType);
     if (divides && b.isConstant() && std::holds_alternative<int64_t>(b.expr->value.data) &&
@@ -102,6 +107,7 @@ Operand makeBinary(Context& context, BinaryOp op, TypeId operandType, Operand a,
             library::evaluateBinary(context.types, op, operandType, a.expr->value, b.expr->value);
         if (folded.error == library::EvaluationError::None && folded.value.hasValue()) {
             types::Value value = folded.value;
+            // A text keeps the type with its own length.
             if (!context.types.isText(result)) value.type = result;
             return constant(context, std::move(value), range);
         }
@@ -110,6 +116,7 @@ Operand makeBinary(Context& context, BinaryOp op, TypeId operandType, Operand a,
     e->kind = tree::ExprKind::Binary;
     e->binary = op;
     e->type = result;
+    // A comparison's type is BOOL: the code generator needs to know in which type it is made.
     e->operandType = operandType;
     e->range = range;
     e->a = a.expr;
@@ -120,6 +127,7 @@ Operand makeBinary(Context& context, BinaryOp op, TypeId operandType, Operand a,
 Operand unary(Context& context, const syntax::Expr& e, TypeId hint) {
     Operand operand = expression(context, *e.base, hint);
     if (operand.isUnknown()) return unknown(context, e.range);
+    // +x is x.
     if (e.op == TokenKind::Plus) {
         if (!isNumeric(context, operand.type()) && context.types.family(operand.type()) != Family::Duration) {
             context.emit(e.range, findings::OperatorNotForType(Verbatim("+"), context.nameOf(operand.type())));
@@ -128,6 +136,7 @@ Operand unary(Context& context, const syntax::Expr& e, TypeId hint) {
         return operand;
     }
     if (e.op == TokenKind::Not) {
+        // NOT 0 for a BOOL is TRUE, for a WORD 16#FFFF: a literal has no width that could be inverted.
         if (operand.isFlexible && hint.isValid() && context.types.storageKind(hint) == TypeKind::Bool)
             operand = converted(context, operand, context.elementary(TypeKind::Bool));
         else if (operand.isFlexible && hint.isValid() && types::isInteger(context.types.family(hint)))
@@ -185,6 +194,7 @@ Operand binary(Context& context, const syntax::Expr& e, TypeId hint) {
                     : combine(context, *op, spelling, a, b, e.range, e.operatorRange, hint);
 }
 
+// Two blocks of code instead of one operation: the right side may be p^.x behind p <> 0.
 /// AND_THEN, OR_ELSE: the right side is computed only when it decides.
 static Operand shortCircuit(Context& context, const syntax::Expr& e) {
     const TypeId boolean = context.elementary(TypeKind::Bool);
@@ -208,6 +218,7 @@ static Operand shortCircuit(Context& context, const syntax::Expr& e) {
 
 Operand logical(Context& context, const syntax::Expr& e, TypeId hint) {
     if (e.op == TokenKind::AndThen || e.op == TokenKind::OrElse) return shortCircuit(context, e);
+    // 16#FF AND 16#0F for a BYTE: literals are read as bits of the type that is wanted.
     const bool wantsBits =
         hint.isValid() && (context.types.family(hint) == Family::Bool || types::isInteger(context.types.family(hint)));
     Operand a = expression(context, *e.base, wantsBits ? hint : TypeId());
@@ -218,6 +229,8 @@ Operand logical(Context& context, const syntax::Expr& e, TypeId hint) {
 
 Operand intrinsic(Context& context, library::Intrinsic code, TypeId result, std::vector<Operand> operands,
                   SourceRange range, int64_t selector) {
+    // Folded with the library's own evaluator, which the code generator is compared with: a constant is what the code
+    // would compute.
     bool allConstant = !operands.empty();
     for (const Operand& operand : operands) {
         if (operand.isUnknown()) return unknown(context, range);
@@ -228,6 +241,8 @@ Operand intrinsic(Context& context, library::Intrinsic code, TypeId result, std:
         for (const Operand& operand : operands) values.push_back(operand.expr->value);
         const library::Evaluated folded =
             library::evaluateIntrinsic(context.types, code, result, values, nullptr, selector);
+        // What fails (a division, a position beyond a text) is left to the code: it then faults or clears ENO where it
+        // runs.
         if (folded.error == library::EvaluationError::None && folded.ok && folded.value.hasValue()) {
             types::Value value = folded.value;
             value.type = result;

@@ -31,6 +31,7 @@ static void useNamesIn(WorldBuilder& world, SourceRange range);
 WorldBuilder::WorldBuilder(const SourceSet& theSources, const Options& theOptions,
                            const std::shared_ptr<tree::Program>& theProgram)
     : World(theSources, theOptions, theProgram), Gathered(*theProgram->types, theProgram->arena), program(theProgram) {
+    // Expressions of watches add no types (they run beside others), so the texts that they may need are made first.
     functions.emplace_back(); // 0 is reserved
     for (const uint32_t capacity : {80u, 255u}) {
         types.string(capacity);
@@ -58,22 +59,27 @@ bool isLibraryFile(const World& world, FileId file) {
 
 bool hasSyntaxErrorAt(const World& world, SourceRange range) {
     return std::any_of(world.syntaxErrors.begin(), world.syntaxErrors.end(), [&](SourceRange at) {
+        // Two characters behind: the parser reports a missing semicolon at what follows it.
         return at.file == range.file && at.begin >= range.begin && at.begin <= range.end + 2;
     });
 }
 
 void refer(const Check& check, SourceRange range, SymbolId symbol, bool isRead, bool isWrite) {
+    // References within libraries would be most of all references, and nobody renames there.
     if (!symbol.isValid() || !range.file.isValid() || isLibraryFile(check.world, range.file)) return;
     check.gathered.references.push_back({range, symbol, isWrite, isRead});
 }
 
 void count(const Check& check, Variable& variable, bool isRead, bool isWrite) {
+    // Bodies are checked against a const World: their uses are notes, added up behind them.
     if (!check.builder) return (void)check.gathered.uses.push_back({variable.number, isRead, isWrite});
     variable.reads += isRead;
     variable.writes += isWrite;
 }
 
 tree::FunctionId newFunction(Gathered& gathered, std::string name, const Unit* unit) {
+    // A body that makes a function (an initialiser of a type) has done something for others; see
+    // kept/changed_bodies.cpp.
     ++gathered.completions;
     tree::Function& function = gathered.functions.emplace_back();
     function.name = std::move(name);
@@ -91,8 +97,11 @@ tree::FunctionId newFunction(Gathered& gathered, std::string name, const Unit* u
 size_t build(WorldBuilder& world, const Files& files, const LastCheck* last, bool isKept) {
     for (const auto& file : files) declareFile(world, *file);
     resolveUsings(world);
+    // By index and not by iterator wherever the list may grow meanwhile.
     for (size_t i = 0; i < world.units.size(); ++i) resolveBases(world, world.units[i]);
+    // Before any layout: whether a block has a number at offset 0 moves all its fields.
     markHeaders(world);
+    // Program instances exist before types are completed, because VAR_EXTERNAL asks which RESOURCE runs the program.
     declareConfigurations(world);
     for (DeclaredType& type : world.declaredTypes)
         completeType(world, resolveDeclared(world, type), type.declaration->name.range);
@@ -102,7 +111,9 @@ size_t build(WorldBuilder& world, const Files& files, const LastCheck* last, boo
         completeType(world, typeOf(world, world.globals[i]), world.globals[i].range);
     for (size_t i = 0; i < world.structs.size(); ++i) completeStruct(world, world.structs[i]);
     for (size_t i = 0; i < world.types.count(); ++i) completeType(world, TypeId(i), {}); // grows while it runs
+    // Also those that nobody names: each constant is checked once, in the order of the text.
     checkConstants(world);
+    // After the units are complete and before bodies: calls need to know whether they are dispatched.
     assignSlots(world);
     for (size_t i = 0; i < world.units.size(); ++i) checkInheritance(world, world.units[i]);
     for (Variable& variable : world.globals)
@@ -113,12 +124,15 @@ size_t build(WorldBuilder& world, const Files& files, const LastCheck* last, boo
             if (Unit* of = variable.isInOut() ? nullptr : world.unitOf(variable.type);
                 of && of->isAbstract && of->kind == UnitKind::Block)
                 world.emit(variable.spec ? variable.spec->range : variable.range, findings::AbstractInstance(of->name));
+    // All offsets are fixed from here on; trees of bodies contain them.
     layoutGlobals(world);
     const size_t checked = isKept ? checkChangedBodies(world, files, last) : checkBodies(world);
+    // Writes into the image and adds copies, which the tasks connect.
     applyVarConfig(world);
     buildTasks(world);
     buildInitialiser(world);
     buildDispatch(world);
+    // Uses are complete only now: connections of tasks and initial values count as well.
     checkUsage(world);
     checkTestNames(world);
     checkRecursion(world);
@@ -130,6 +144,7 @@ size_t build(WorldBuilder& world, const Files& files, const LastCheck* last, boo
 
 /// What stands where nothing is analysed counts as used.
 void useNamesIn(WorldBuilder& world, SourceRange range) {
+    // Read as tokens: what could not be parsed names variables all the same, and they are not unused.
     diagnostics::Sink ignored;
     const std::string_view text = world.textOf(range);
     for (const lex::Token& token : lex::tokenize(range.file, text, ignored).tokens)
@@ -163,6 +178,7 @@ std::shared_ptr<const Analysis> analyze(const SourceSet& sources, Files files,
     auto analysis = std::make_shared<Analysis>();
     analysis->files = std::move(files);
     analysis->program = world.program;
+    // The editor's check needs diagnostics and symbols; the records of kept bodies hold their trees themselves.
     if (!options.wantProgram)
         for (tree::Function& function : analysis->program->functions) function.body.clear();
     analysis->symbols = std::move(world.symbols);
@@ -174,6 +190,7 @@ std::shared_ptr<const Analysis> analyze(const SourceSet& sources, Files files,
         if (equalsIgnoringCase(text.substr(text.size() - name.size()), name))
             reference.range.begin = reference.range.end - static_cast<uint32_t>(name.size());
     }
+    // Sorted by place: "what is under the caret" is a binary search.
     std::stable_sort(world.references.begin(), world.references.end(), [](const Reference& a, const Reference& b) {
         return std::tuple(a.range.file, a.range.begin, a.range.end) <
                std::tuple(b.range.file, b.range.begin, b.range.end);
@@ -184,6 +201,7 @@ std::shared_ptr<const Analysis> analyze(const SourceSet& sources, Files files,
     analysis->hasErrors =
         std::any_of(analysis->diagnostics.begin(), analysis->diagnostics.end(),
                     [](const diagnostics::Diagnostic& d) { return d.severity == diagnostics::Severity::Error; });
+    // The World without what was gathered; from here on it is const and read by any number of threads.
     analysis->scopes = std::make_shared<const World>(std::move(static_cast<World&>(world)));
     return analysis;
 }

@@ -26,9 +26,11 @@ void checkUnusedGlobals(WorldBuilder& world) {
         if (isLibraryFile(world, variable.range.file) || variable.reads || variable.writes ||
             world.types.kind(variable.type) == TypeKind::Unknown || world.types.kind(variable.type) == TypeKind::Block)
             continue;
+        // usedElsewhere: names in panels, traces, tests and devices. With a dot: the last part of a path.
         const std::string name = foldCase(variable.name);
         if (world.options.usedElsewhere.contains(name) || world.options.usedElsewhere.contains("." + name)) continue;
         auto& diagnostic = world.emit(variable.range, findings::UnusedVariable(variable.name));
+        // "a, b : INT" loses b too when the declaration goes; then there is no fix.
         if (variable.declaration->names.size() == 1)
             diagnostic.fixes.push_back({fixes::RemoveDeclaration(), {{variable.declaration->range, ""}}});
     }
@@ -42,6 +44,7 @@ void gatherConfigured(WorldBuilder& world) {
             for (const syntax::VarDecl* declaration : section->declarations) {
                 if (declaration->configPath.empty()) continue;
                 const std::string_view last = declaration->configPath.back().text;
+                // A[3] of a path is A.
                 world.options.usedElsewhere.insert("." + foldCase(last.substr(0, last.find('['))));
             }
         }
@@ -59,6 +62,7 @@ void checkUnusedActions(WorldBuilder& world) {
     std::vector<bool> used(world.symbols.size(), false);
     for (const Reference& reference : world.references)
         if (reference.symbol.isValid() && reference.range != world.symbols[reference.symbol.index()].declaration)
+            // The declaration itself is a reference as well, for renaming; it is no use.
             used[reference.symbol.index()] = true;
     for (const Unit& unit : world.units) {
         if (unit.kind != UnitKind::Action || unit.isLibrary() || !unit.symbol.isValid() || used[unit.symbol.index()] ||
@@ -70,6 +74,8 @@ void checkUnusedActions(WorldBuilder& world) {
 
 ///   ok:    VAR x : INT := 1; y : INT; END_VAR y := x;
 ///   advice: VAR x : INT; END_VAR  that nothing names (P3005)   y := x;  where nothing writes x (P3006)
+// All of these are advice: a program runs as well with an unused variable. Names that something outside of the text
+// uses (panels, traces, devices) are given by who asks for the check.
 void checkUsage(WorldBuilder& world) {
     gatherConfigured(world);
     checkUnusedGlobals(world);
@@ -78,16 +84,20 @@ void checkUsage(WorldBuilder& world) {
         if (unit.isLibrary() || unit.kind == UnitKind::Interface ||
             (unit.owner && unit.owner->kind == UnitKind::Interface))
             continue;
+        // __chart0 is what the lowering of a chart adds. SFCInit, SFCPause … are flags that the chart itself reads.
         const bool hasChart = unit.members.contains(world.key("__chart0"));
         for (Variable& variable : unit.variables) {
             if (hasChart && equalsIgnoringCase(std::string_view(variable.name).substr(0, 3), "SFC"))
                 continue; // flags of the chart
+            // Parameters are part of an interface: that this body does not use one says nothing.
             const bool isOwn = variable.kind == SectionKind::Var || variable.kind == SectionKind::Temp ||
                                variable.kind == SectionKind::Stat || variable.kind == SectionKind::Inst;
             if (!isOwn || variable.isResult || !variable.declaration || !variable.range.file.isValid() ||
                 variable.name.starts_with("__"))
                 continue;
             const auto known = unit.members.find(variable.id);
+            // A name that is declared twice, or that an ACTION has too, was reported; counts of uses belong to the
+            // other.
             if (world.types.kind(variable.type) == TypeKind::Unknown || known == unit.members.end() ||
                 known->second.variable != &variable || known->second.unit)
                 continue;
@@ -95,6 +105,7 @@ void checkUsage(WorldBuilder& world) {
                 hasSyntaxErrorAt(world, variable.range))
                 continue;
             if (variable.reads == 0 && variable.writes == 0) {
+                // A located variable that nothing uses is the wiring list of the machine.
                 if (variable.isLocated) continue;
                 auto& diagnostic = world.emit(variable.range, findings::UnusedVariable(variable.name));
                 if (variable.declaration->names.size() == 1 && variable.declaration->range.file.isValid())
@@ -104,6 +115,8 @@ void checkUsage(WorldBuilder& world) {
             const TypeKind kind = world.types.kind(variable.type);
             const bool hasValue = variable.declaration->initial || hasConstructor(variable.spec);
             if (variable.writes == 0 && !hasValue && !variable.isConstant && !variable.isLocated &&
+                // Aggregates are written by element, by address or by a call; counting that wrongly would accuse good
+                // programs.
                 kind != TypeKind::Block && kind != TypeKind::Unknown && kind != TypeKind::Array &&
                 kind != TypeKind::Struct && kind != TypeKind::Union)
                 world.emit(variable.range, findings::NeverWritten(variable.name));
@@ -113,6 +126,7 @@ void checkUsage(WorldBuilder& world) {
 
 namespace {
 
+// A chain of 100,000 calls is a legal (generated) program: recursion here would end the stack.
 /// Tarjan's strongly connected components, without recursion.
 class Components {
 public:
@@ -174,19 +188,23 @@ void checkFrames(WorldBuilder& world, const std::vector<std::vector<uint32_t>>& 
                  const std::vector<std::vector<uint32_t>>& components) {
     std::vector<uint64_t> needed(world.functions.size(), 0); // with what is called
     std::vector<bool> isReported(world.functions.size(), false);
+    // One pass suffices, because Tarjan gives components in reverse topological order.
     for (const std::vector<uint32_t>& component : components) { // the called come before their callers
         uint64_t own = 0, below = 0;
         bool wasReported = false;
         for (const uint32_t index : component) {
             for (const tree::Local& local : world.functions[index].locals)
+                // In-outs are an address and, for texts and open arrays, a length.
                 own += local.isInOut ? 16 : world.types[local.type].size;
             for (const uint32_t to : edges[index]) {
                 below = std::max(below, needed[to]);
                 wasReported = wasReported || isReported[to];
             }
         }
+        // Reported once, where it first becomes too large, and not at every caller above.
         const bool isTooLarge = own + below > kMaximumData;
         for (const uint32_t index : component) {
+            // Cut off, so that a sum over a wide graph cannot wrap.
             needed[index] = std::min(own + below, 2 * kMaximumData);
             isReported[index] = isTooLarge || wasReported;
         }
@@ -212,6 +230,8 @@ public:
                 bySlot[unit.slot].push_back(unit.function.value);
         }
         for (const Call& call : world.calls) add(call, bySlot);
+        // Sorted and unique: checkCycle asks by binary search, and large programs call the same function a thousand
+        // times.
         for (auto& list : m_edges) {
             std::sort(list.begin(), list.end());
             list.erase(std::unique(list.begin(), list.end()), list.end());
@@ -224,6 +244,7 @@ public:
         const uint32_t first = whereToFix(component);
         const auto& own = m_edges[first];
         if (component.size() == 1 && !std::binary_search(own.begin(), own.end(), first)) return;
+        // The code generator counts the depth of these, so that endless recursion is a fault and no crash.
         for (const uint32_t index : component) m_world.functions[index].mayRecurse = true;
         if (m_units[first]) report(component, first);
     }
@@ -234,6 +255,7 @@ private:
         m_callsFrom[call.from].push_back(&call);
         const tree::Function& called = m_world.functions[call.to];
         if (!call.isDispatched || called.methodSlot == Id<int>::kNone) return;
+        // As many edges as there are methods of that name in blocks derived from the instance's type.
         for (const uint32_t candidate : bySlot[called.methodSlot]) {
             const Unit* unit = m_units[candidate];
             if (unit && unit->self() &&

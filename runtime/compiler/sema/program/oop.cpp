@@ -11,6 +11,7 @@
 
 namespace plc::sema {
 
+// Copied once its base is resolved: look-up then finds both accessors in one property.
 /// A property that a block overrides by one accessor has the other one of its base.
 static void inheritAccessors(Unit& unit) {
     for (Property* own : unit.properties)
@@ -26,10 +27,12 @@ static void inheritAccessors(Unit& unit) {
 void resolveBases(WorldBuilder& world, Unit& unit) {
     if (unit.baseProgress != Progress::Open) return;
     unit.baseProgress = Progress::Working;
+    // Bases are resolved by recursion; the depth is bounded before the C++ stack is.
     const Waiting wait(world.waiting, kMaximumWaiting / kMaximumBases);
     const auto resolve = [&](const syntax::Path& path, bool wantsInterface) -> Unit* {
         if (path.empty()) return nullptr;
         const SourceRange range = joined(path.front().range, path.back().range);
+        // Not seen from inside the unit: a member of the same name as the base must not be found.
         Scope outside{nullptr, unit.space, unit.file};
         const Found found = lookupPath(world, outside, path);
         std::string text;
@@ -53,10 +56,12 @@ void resolveBases(WorldBuilder& world, Unit& unit) {
             return nullptr;
         }
         if (!wait.isTooDeep) resolveBases(world, *base);
+        // A extends B extends A: the one that closes the circle has no base, the others keep theirs.
         if (base->baseProgress == Progress::Working) {
             world.emit(range, findings::TypeCycle(unit.name));
             return nullptr;
         }
+        // Open: it was not resolved because too many wait already.
         if (base->baseProgress == Progress::Open || base->level >= kMaximumBases) {
             world.emit(range, findings::NestedTooDeep());
             return nullptr;
@@ -72,6 +77,7 @@ void resolveBases(WorldBuilder& world, Unit& unit) {
             for (const syntax::Path& path : unit.pou->extends) {
                 Unit* base = resolve(path, false);
                 if (!base) continue;
+                // Blocks have one base; several are interfaces' privilege (6.6.7).
                 if (unit.base)
                     world.emit(joined(path.front().range, path.back().range),
                                findings::NotExtendable(base->name, unit.name));
@@ -109,6 +115,7 @@ bool isAccessible(syntax::Access access, const Unit* owner, const Scope& from) {
         for (const Unit* at = self; at; at = at->base)
             if (at == owner) return true;
         return false;
+    // INTERNAL is visible in its namespace (edition 3, 6.6.5).
     case syntax::Access::Internal:
         return from.space == owner->space;
     default:
@@ -118,6 +125,7 @@ bool isAccessible(syntax::Access access, const Unit* owner, const Scope& from) {
 
 namespace {
 
+// Names of parameters do not count: the call binds by those of the declared type, the override may call them otherwise.
 std::vector<std::pair<types::TypeId, syntax::SectionKind>> shapeOf(WorldBuilder& world, Unit& unit) {
     std::vector<std::pair<types::TypeId, syntax::SectionKind>> out;
     collectParameters(world, unit);
@@ -139,6 +147,7 @@ bool sameShape(WorldBuilder& world, Unit& a, Unit& b) {
 void collectInterfaces(WorldBuilder& world, Unit& unit, std::vector<Unit*>& out) {
     resolveBases(world, unit);
     for (Unit* interface : unit.interfaces) {
+        // Diamonds: each interface once, or the ways double with each level.
         if (std::find(out.begin(), out.end(), interface) != out.end()) continue;
         out.push_back(interface);
         collectInterfaces(world, *interface, out);
@@ -185,6 +194,7 @@ void addProperty(const World& world, const Unit& unit, const Property& property,
     if (std::any_of(unit.properties.begin(), unit.properties.end(),
                     [&](const Property* own) { return own->id == property.id; }))
         return; // one accessor is there
+    // The interface's own text, so that types and comments come out as written there.
     std::string text = "PROPERTY " + property.name + " : " + world.nameOf(property.type) + "\n";
     if (property.get) text += "GET\n;\nEND_GET\n";
     if (property.set) text += "SET\n;\nEND_SET\n";
@@ -202,6 +212,7 @@ void checkInheritance(WorldBuilder& world, Unit& unit) {
     for (Unit* method : unit.methods) {
         Unit* overridden = unit.base ? methodNamed(*unit.base, method->id) : nullptr;
         if (overridden) {
+            // From here on calls of it are dispatched; prepareCall reads this, so it must run before the bodies.
             overridden->isOverridden = true;
             if (overridden->isFinal)
                 world.emit(method->range, findings::FinalExtended(overridden->qualified));
@@ -222,6 +233,7 @@ void checkInheritance(WorldBuilder& world, Unit& unit) {
     if (unit.kind != UnitKind::Block) return;
     std::vector<Unit*> interfaces;
     for (Unit* at = &unit; at; at = at->base) collectInterfaces(world, *at, interfaces);
+    // An abstract block may leave methods to those that extend it.
     if (unit.isAbstract) return;
     for (Unit* interface : interfaces) {
         for (Unit* wanted : interface->methods) {
@@ -229,6 +241,7 @@ void checkInheritance(WorldBuilder& world, Unit& unit) {
             const SourceRange at = implementsRange(unit);
             if (!made || made->isAbstract) {
                 const Property* property = wanted->property;
+                // A missing property lacks two accessors; one message is enough.
                 if (property && wanted == property->set && property->get && !methodNamed(unit, property->get->id))
                     continue; // told with GET
                 auto& diagnostic =
@@ -266,8 +279,11 @@ void checkInheritance(WorldBuilder& world, Unit& unit) {
                 world.emit(unit.range, findings::NotInterfaceImplemented(unit.name, wanted->name, at->name));
 }
 
+// One number for a method's name, program-wide: a row of the table is as long as there are names, and finding a method
+// through any interface is one look-up. Programs have few enough blocks for that.
 void assignSlots(WorldBuilder& world) {
     std::unordered_map<NameId, uint32_t> slots;
+    // The body of a block is called like a method, by a name that nobody can write.
     const NameId body = world.key("()");
     const auto slotOf = [&](NameId id) {
         const auto [it, isNew] = slots.try_emplace(id, static_cast<uint32_t>(slots.size()));
@@ -287,6 +303,7 @@ void assignSlots(WorldBuilder& world) {
     }
 }
 
+// Rows by block number, columns by slot; what is not filled is a method that the block does not have.
 void buildDispatch(WorldBuilder& world) {
     uint32_t blocks = 0;
     for (const Unit& unit : world.units)
@@ -294,6 +311,7 @@ void buildDispatch(WorldBuilder& world) {
     world.program->dispatch.assign(blocks + 1, {});
     for (Unit& unit : world.units) {
         if (!unit.isInstanced() || !unit.hasHeader) continue;
+        // From the block to its bases: the first that has the method wins.
         std::vector<tree::FunctionId>& row = world.program->dispatch[world.types[unit.type].blockNumber];
         row.assign(world.slotNames.size(), tree::FunctionId());
         for (Unit* at = &unit; at; at = at->base) {

@@ -22,6 +22,7 @@ using lex::TokenKind;
 
 /// A place that may be written, with its advice: a program writes an input, a loop its variable.
 static Denoted placeTarget(Context& context, const syntax::Expr& e, Denoted denoted) {
+    // The root decides what may be written: a field of F() is in a temporary, whatever its own type says.
     const tree::Place* root = rootOf(denoted.place);
     if (denoted.isReadOnly || root->kind == tree::PlaceKind::Temporary) {
         context.emit(e.range, denoted.isReadOnly ? findings::NotAssignable(denoted.whyReadOnly)
@@ -29,6 +30,7 @@ static Denoted placeTarget(Context& context, const syntax::Expr& e, Denoted deno
         return {};
     }
     const Unit* self = context.scope.unit ? context.scope.unit->self() : nullptr;
+    // A warning: writing an input lasts until the next scan reads the devices. Simulations do it on purpose.
     if (root->kind == tree::PlaceKind::Absolute && self && self->kind == UnitKind::Program && !self->isSimulation &&
         !context.isExpression) {
         const image::AreaRange inputs = areaOf(context.world, image::Area::Input);
@@ -36,10 +38,12 @@ static Denoted placeTarget(Context& context, const syntax::Expr& e, Denoted deno
             context.emit(e.range, findings::NotAssignable(phrases::InputAddress(context.textOf(e.range)))).severity =
                 diagnostics::Severity::Warning;
     }
+    // The standard forbids a unit to write its own inputs (2.4.3); many programs do it to normalise them.
     if (context.world.options.strict && denoted.variable && denoted.variable->kind == syntax::SectionKind::Input &&
         context.scope.unit && denoted.variable->owner == context.scope.unit)
         context.emit(e.range, findings::NotAssignable(phrases::Input(denoted.variable->name))).severity =
             diagnostics::Severity::Warning;
+    // Only the variable itself: a[i] with a counting array element as loop variable may be another element.
     for (const Variable* variable : context.loopVariables)
         if (variable == denoted.variable && denoted.place->type == variable->type)
             context.emit(e.range, findings::LoopVariableWritten(variable->name));
@@ -59,6 +63,7 @@ static tree::Place* behindProperty(Context& context, const Denoted& denoted, Sou
 /// Where a value goes: a place or a property. Reports what cannot be written.
 ///   ok:    x := 5;      wrong: t.Q := TRUE;  (P2005)      advice: FOR i := 1 TO 5 DO i := i + 1; END_FOR  (P3021)
 Denoted target(Context& context, const syntax::Expr& e, TypeId* type) {
+    // Access::Write counts a write and no read, so that a variable that is only written is found.
     Denoted denoted = denote(context, e, Access::Write);
     switch (denoted.kind) {
     case Denoted::Kind::Nothing:
@@ -76,6 +81,7 @@ Denoted target(Context& context, const syntax::Expr& e, TypeId* type) {
             context.emit(e.range, findings::NotAssignable(phrases::PropertyWithoutSet(denoted.property->name)));
             return {};
         }
+        // SET's only variable in front is the value that is assigned (declareMembers).
         if (type) *type = typeOf(context, denoted.property->set->variables.front());
         return denoted;
     default:
@@ -88,6 +94,7 @@ Denoted target(Context& context, const syntax::Expr& e, TypeId* type) {
 static void assignProperty(Context& context, const Denoted& target, Operand value, SourceRange range,
                            std::vector<tree::Stmt*>& out) {
     Unit& set = *target.property->set;
+    // Accessors are completed when they are first used, as all units are.
     completeUnit(context, set, range);
     checkAccess(context, set.access, target.property->owner, target.property->name, value.expr->range);
     const Operand fitting = converted(context, value, typeOf(context, set.variables.front()));
@@ -117,6 +124,7 @@ void assignTo(Context& context, const Denoted& target, Operand value, SourceRang
     const Operand fitting = converted(context, value, target.place->type);
     if (fitting.isUnknown()) return;
     tree::Stmt* made = assignStmt(context, target.place, fitting.expr, range);
+    // Hidden: the debugger does not stop at what belongs to another statement.
     made->isHidden = made->isHidden || isHidden;
     out.push_back(made);
 }
@@ -126,10 +134,12 @@ void bindReference(Context& context, tree::Place* raw, const syntax::Expr& value
                    std::vector<tree::Stmt*>& out) {
     const TypeId type = raw->type;
     const TypeId element = context.types[type].element;
+    // Whoever has the address may read and write: it counts as both.
     const Denoted denoted = denote(context, value, Access::Address);
     if (denoted.kind == Denoted::Kind::Nothing) return;
     Operand source;
     if (denoted.kind == Denoted::Kind::Place) {
+        // What fits: the same type, a block derived from it, or a pointer to it, whose address is taken over.
         const TypeId given = denoted.place->type;
         const bool fitsElement =
             sameType(context.world, given, element) ||
@@ -139,6 +149,8 @@ void bindReference(Context& context, tree::Place* raw, const syntax::Expr& value
             source = sameBits(context, load(context, denoted.place, value.range), type);
         else if (!fitsElement)
             return mismatch(context, value.range, given, type);
+        // A reference to what a reference refers to is a copy of it. Following it first would fault where it refers to
+        // nothing.
         else if (denoted.place->kind == tree::PlaceKind::Deref &&
                  context.isKind(denoted.place->pointer->type, TypeKind::Reference)) // what it refers to, or nothing
             source = sameBits(context, {denoted.place->pointer, &context.types}, type);
@@ -175,6 +187,8 @@ void assignAggregate(Context& context, tree::Place* place, const syntax::Expr& v
                      std::vector<tree::Stmt*>& out) {
     // constants at once, the rest element by element
     if (!fitsIntoCode(context, place->type, value.range)) return;
+    // As for a declaration: the same rules for lists, and bytes at once for what is constant. Members that are not
+    // named get the type's initial value.
     InitialValue initial;
     initial.bytes = context.types[place->type].initial;
     initial.bytes.resize(context.types[place->type].size);
@@ -203,6 +217,7 @@ bool isAssociable(Context& context, const syntax::Stmt& stmt) {
     if (variable ? context.isKind(type, TypeKind::Unknown) || context.types.storageKind(type) == TypeKind::Bool
                  : found.member.property != nullptr || !found.ambiguous.empty())
         return true;
+    // The lowering resets associations with a literal FALSE; the mistake was said at the association itself.
     if (stmt.value->kind == syntax::ExprKind::Literal) return false;
     std::vector<std::string> candidates;
     for (Unit* unit = context.scope.unit ? context.scope.unit->self() : nullptr; unit; unit = unit->base) {
@@ -227,6 +242,8 @@ static void referenceStatement(Context& context, const syntax::Stmt& stmt, std::
 
 /// What a step associates with a qualifier: an action is called, anything else assigned. True: there is no more to do.
 static bool associationStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out) {
+    // What the lowering of charts could not know is decided here: whether the name is an action of a base or a
+    // variable.
     const bool isCall = !stmt.branches.empty(); // what runs where the name is an action of a base
     if (stmt.target->name.isValid())
         if (const Unit* unit = lookup(context.world, context.scope, context.key(stmt.target->name.text)).member.unit;
@@ -241,6 +258,7 @@ static bool associationStatement(Context& context, const syntax::Stmt& stmt, std
 static void setOrReset(Context& context, const syntax::Stmt& stmt, const Denoted& to, TypeId type, const Flow& after,
                        std::vector<tree::Stmt*>& out) {
     const TypeId boolean = context.elementary(TypeKind::Bool);
+    // x S= c is IF c THEN x := TRUE: x keeps its value otherwise and is thus no plain assignment.
     tree::Expr* when = condition(context, *stmt.value);
     context.flow = after;
     if (to.kind == Denoted::Kind::Nothing || context.isKind(when->type, TypeKind::Unknown)) return;
@@ -261,6 +279,7 @@ static void tryAssign(Context& context, const syntax::Stmt& stmt, const Denoted&
     Operand from = expression(context, *stmt.value);
     context.flow = after;
     if (to.kind != Denoted::Kind::Place || from.isUnknown()) return;
+    // Of a block itself its address is asked.
     if (context.isKind(from.type(), TypeKind::Block) && from.expr->kind == tree::ExprKind::Load)
         from = addressOf(context, from.expr->place, context.types.pointer(from.type()), stmt.value->range);
     if (!canPoint(type) || !canPoint(from.type())) return mismatch(context, stmt.value->range, from.type(), type);
@@ -281,6 +300,7 @@ void assignment(Context& context, const syntax::Stmt& stmt, std::vector<tree::St
     if (!stmt.target || !stmt.value) return;
     const syntax::Expr& value = *stmt.value;
     if (stmt.op == TokenKind::RefAssign) return referenceStatement(context, stmt, out);
+    // Lists need to know the type they are for before they are read.
     if (value.kind == syntax::ExprKind::ArrayInit || value.kind == syntax::ExprKind::StructInit) {
         const Denoted to = target(context, *stmt.target);
         if (to.kind == Denoted::Kind::Place && context.types.isAggregate(to.place->type))

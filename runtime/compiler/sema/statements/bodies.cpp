@@ -17,6 +17,7 @@ namespace plc::sema {
 
 using library::BinaryOp;
 
+// In the order of declaration, which a kept record relies on: its uses are numbers.
 void numberVariables(WorldBuilder& world) {
     const auto number = [&](Variable& variable) {
         variable.number = static_cast<uint32_t>(world.numbered.size());
@@ -29,6 +30,7 @@ void numberVariables(WorldBuilder& world) {
 
 void noteUses(WorldBuilder& world, const std::vector<VariableUse>& uses) {
     for (const VariableUse& use : uses) {
+        // Variables that the body's own check made (temporaries) have no number.
         if (use.variable >= world.numbered.size()) continue;
         Variable& variable = *world.numbered[use.variable];
         variable.reads += use.isRead;
@@ -54,8 +56,10 @@ bool beginBody(Gathered& gathered, const Unit& unit) {
     tree::Function& function = gathered.functions[unit.function.index()];
     const syntax::Body* body = unit.action ? &unit.action->body : &unit.pou->body;
     if (const Unit* self = unit.self()) function.instanceType = self->type;
+    // An abstract block still has a body that SUPER^() may call; an abstract method has none.
     function.isAbstract = unit.isAbstract && unit.kind != UnitKind::Block;
     if (unit.owner && unit.owner->kind == UnitKind::Interface) return false;
+    // A body behind ABSTRACT is checked, although nobody calls it.
     return !function.isAbstract || !body->statements.empty();
 }
 
@@ -67,6 +71,7 @@ void emitEdges(Context& checker, Unit& unit, std::vector<tree::Stmt*>& out) {
     // a body that runs its base's leaves the inputs of the base to it
     const bool runsBase =
         unit.base && foldCase(checker.world.textOf(unit.pou->body.range)).find("super") != std::string::npos;
+    // In front of the body, so that the input reads as its edge in the whole scan.
     for (Unit* at = &unit; at; at = runsBase ? nullptr : at->base) {
         for (Variable& variable : at->variables) {
             if (variable.edgeOffset == Id<int>::kNone) continue;
@@ -78,6 +83,7 @@ void emitEdges(Context& checker, Unit& unit, std::vector<tree::Stmt*>& out) {
                 return variable.declaration->edge == syntax::VarEdge::Rising ? value
                                                                              : inverted(checker, value, variable.range);
             };
+            // __before follows __edge in the instance (units.cpp).
             const uint32_t before = variable.edgeOffset + 1;
             const Operand notBefore = inverted(checker, load(checker, place(before), variable.range), variable.range);
             out.push_back(
@@ -92,6 +98,7 @@ void emitEdges(Context& checker, Unit& unit, std::vector<tree::Stmt*>& out) {
 void emitLocals(Context& checker, Unit& unit, std::vector<tree::Stmt*>& out) {
     const types::TypeTable& types = checker.types;
     for (Variable& variable : unit.variables) {
+        // Inputs have what the caller gave.
         if (variable.storage != Storage::Local || variable.isInOut() || variable.kind == syntax::SectionKind::Input)
             continue;
         const TypeId type = variable.type;
@@ -99,6 +106,7 @@ void emitLocals(Context& checker, Unit& unit, std::vector<tree::Stmt*>& out) {
         if (types.isAggregate(type)) {
             const syntax::TypeSpec* spec = variable.isResult ? nullptr : variable.spec;
             if (!initial && !hasConstructor(spec) && !needsConstruction(checker.world, type)) continue;
+            // A local's initial value is in the code, once; its bytes count against what code may hold.
             if (!fitsIntoCode(checker, type, initial ? initial->range : variable.range)) continue;
             InitialValue value;
             value.bytes = types[type].initial;
@@ -109,6 +117,7 @@ void emitLocals(Context& checker, Unit& unit, std::vector<tree::Stmt*>& out) {
                 checker.function->locals[variable.local].initial =
                     constant(checker, types::readValue(types, type, value.bytes), variable.range).expr;
             if (value.dynamics.empty()) continue;
+            // Code for its parts needs an address.
             checker.function->locals[variable.local].isAddressTaken = true;
             emitDynamics(
                 checker, value.dynamics,
@@ -126,6 +135,7 @@ void emitLocals(Context& checker, Unit& unit, std::vector<tree::Stmt*>& out) {
         }
         const Operand value = converted(checker, expression(checker, *initial, type), type);
         if (value.isUnknown()) continue;
+        // The result begins with its type's value: the declaration of a function has no place for another.
         if (variable.isResult) continue;
         checker.function->locals[variable.local].initial = value.expr;
     }
@@ -149,6 +159,7 @@ void checkBody(const Check& check, Unit& unit, Arena& arena) {
     checker.function = &function;
     checker.functionId = unit.function;
     checker.isTest = unit.isTest;
+    // Blocks have their initial values in the instance; functions start again in each call.
     if (unit.isInstanced())
         emitEdges(checker, unit, function.body);
     else
@@ -163,6 +174,7 @@ void checkBody(const Check& check, Unit& unit, Arena& arena) {
     }
     declareLabels(checker, body->statements);
     statements(checker, body->statements, function.body);
+    // The runner interprets tests statement by statement; only the check is wanted here.
     if (unit.isTest) function.body.clear();
     if (unit.resultVariable && checker.types.kind(unit.result) != TypeKind::Void &&
         checker.types.kind(unit.result) != TypeKind::Unknown && !unit.isLibrary()) {

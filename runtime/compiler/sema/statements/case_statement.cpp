@@ -23,6 +23,7 @@ public:
     bool add(int64_t low, int64_t high) {
         low ^= m_moved;
         high ^= m_moved;
+        // Ranges that touch become one, so a CASE with thousands of labels in a row stays a short list.
         auto at = m_highs.upper_bound(low);
         if (at != m_highs.begin() && std::prev(at)->second >= low) --at;
         bool isFree = true;
@@ -50,6 +51,7 @@ private:
 void refuseSelector(Context& context, const syntax::Stmt& stmt, TypeId type) {
     auto& diagnostic = context.emit(stmt.value->range, findings::CaseSelector(context.nameOf(type)));
     const FileId file = stmt.range.file;
+    // No fix for statements that a lowering made: their text is elsewhere.
     if (!file.isValid() || stmt.origin || stmt.arms.empty()) return;
     const std::string selector = context.textOf(stmt.value->range);
     const std::string_view whole = context.world.textOf(stmt.range);
@@ -69,6 +71,7 @@ void refuseSelector(Context& context, const syntax::Stmt& stmt, TypeId type) {
             if (&arm != &stmt.arms.front() && &label == &arm.labels.front()) from = label.low->range.begin;
         }
         if (arm.labels.empty() || end < from) return;
+        // Up to the colon of the branch, comments between included.
         while (end - stmt.range.begin < whole.size() && whole[end - stmt.range.begin] != ':') ++end;
         if (end - stmt.range.begin >= whole.size()) return;
         edits.push_back({{file, from, end + 1}, (edits.empty() ? "IF " : "ELSIF ") + condition + " THEN"});
@@ -89,6 +92,7 @@ public:
         : m_context(context), m_stmt(stmt), m_selector(settled(context, expression(context, *stmt.value))),
           m_type(m_selector.isUnknown() ? context.elementary(TypeKind::Unknown) : m_selector.type()),
           m_isGood(!m_selector.isUnknown() && canChoose() && !context.types.isText(m_type)),
+          // ULINT and LWORD need all 64 bits without a sign; every other selector fits into LINT.
           m_isBig(m_isGood && context.types.storageKind(m_type) != TypeKind::Lint &&
                   types::bitsOf(context.types.storageKind(m_type)) == 64),
           m_seen(m_isBig), m_before(context.flow) {
@@ -98,6 +102,7 @@ public:
     void run(std::vector<tree::Stmt*>& out) {
         m_made = newStmt(m_context, tree::StmtKind::Case, head());
         m_made->operandType = m_context.elementary(m_isBig ? TypeKind::Ulint : TypeKind::Lint);
+        // One width for all selectors: the code generator has one form of switch.
         if (m_isGood) m_made->a = convertNode(m_context, m_selector, m_made->operandType).expr;
         m_before = m_context.flow;
         for (const syntax::CaseArm& each : m_stmt.arms) arm(each);
@@ -106,6 +111,7 @@ public:
             join();
         }
         m_context.flow = m_joined;
+        // Nothing behind unreachable code becomes reachable by a branch.
         if (!m_before.isReachable) m_context.flow.isReachable = false;
         if (m_isGood) out.push_back(m_made);
     }
@@ -160,6 +166,7 @@ private:
             m_context.emit(label->range, findings::NotConstant());
             return std::nullopt;
         }
+        // With a wrong selector labels are still checked for being constant.
         if (m_isGood) value = inSelectorsType(value);
         if (value.isUnknown() || !std::holds_alternative<int64_t>(value.expr->value.data)) return std::nullopt;
         return value.expr->value.integer();
@@ -188,6 +195,7 @@ private:
         std::vector<std::string> missing;
         for (const types::Enumerator& enumerator : m_context.types[m_type].enumerators)
             if (!m_seen.contains(enumerator.value)) missing.push_back(enumerator.name);
+        // Only of enumerations: of numbers nobody names all.
         if (!missing.empty() && m_stmt.range.file.isValid() && !m_stmt.origin) reportMissing(missing);
         return missing.empty() && !m_context.types[m_type].enumerators.empty();
     }

@@ -22,9 +22,11 @@ struct Count {
     bool isDownwards = false; // as far as a constant step says
 };
 
+// A constant whole number; of anything else nothing can be said before it runs.
 bool isInteger(const Operand& o) { return o.isConstant() && std::holds_alternative<int64_t>(o.expr->value.data); }
 
 TypeId typeOfLoopVariable(Context& context, const syntax::Stmt& stmt, const Denoted& variable) {
+    // A property has no place that could count; the standard wants a variable.
     const TypeId unknownType = context.elementary(TypeKind::Unknown);
     if (variable.kind == Denoted::Kind::Property)
         context.emit(stmt.target->range, findings::NotAssignable(context.textOf(stmt.target->range)));
@@ -43,6 +45,7 @@ TypeId countedType(const Context& context, const Count& count) {
     const bool hasVariableStep = !count.by.isUnknown() && !count.by.isConstant() &&
                                  context.types.family(count.by.type()) == types::Family::Signed;
     if (isSigned || (!count.isDownwards && !hasVariableStep)) return count.storage;
+    // FOR u := 5 TO 0 BY -1 with u : USINT: without a sign, 0 - 1 would be 255 and the loop would never end.
     const unsigned width = types::bitsOf(context.types.storageKind(count.storage));
     return context.elementary(width == 8 ? TypeKind::Int : width == 16 ? TypeKind::Dint : TypeKind::Lint);
 }
@@ -53,13 +56,16 @@ Count countOf(Context& context, const syntax::Stmt& stmt, TypeId storage) {
     count.isGood = !context.isKind(storage, TypeKind::Unknown);
     count.from = stmt.from ? expression(context, *stmt.from, storage) : unknown(context, stmt.range);
     count.to = stmt.to ? expression(context, *stmt.to, storage) : unknown(context, stmt.range);
+    // BY without a hint: BY -1 of an unsigned variable is legal, see countedType.
     count.by = stmt.by ? expression(context, *stmt.by)
                        : constant(context, {context.elementary(TypeKind::Lint), int64_t(1)}, stmt.range, true);
     if (isInteger(count.by) && count.by.expr->value.integer() == 0)
         context.emit(count.by.expr->range, findings::EndlessLoop());
+    // Bounds are looked at all the same, for their own mistakes and uses.
     if (!count.isGood) return count;
     count.isDownwards = isInteger(count.by) && count.by.expr->value.integer() < 0;
     count.counted = countedType(context, count);
+    // Bounds are computed once, before the first round (7.3.3.4.2), in the type that is counted in.
     for (Operand* limit : {&count.from, &count.to})
         if (!limit->isUnknown()) *limit = converted(context, *limit, count.counted);
     count.by = converted(context, count.by, count.counted);
@@ -85,6 +91,7 @@ void adviseNeverRuns(Context& context, const syntax::Stmt& stmt, const Count& co
         context.emit(joined(stmt.from->range, stmt.to->range), findings::UnreachableCode());
 }
 
+// The range of a loop is its head: stepping shows where a round begins, not the whole body.
 SourceRange headOf(const syntax::Stmt& stmt, const syntax::Expr* last) {
     if (!stmt.range.file.isValid() || !last) return stmt.range;
     return {stmt.range.file, stmt.range.begin, std::max(stmt.range.begin, last->range.end)};
@@ -98,6 +105,7 @@ SourceRange headOf(const syntax::Stmt& stmt, const syntax::Expr* last) {
 void forStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out) {
     if (!stmt.target) return;
     const Denoted variable = target(context, *stmt.target);
+    // Counted as read as well: the loop reads what it counts.
     if (variable.kind == Denoted::Kind::Place && variable.variable) count(context, *variable.variable, true, false);
     const Count count = countOf(context, stmt, typeOfLoopVariable(context, stmt, variable));
     tree::Stmt* made = newStmt(context, tree::StmtKind::For, headOf(stmt, stmt.to && stmt.by ? stmt.by : stmt.to));
@@ -110,12 +118,14 @@ void forStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree::
     }
     const Flow before = context.flow;
     context.loops.push_back({});
+    // Writing it inside is advised against; nested loops may share none.
     if (variable.variable) context.loopVariables.push_back(variable.variable);
     statements(context, stmt.body, made->body);
     if (variable.variable) context.loopVariables.pop_back();
     adviseNeverRuns(context, stmt, count);
     const Loop loop = context.loops.back();
     context.loops.pop_back();
+    // A result that the body sets is set behind the loop only if the body surely runs and is not left before.
     const bool setInside = context.flow.isResultSet && (!loop.hasExit || loop.resultSetAtExit);
     context.flow.isReachable = before.isReachable;
     context.flow.isResultSet = before.isResultSet || (runs(count) && setInside);
@@ -131,6 +141,8 @@ void whileStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree
     statements(context, stmt.body, made->body);
     const Loop loop = context.loops.back();
     context.loops.pop_back();
+    // WHILE TRUE with EXIT is the usual way to write a loop with its end in the middle; what follows is reached by EXIT
+    // only.
     const bool endless = made->a && made->a->kind == tree::ExprKind::Constant && made->a->value.isTrue();
     context.flow = before;
     if (endless && !loop.hasExit && !loop.isLeft && before.isReachable) {
@@ -151,6 +163,7 @@ void repeatStatement(Context& context, const syntax::Stmt& stmt, std::vector<tre
     statements(context, stmt.body, made->body);
     const Loop loop = context.loops.back();
     context.loops.pop_back();
+    // REPEAT runs once in any case, so what its body sets is set.
     const bool set = context.flow.isResultSet && (!loop.hasExit || loop.resultSetAtExit);
     if (stmt.value) made->a = condition(context, *stmt.value);
     if (made->a && made->a->kind == tree::ExprKind::Constant && made->a->value.hasValue() && !made->a->value.isTrue() &&

@@ -1,3 +1,4 @@
+// __TRY … __CATCH … __FINALLY … __ENDTRY of CODESYS: which statements may be in them and what holds behind them.
 #include "runtime/compiler/sema/statements/protected.h"
 
 #include "runtime/compiler/sema/names/names.h"
@@ -41,6 +42,7 @@ tree::Place* exceptionVariable(Context& context, const syntax::Expr& variable) {
     case TypeKind::Dword:
     case TypeKind::Lint:
     case TypeKind::Ulint:
+    // Exception codes have 32 bits without a sign; what holds them is accepted.
     case TypeKind::Lword:
         return denoted.place;
     case TypeKind::Unknown:
@@ -72,6 +74,7 @@ void tryStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree::
         newStmt(context, tree::StmtKind::Try,
                 stmt.range.file.isValid() ? SourceRange{stmt.range.file, stmt.range.begin, stmt.range.begin + kWord}
                                           : stmt.range);
+    // A fault may come at any statement, so the handler begins with what held before the protected part.
     const Flow before = context.flow;
     part(context, stmt.branches.front().body, made->body);
     Flow after = context.flow;
@@ -83,11 +86,13 @@ void tryStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree::
             handler.condition ? exceptionVariable(context, *handler.condition) : unusedCode(context, stmt.range);
         isGood = made->place != nullptr;
         part(context, handler.body, made->elseBody);
+        // After __ENDTRY either part may have run: a result is set if each that can be left has set it.
         after = {after.isReachable || context.flow.isReachable,
                  (after.isResultSet || !after.isReachable) && (context.flow.isResultSet || !context.flow.isReachable)};
     }
     if (stmt.hasElse) {
         context.flow = before;
+        // EXIT and CONTINUE are checked as if no loop were around.
         const std::vector<Loop> around = std::exchange(context.loops, {}); // EXIT would leave it
         refuseJumps(context, stmt.elseBody, Part::Finally);
         made->arms.emplace_back();

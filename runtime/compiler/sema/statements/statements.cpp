@@ -39,6 +39,7 @@ tree::Stmt* newStmt(Context& context, tree::StmtKind kind, SourceRange range) {
     tree::Stmt* stmt = context.arena.make<tree::Stmt>();
     stmt->kind = kind;
     stmt->range = range;
+    // Without a place in a text it is hidden: no stop, no step, no coverage.
     stmt->isHidden = !range.file.isValid();
     return stmt;
 }
@@ -53,6 +54,7 @@ tree::Stmt* assignStmt(Context& context, tree::Place* place, tree::Expr* value, 
 
 ///   ok:    IF x > 1 THEN RETURN; END_IF x := 1;      advice: RETURN; x := 1;  (P3007)
 void statements(Context& context, const syntax::Block& block, std::vector<tree::Stmt*>& out) {
+    // One message for a stretch of unreachable statements, at its first.
     bool reported = false;
     for (size_t i = 0; i < block.size(); ++i) {
         const syntax::Stmt& stmt = *block[i];
@@ -63,6 +65,7 @@ void statements(Context& context, const syntax::Block& block, std::vector<tree::
             context.emit(stmt.range, findings::UnreachableCode());
             reported = true;
         }
+        // Statements inside of an unreachable IF are as unreachable as it is, and not worth a message each.
         const bool outer = std::exchange(context.insideUnreachable,
                                          context.insideUnreachable || (reported && !context.flow.isReachable));
         statement(context, stmt, out);
@@ -98,6 +101,7 @@ void statement(Context& context, const syntax::Stmt& stmt, std::vector<tree::Stm
                          findings::OutsideLoop(Verbatim(stmt.kind == StmtKind::Exit ? "EXIT" : "CONTINUE")));
             return;
         }
+        // What is set at an EXIT is what holds behind the loop, as far as it is left there.
         if (stmt.kind == StmtKind::Exit) {
             context.loops.back().hasExit = true;
             context.loops.back().resultSetAtExit = context.loops.back().resultSetAtExit && context.flow.isResultSet;
@@ -127,6 +131,7 @@ void statement(Context& context, const syntax::Stmt& stmt, std::vector<tree::Stm
     case StmtKind::Compare:
     case StmtKind::PowerOff: {
         if (context.isTest) return testStatement(context, stmt, out);
+        // In the order of the kinds from Run on.
         static constexpr const char* kWords[] = {"RUN", "ASSERT", "FORCE", "RELEASE", "COMPARE", "POWER_OFF"};
         context.emit(stmt.range, findings::TestUnknownStatement(
                                      Verbatim(kWords[static_cast<int>(stmt.kind) - static_cast<int>(StmtKind::Run)])));
@@ -135,10 +140,12 @@ void statement(Context& context, const syntax::Stmt& stmt, std::vector<tree::Stm
     }
 }
 
+// What holds behind the IF is what holds behind each of its branches that can be left at its end.
 void ifStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out) {
     const Flow before = context.flow;
     Flow joined{false, true};
     bool hasElse = false;
+    // ELSIF is an IF in the ELSE of the one before: `into` walks down.
     std::vector<tree::Stmt*>* into = &out;
     for (const syntax::IfBranch& branch : stmt.branches) {
         context.flow = before;
@@ -146,6 +153,7 @@ void ifStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree::S
             hasElse = true;
             statements(context, branch.body, *into);
         } else {
+            // IF and its condition, so that a step shows the decision and not the branches.
             const SourceRange range =
                 into == &out
                     ? (stmt.range.file.isValid() ? SourceRange{stmt.range.file, stmt.range.begin,
@@ -181,9 +189,11 @@ static void returnWhen(Context& context, const syntax::Stmt& stmt, std::vector<t
 }
 
 void returnStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out) {
+    // RETURN leaves every loop around it: none of them is endless.
     for (Loop& loop : context.loops) loop.isLeft = true;
     if (stmt.value) {
         Unit* unit = context.scope.unit;
+        // RETURN(x) is CODESYS's conditional return in a unit without a result, and a value where there is one.
         if (unit && !unit->resultVariable && stmt.value->parenthesised) return returnWhen(context, stmt, out);
         if (!unit || !unit->resultVariable) {
             expression(context, *stmt.value);
@@ -200,11 +210,14 @@ void returnStatement(Context& context, const syntax::Stmt& stmt, std::vector<tre
     }
     if (context.flow.isReachable) context.returnsSet = context.returnsSet && context.flow.isResultSet;
     tree::Stmt* made = newStmt(context, tree::StmtKind::Return, stmt.range);
+    // RETURN x is one step: the assignment is the visible half.
     if (stmt.value) made->isHidden = true;
     out.push_back(made);
     context.flow.isReachable = false;
 }
 
+// Before the body: a jump forward has to find its label. Labels of all blocks are in one list, as JMP may lead
+// anywhere.
 void declareLabels(Context& context, const syntax::Block& block) {
     for (const syntax::Stmt* stmt : block) {
         if (stmt->kind == StmtKind::Label && stmt->name.isValid()) {
@@ -231,6 +244,7 @@ void declareLabels(Context& context, const syntax::Block& block) {
 void labelStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out) {
     const auto it = context.labels.find(foldCase(stmt.name.text));
     if (it == context.labels.end()) return;
+    // A label is no step.
     tree::Stmt* made = newStmt(context, tree::StmtKind::Label, {});
     made->label = it->second.id;
     out.push_back(made);
@@ -255,6 +269,7 @@ void jumpStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree:
     made->label = it->second.id;
     made->a = when;
     out.push_back(made);
+    // A conditional jump may go on.
     if (!when) context.flow.isReachable = false;
 }
 

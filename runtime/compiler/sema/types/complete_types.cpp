@@ -31,6 +31,7 @@ void reportCycle(WorldBuilder& world, TypeId type, SourceRange usedAt) {
 /// What is being completed already needs itself; so deep a chain of others is reported before it ends the stack.
 template <class Complete>
 static bool completeOnce(WorldBuilder& world, TypeId type, Progress progress, SourceRange usedAt, Complete complete) {
+    // Met again on the way down: the type contains itself.
     if (progress == Progress::Working) {
         reportCycle(world, type, usedAt);
         return false;
@@ -48,6 +49,7 @@ bool completeType(WorldBuilder& world, TypeId type, SourceRange usedAt) {
     const TypeKind kind = world.types.kind(type);
     if (types::isElementary(kind)) return true;
     if (world.tooLarge.contains(type)) return false;
+    // An alias with an initial value is a type of its own and completed like one.
     if (const auto alias = world.aliasesByType.find(type); alias != world.aliasesByType.end()) {
         completeAlias(world, *alias->second, usedAt);
         return world.types[type].size != 0;
@@ -89,6 +91,7 @@ bool completeArray(WorldBuilder& world, TypeId type, SourceRange usedAt) {
         world.emit(usedAt, findings::NestedTooDeep());
         return false;
     }
+    // Again when the element got initial bytes only after the array was laid out.
     if (world.types[type].size != 0 && world.types[type].initial.empty() == element.initial.empty()) return good;
     world.types.layoutArray(type);
     return checkSize(world, type, usedAt) && good;
@@ -96,11 +99,13 @@ bool completeArray(WorldBuilder& world, TypeId type, SourceRange usedAt) {
 
 void completeAlias(WorldBuilder& world, DeclaredType& declared, SourceRange usedAt) {
     const TypeId behind = world.aliasOf[declared.type];
+    // First, so that asking for it again below does not begin anew.
     world.aliasesByType.erase(declared.type);
     completeType(world, behind, usedAt);
     noteNesting(world, declared.type, nestingOf(world, behind));
     types::Type& type = world.types.edit(declared.type);
     const types::Type& original = world.types[behind];
+    // Everything of the original but its name: a copy, so that its initial value can differ.
     if (type.kind != TypeKind::Subrange) {
         std::string name = std::move(type.name);
         std::string space = std::move(type.space);
@@ -141,6 +146,7 @@ static TypeId baseOfEnum(WorldBuilder& world, const EnumType& enumeration) {
 static void numberEnumerators(WorldBuilder& world, const EnumType& enumeration, TypeId base) {
     const syntax::TypeSpec& spec = *enumeration.spec;
     const auto [least, greatest] = TypeTable::integerRange(world.types.kind(base));
+    // The first is 0 unless it says something else (table 12 of edition 2).
     int64_t next = 0;
     for (size_t i = 0; i < spec.enumerators.size(); ++i) {
         const syntax::EnumeratorDecl& declared = spec.enumerators[i];
@@ -151,6 +157,7 @@ static void numberEnumerators(WorldBuilder& world, const EnumType& enumeration, 
             world.emit(declared.value ? declared.value->range : declared.name.range,
                        findings::ConstantOutOfRange(std::to_string(next), world.nameOf(base)));
         world.types.edit(enumeration.type).enumerators[i].value = next;
+        // Without a sign: one more than the greatest wraps instead of being undefined, and was reported already.
         next = static_cast<int64_t>(static_cast<uint64_t>(next) + 1);
     }
 }
@@ -171,8 +178,10 @@ static int64_t initialOfEnum(WorldBuilder& world, const EnumType& enumeration) {
 
 void completeEnum(WorldBuilder& world, EnumType& enumeration) {
     if (enumeration.progress != Progress::Open) return;
+    // A value may name an enumerator of another enumeration, whose value names …
     const Waiting wait(world.waiting, 8);
     if (wait.isTooDeep) return (void)world.emit(enumeration.spec->range, findings::NestedTooDeep());
+    // Enumerations that need each other end here: Working is not Open, and a value that is not known yet counts as 0.
     enumeration.progress = Progress::Working;
     const TypeId base = baseOfEnum(world, enumeration);
     world.types.edit(enumeration.type).element = base;
@@ -181,6 +190,7 @@ void completeEnum(WorldBuilder& world, EnumType& enumeration) {
     numberEnumerators(world, enumeration, base);
     enumeration.progress = Progress::Done;
     const int64_t first = initialOfEnum(world, enumeration);
+    // No bytes mean zeros.
     if (first == 0) return;
     types::Type& type = world.types.edit(enumeration.type);
     type.initial.resize(type.size);
@@ -193,6 +203,8 @@ void completeEnum(const Check& check, EnumType& enumeration) {
 
 /// A field by its name; of a structure without a search, because a machine's whole data may be one.
 const types::Field* fieldOf(const World& world, TypeId type, std::string_view name) {
+    // By a table where there is one: a search through 10,000 fields for each use of one was seen in a generated
+    // program.
     const auto made = world.structsByType.find(type);
     if (made == world.structsByType.end() || made->second->indices.empty()) return world.types[type].findField(name);
     const auto found = made->second->indices.find(world.names.find(name));
@@ -220,6 +232,7 @@ TypeId inheritFields(WorldBuilder& world, StructType& made, Fields& fields) {
         return {};
     }
     if (!completeType(world, base, made.spec->extends->range)) return base;
+    // A copy, with the same offsets: a pointer to the structure is a pointer to its base.
     fields.all = world.types[base].fields;
     fields.inherited = fields.all.size();
     fields.nesting = nestingOf(world, base); // its base is laid out and initialised as a part of it
@@ -233,6 +246,7 @@ TypeId inheritFields(WorldBuilder& world, StructType& made, Fields& fields) {
 TypeId fieldType(WorldBuilder& world, const StructType& made, const syntax::VarDecl& declaration) {
     const TypeId type = resolveSpec(world, declaration.type, made.scope);
     const SourceRange at = declaration.type ? declaration.type->range : declaration.range;
+    // Fields are stored in the structure, so their size is needed now.
     if (!completeType(world, type, at)) return TypeTable::of(TypeKind::Unknown);
     if (nestingOf(world, type) < kMaximumNesting) return type;
     world.emit(at, findings::NestedTooDeep());
@@ -260,6 +274,7 @@ void addFields(WorldBuilder& world, StructType& made, const syntax::VarDecl& dec
         field.type = type;
         field.declaration = name.range;
         field.comment = std::string(declaration.comment);
+        // 0 means "a bit, somewhere": layoutFields deals out the bits of a byte in order.
         field.bit = isBitField(world, declaration, type) ? 0 : -1;
         for (const syntax::Pragma& pragma : declaration.pragmas)
             if (pragma.isAttribute && equalsIgnoringCase(pragma.key, "alias")) field.aliases.emplace_back(pragma.value);
@@ -296,6 +311,7 @@ void initialiseStruct(WorldBuilder& world, StructType& made, TypeId base, const 
         std::all_of(initial.bytes.begin(), initial.bytes.end(), [](std::byte b) { return b == std::byte{}; });
     world.types.edit(made.type).initial = isZero ? std::vector<std::byte>{} : initial.bytes;
     world.typeInitials[made.type].dynamics = std::move(initial.dynamics);
+    // Done before its own initial value, which may be a list of the type itself.
     made.progress = Progress::Done;
     if (!made.initial) return;
     InitialValue whole; // TYPE T : STRUCT … END_STRUCT := (a := 1)
@@ -307,6 +323,7 @@ void initialiseStruct(WorldBuilder& world, StructType& made, TypeId base, const 
 
 } // namespace
 
+// Fields, then places, then initial bytes: each step needs the one before it of every field.
 void completeStruct(WorldBuilder& world, StructType& made) {
     if (made.progress != Progress::Open) return;
     made.progress = Progress::Working;
@@ -314,6 +331,7 @@ void completeStruct(WorldBuilder& world, StructType& made) {
     const TypeId base = inheritFields(world, made, fields);
     for (const syntax::VarDecl* declaration : made.spec->fields) addFields(world, made, *declaration, fields);
     locateMembers(world, made, fields.all, fields.inherited, fields.declarations);
+    // Only here: everything above may add types, which moves the table.
     types::Type& type = world.types.edit(made.type);
     type.base = base;
     type.fields = std::move(fields.all);

@@ -31,6 +31,7 @@ bool fits(const Context& context, const types::Value& value, TypeId type) {
     const TypeKind kind = context.types.storageKind(type);
     const Family family = types::familyOf(kind);
     if (std::holds_alternative<double>(value.data)) {
+        // Half a unit above the greatest REAL still rounds to it.
         if (family == Family::Real) return kind == TypeKind::Lreal || std::abs(value.real()) <= 3.4028235677973366e38;
         return false;
     }
@@ -43,6 +44,7 @@ bool fits(const Context& context, const types::Value& value, TypeId type) {
     const unsigned bits = types::bitsOf(kind);
     const bool isSigned = family == Family::Signed;
     const int64_t number = value.integer();
+    // Stored as int64: the sign bit of a ULINT is a digit.
     if (isBig && number < 0) return !isSigned && bits == 64;
     if (target.kind == TypeKind::Subrange && (number < target.low || number > target.high)) return false;
     if (isSigned) return bits == 64 || (number >= -(int64_t(1) << (bits - 1)) && number < (int64_t(1) << (bits - 1)));
@@ -50,6 +52,7 @@ bool fits(const Context& context, const types::Value& value, TypeId type) {
     return bits == 64 || number < (int64_t(1) << bits);
 }
 
+// INT at least: SINT would make 100 + 100 wrap.
 TypeId smallestType(const Context& context, const Operand& flexible) {
     const types::Value& value = flexible.expr->value;
     if (std::holds_alternative<double>(value.data)) return context.elementary(TypeKind::Lreal);
@@ -68,11 +71,13 @@ TypeId commonType(const Context& context, const Operand& a, const Operand& b) {
         const TypeId other = context.types.storage(a.isFlexible ? b.type() : a.type());
         if (fits(context, literal.expr->value, other)) return other;
     }
+    // Others have a common type only within their family: TIME and LTIME, TOD and LTOD.
     const bool numeric = isNumeric(context, a.type()) && isNumeric(context, b.type());
     if (!numeric)
         return f == g && f != Family::Other && !context.types.isText(a.type())
                    ? context.elementary(types::bitsOf(y) > types::bitsOf(x) ? y : x)
                    : TypeId();
+    // 0.5 beside an INT is a REAL, beside a DINT an LREAL: the number decides how many digits are needed.
     const auto single = [&](const Operand& real, const Operand& whole) {
         if (!real.isFlexible) return real.type();
         return context.elementary(types::bitsOf(context.types.storageKind(whole.type())) <= 16 &&
@@ -87,16 +92,20 @@ TypeId commonType(const Context& context, const Operand& a, const Operand& b) {
     const TypeKind own = a.isFlexible ? context.types.storageKind(smallestType(context, a)) : x,
                    other = b.isFlexible ? context.types.storageKind(smallestType(context, b)) : y;
     const unsigned m = types::bitsOf(own), n = types::bitsOf(other);
+    // The wider one, whatever its sign: UINT and DINT meet in DINT, which holds both.
     if (m != n) return context.elementary(m > n ? own : other);
     const Family p = types::familyOf(own), q = types::familyOf(other);
     if (p == q) return context.elementary(own);
+    // Equal widths: DINT and UDINT meet in DINT, as the sum of two counters may go below zero (D11).
     if (p == Family::Signed || q == Family::Signed) return context.elementary(p == Family::Signed ? own : other);
+    // WORD and UINT: the number and not the pattern.
     return context.elementary(p == Family::Unsigned ? own : other);
 }
 
 ///   wrong: x := 'a text'; b := r; t := 5;  with INT, BOOL and TIME (P2003)
 void mismatch(Context& context, SourceRange range, TypeId from, TypeId to) {
     auto& diagnostic = context.emit(range, findings::TypeMismatch(context.nameOf(from), context.nameOf(to)));
+    // A fix where a conversion of these names exists.
     const TypeKind a = context.types.storageKind(from), b = context.types.storageKind(to);
     const auto named = [](TypeKind kind) -> std::string {
         return kind == TypeKind::String    ? "STRING"
@@ -106,6 +115,7 @@ void mismatch(Context& context, SourceRange range, TypeId from, TypeId to) {
     if (!named(a).empty() && !named(b).empty() && range.file.isValid()) {
         const std::string function = named(a) + "_TO_" + named(b);
         const std::string text(context.textOf(range));
+        // t := 5: the message is about the number that has no unit, not about INT and TIME.
         if (context.types.family(to) == types::Family::Duration && !text.empty() && text.size() < 10 &&
             text.find_first_not_of("0123456789") == std::string::npos) { // a number without its unit
             for (const char* unit : {"ms", "s"}) {
@@ -127,6 +137,7 @@ void mismatch(Context& context, SourceRange range, TypeId from, TypeId to) {
 ///   wrong: c := i;  with c of an enumeration with {attribute 'strict'} (P2038)
 void strictMismatch(Context& context, SourceRange range, std::string what, TypeId to) {
     auto& diagnostic = context.emit(range, findings::StrictEnum(std::move(what), context.nameOf(to)));
+    // A list of more than five is no help as a fix; completion shows them.
     if (!range.file.isValid() || context.types[to].enumerators.empty() || context.types[to].enumerators.size() > 5)
         return;
     for (const types::Enumerator& enumerator : context.types[to].enumerators) {
@@ -153,6 +164,7 @@ Operand convertNode(Context& context, Operand operand, TypeId to) {
         operand.isFlexible = false;
         return operand;
     }
+    // types::convert is what the code does when it runs: folding must not differ.
     if (operand.isConstant() && !context.types.isAggregate(to)) {
         types::Value value = types::convert(context.types, operand.expr->value, to);
         value.type = to;
@@ -166,6 +178,7 @@ Operand convertNode(Context& context, Operand operand, TypeId to) {
     return {e, &context.types};
 }
 
+// Another name for the same bits: no code, but a node, since trees are typed.
 Operand sameBits(Context& context, Operand operand, TypeId to) {
     if (operand.isUnknown() || operand.type() == to) return operand;
     if (operand.isConstant()) {
@@ -191,11 +204,14 @@ Operand convertedText(Context& context, Operand operand, TypeId to) {
         if (context.types.isText(from) && context.types.isText(to)) {
             const auto* narrow = std::get_if<std::string>(&operand.expr->value.data);
             const auto* wide = std::get_if<std::u16string>(&operand.expr->value.data);
+            // Characters: a STRING is one byte each, a WSTRING one UTF-16 unit.
             const size_t length = narrow ? narrow->size() : wide ? wide->size() : 0;
             if (length > target.capacity) context.emit(range, findings::StringTooLong(length, target.capacity));
+            // Too long is only advised: the assignment cuts at the capacity.
             if (context.types.kind(from) == context.types.kind(to)) return operand;
             if (wide) {
                 for (const char16_t c : *wide) {
+                    // STRING is Latin-1: a byte for a character.
                     if (c <= 0xFF) continue;
                     context.emit(range, findings::CharacterNotInString(utf16ToUtf8(std::u16string(1, c))));
                     return unknown(context, range);
@@ -236,14 +252,17 @@ std::optional<Operand> convertedConstant(Context& context, Operand& operand, Typ
     const Family toFamily = types::familyOf(context.types.storageKind(to));
     const types::Value& value = operand.expr->value;
     const bool isReal = std::holds_alternative<double>(value.data);
+    // The value is known, so "does not fit" is an error and no advice.
     const auto refused = [&] {
         context.emit(range, findings::ConstantOutOfRange(context.textOf(range), context.nameOf(to)));
         return unknown(context, range);
     };
     if (toFamily == Family::Real) {
+        // See foldIntegers.
         if (operand.isDivided) context.emit(range, findings::IntegerDivisionToReal(context.nameOf(to)));
         return fits(context, value, to) ? convertNode(context, operand, to) : refused();
     }
+    // b := 1 is common in converted programs; b := 2 is a mistake.
     if (toFamily == Family::Bool && operand.isFlexible && !isReal) {
         if (fits(context, value, to)) return convertNode(context, operand, to);
         mismatch(context, range, smallestType(context, operand), to);
@@ -257,11 +276,14 @@ std::optional<Operand> convertedConstant(Context& context, Operand& operand, Typ
             strictMismatch(context, range, context.textOf(range), to);
             return unknown(context, range);
         }
+        // c := 1 with a value of that number is accepted as it is written in so many programs; a constant by name is
+        // advised.
         if (!target.isStrict && (!known || !operand.isFlexible))
             context.emit(range, findings::IntegerToEnum(context.textOf(range), target.name));
         return convertNode(context, operand, to);
     }
     if (types::isInteger(toFamily) || (toFamily == Family::Character && operand.isFlexible)) {
+        // i := 2.7 rounds; i := 2.0 too, since the reader cannot see which was meant.
         if (isReal) {
             context.emit(range,
                          findings::LossyAssignment(operand.isFlexible ? context.textOf(range) : context.nameOf(from),
@@ -271,7 +293,9 @@ std::optional<Operand> convertedConstant(Context& context, Operand& operand, Typ
         if (fits(context, value, to)) return convertNode(context, operand, to);
         if (operand.isFlexible || target.kind == TypeKind::Subrange) return refused();
     }
+    // 0 is the null of pointers, references and interfaces.
     if (holdsAddress(target.kind) && !isReal && value.integer() == 0) return constant(context, {to, int64_t(0)}, range);
+    // From here on it is an operand of an ordinary type.
     if (operand.isFlexible) operand = settled(context, operand);
     if (context.types.isText(to) || context.types.isAggregate(to) || context.isKind(to, TypeKind::Block)) {
         mismatch(context, range, operand.type(), to);
@@ -307,6 +331,7 @@ std::optional<Operand> convertedObject(Context& context, const Operand& operand,
     case TypeKind::Array:
     case TypeKind::Struct:
     case TypeKind::Union:
+    // Whole values are copied between equal types only: a derived block has more fields than its base has room.
     case TypeKind::Block:
         if (sameType(context.world, from, to)) return operand;
         mismatch(context, range, from, to);
@@ -314,6 +339,7 @@ std::optional<Operand> convertedObject(Context& context, const Operand& operand,
     case TypeKind::Interface:
         if (context.isKind(from, TypeKind::Block) && operand.expr->kind == tree::ExprKind::Load &&
             context.types.implements(from, to)) {
+            // An interface is the address of the block; which block it is stands at its beginning.
             takeAddress(context, operand.expr->place);
             tree::Expr* e = context.arena.make<tree::Expr>();
             e->kind = tree::ExprKind::InterfaceOf;
@@ -372,10 +398,13 @@ bool tellEarlyOperation(Context& context, const Operand& operand, TypeId to) {
         context.emit(e.range, findings::IntegerDivisionToReal(context.nameOf(to)));
         return true;
     }
+    // d := i * i is computed in INT and wraps before it is widened: the type of the target does not reach into
+    // operators.
     const bool widens = types::bitsOf(toKind) > types::bitsOf(fromKind) || toFamily == Family::Real;
     const bool isSum = e.binary == library::BinaryOp::Add || e.binary == library::BinaryOp::Subtract;
     if (widens && types::bitsOf(fromKind) < 64 &&
         (e.binary == library::BinaryOp::Multiply ||
+         // i + 1 is left alone: it wraps for one value of 65,536, and the advice would be everywhere.
          (isSum && e.a->kind != tree::ExprKind::Constant && e.b->kind != tree::ExprKind::Constant)))
         context.emit(e.range,
                      findings::WrapsBeforeWidening(context.textOf(e.range), context.nameOf(from), context.nameOf(to)));
@@ -415,6 +444,7 @@ Operand converted(Context& context, Operand operand, TypeId to) {
         context.emit(range, findings::NoValue(context.textOf(range)));
         return unknown(context, range);
     }
+    // Same type, but a literal still has to be looked at: its type is only a carrier.
     if (from == to && !operand.isFlexible) return operand;
     const auto isReferenceOrPointer = [&](TypeId type) {
         return context.isKind(type, TypeKind::Reference) || context.isKind(type, TypeKind::Pointer);
@@ -441,6 +471,7 @@ Operand convertedByType(Context& context, const Operand& operand, TypeId to) {
         return convertedText(context, operand, to);
 
     if (const auto made = convertedObject(context, operand, to)) return *made;
+    // Before the switch: it is an advice in addition, whether the conversion itself is widening or narrowing.
     const bool isDividing = tellEarlyOperation(context, operand, to);
     switch (types::implicitConversion(context.types, from, to)) {
     case types::Implicit::Same:
@@ -456,6 +487,8 @@ Operand convertedByType(Context& context, const Operand& operand, TypeId to) {
     const bool fromAddress = context.isKind(from, TypeKind::Pointer) || context.isKind(from, TypeKind::Reference);
     const bool toAddress = context.isKind(to, TypeKind::Pointer) || context.isKind(to, TypeKind::Reference);
     if (fromAddress && toAddress) return sameBits(context, operand, to);
+    // By way of LWORD: an address is 64 bits, and narrowing it is then a conversion between numbers with its own
+    // advice.
     if (fromAddress) return convertNode(context, sameBits(context, operand, context.elementary(TypeKind::Lword)), to);
     if (toAddress) return sameBits(context, convertNode(context, operand, context.elementary(TypeKind::Lword)), to);
     if (context.types.storage(from) == context.types.storage(to) && operand.expr->kind == tree::ExprKind::Constant) {

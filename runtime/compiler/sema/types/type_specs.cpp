@@ -34,6 +34,8 @@ struct ElementaryName {
     std::string_view name;
     TypeKind kind;
 };
+// Those of the standard from the list, then long forms (table 10), then what CODESYS calls the widths of its machine:
+// 64 bits here.
 constexpr ElementaryName kElementaryNames[] = {
 #define PLC_ELEMENTARY(Name, Spelling, Bytes, Family) {Spelling, TypeKind::Name},
 #include "runtime/types/elementary.def"
@@ -53,6 +55,7 @@ std::optional<TypeKind> elementaryNamed(std::string_view name) {
 ///   ok:    ARRAY[1..3] OF INT      wrong: ARRAY[1..x] OF INT  with a variable x (P2019)
 std::optional<int64_t> constantInteger(const Check& check, const syntax::Expr* expr, const Scope& scope) {
     if (!expr) return std::nullopt;
+    // While bodies are checked the World is const and nobody waits: bounds are resolved by then.
     uint32_t none = 0;
     const Waiting wait(check.builder ? check.builder->waiting : none, expr->height);
     if (wait.isTooDeep) {
@@ -90,6 +93,7 @@ std::string_view ownNameOf(std::string_view foreign) {
 TypeId resolveNamed(const Check& check, const syntax::Path& path, const Scope& scope, SourceRange range) {
     const TypeId unknown = TypeTable::of(TypeKind::Unknown);
     if (path.empty()) return unknown;
+    // Before elementary names: a type of the user may be called like one of CODESYS's (BIT, FLOAT).
     const Found found = lookupPath(check.world, scope, path);
     if (path.size() == 1) {
         const std::string_view name = path.front().text;
@@ -118,6 +122,7 @@ TypeId resolveNamed(const Check& check, const syntax::Path& path, const Scope& s
         refer(check, path.back().range, found.entity.unit->symbol, true, false);
         return found.entity.unit->type;
     }
+    // "int32" comes from somebody who knows other languages: the fix says what it is here.
     if (const std::string own(ownNameOf(text)); !own.empty()) {
         check.emit(range, findings::UnknownType(text)).fixes.push_back({fixes::Write(own), {{range, own}}});
         return unknown;
@@ -161,9 +166,11 @@ TypeId resolveDeclared(WorldBuilder& world, DeclaredType& declared) {
         return TypeTable::of(TypeKind::Unknown);
     }
     declared.progress = Progress::Working;
+    // The name is passed on for an anonymous structure, which then is the type.
     TypeId behind = resolveSpec(world, declared.declaration->spec, declared.scope, declared.name);
     if (declared.declaration->initial && world.types.kind(behind) != TypeKind::Unknown) {
         const TypeKind kind = world.types.kind(behind);
+        // Elementary types are shared by all: with an initial value of its own it becomes a subrange of full width.
         const bool wraps = types::isElementary(kind) || kind == TypeKind::Subrange;
         const TypeId copy = world.types.declare(wraps ? TypeKind::Subrange : kind, declared.name);
         types::Type& type = world.types.edit(copy);
@@ -184,6 +191,7 @@ TypeId resolveDeclared(WorldBuilder& world, DeclaredType& declared) {
         type.comment = std::string(declared.declaration->comment);
         type.space = declared.scope.space ? declared.scope.space->qualified : std::string();
         world.aliasesByType[copy] = &declared;
+        // Same type for assignments (sameType follows this), another for initial values.
         world.aliasOf[copy] = behind;
         if (const auto it = world.enumsByType.find(behind); it != world.enumsByType.end())
             world.enumsByType[copy] = it->second;
@@ -214,7 +222,9 @@ TypeId resolveSpec(WorldBuilder& world, const syntax::TypeSpec* spec, const Scop
                             spec->path.empty() ? spec->range
                                                : joined(spec->path.front().range, spec->path.back().range));
     case TypeSpecKind::String: {
+        // STRING and WSTRING come as one kind of syntax; the word is kept as its path.
         const bool wide = !spec->path.empty() && equalsIgnoringCase(spec->path.front().text, "WSTRING");
+        // The standard leaves it to the implementer; 80 is CODESYS's.
         int64_t length = 80;
         if (spec->length) {
             const auto given = constantInteger(world, spec->length, scope);
@@ -265,6 +275,8 @@ TypeId resolveSpec(WorldBuilder& world, const syntax::TypeSpec* spec, const Scop
     }
     case TypeSpecKind::Subrange:
         return resolveSubrange(world, *spec, scope);
+    // Made by lowerings for temporaries: the type of an expression, muted because the expression itself is checked
+    // elsewhere.
     case TypeSpecKind::Inferred: {
         if (!spec->inferredFrom) return unknown;
         diagnostics::Sink silent;
@@ -296,6 +308,7 @@ TypeId resolveArray(WorldBuilder& world, const syntax::TypeSpec& spec, const Sco
             continue;
         }
         dimensions.push_back({*low, *high});
+        // Each factor has at most 32 bits and the product is cut at 2^40: it cannot wrap.
         count = std::min<uint64_t>(count * dimensions.back().count(), uint64_t(1) << 40);
     }
     if (!good || dimensions.empty()) return unknown;
@@ -322,6 +335,7 @@ void noteNesting(WorldBuilder& world, TypeId type, uint32_t nesting) {
 TypeId nested(WorldBuilder& world, TypeId type, SourceRange range) {
     const TypeId element = world.types[type].element;
     const TypeKind inner = world.types.kind(element);
+    // A pointer to a named type ends the nesting: lists and trees are legal.
     const bool isDirect = world.types.kind(type) != TypeKind::Pointer && world.types.kind(type) != TypeKind::Reference;
     const bool isMade = inner == TypeKind::Array || inner == TypeKind::OpenArray || inner == TypeKind::Pointer ||
                         inner == TypeKind::Reference;
@@ -334,6 +348,7 @@ TypeId nested(WorldBuilder& world, TypeId type, SourceRange range) {
 /// Of a type that was laid out; one without a size needs more than there is.
 uint64_t neededBytes(const World& world, TypeId id) {
     const types::Type& type = world.types[id];
+    // Size 0 means that layout gave up because it would not fit into 32 bits.
     if (type.size != 0) return type.size;
     uint64_t needed = 0;
     for (const types::Field& field : type.fields) needed += world.types[field.type].size;
@@ -354,6 +369,7 @@ bool checkSize(WorldBuilder& world, TypeId type, SourceRange range) {
     if (!isLarge && world.initialBytes <= kMaximumInitialBytes) return true;
     world.emit(range, findings::ImageTooLarge(isLarge ? needed : world.initialBytes,
                                               isLarge ? kMaximumData : kMaximumInitialBytes));
+    // What is thrown away does not count against the next type.
     world.initialBytes -= world.types[type].initial.size();
     world.types.edit(type).initial = {};
     world.types.edit(type).size = world.types[type].align; // something, for what is laid out behind it
@@ -395,6 +411,7 @@ static bool isPassedAsArray(const Variable& variable) {
 ///          VAR a : ARRAY[*] OF INT; END_VAR  (P3018)
 TypeId typeOf(WorldBuilder& world, Variable& variable) {
     if (variable.typeProgress == Progress::Done) return variable.type;
+    // x : ARRAY[0..x] …: the cycle is reported where it began.
     if (variable.typeProgress == Progress::Working) return TypeTable::of(TypeKind::Unknown);
     const Waiting wait(world.waiting, 4);
     if (wait.isTooDeep) {
@@ -406,6 +423,7 @@ TypeId typeOf(WorldBuilder& world, Variable& variable) {
     if (!variable.type.isValid()) variable.type = resolveSpec(world, variable.spec, variable.scope, variable.name);
     if (variable.kind == syntax::SectionKind::External) {
         Variable* target = globalOf(world, variable);
+        // VAR_EXTERNAL repeats the type (2.4.3); a different one is another variable.
         if (!target || !sameType(world, typeOf(world, *target), variable.type)) {
             if (world.types.kind(variable.type) != TypeKind::Unknown)
                 world.emit(variable.range, findings::ExternalNotFound(variable.name, world.nameOf(variable.type)));
@@ -434,12 +452,16 @@ TypeId typeOf(const Check& check, Variable& variable) {
     return check.builder ? typeOf(*check.builder, variable) : variable.type;
 }
 
+// Types with a name are the same only as themselves (name equivalence); arrays, pointers and texts by what they are
+// made of.
 bool sameType(const World& world, TypeId a, TypeId b) {
+    // Deeper than any type may be nested; never a loop.
     for (int guard = 0; guard < 64; ++guard) {
         if (const auto it = world.aliasOf.find(a); it != world.aliasOf.end()) a = it->second;
         if (const auto it = world.aliasOf.find(b); it != world.aliasOf.end()) b = it->second;
         if (a == b) return true;
         const types::Type &x = world.types[a], &y = world.types[b];
+        // Unknown is the same as everything: no second message.
         if (x.kind == TypeKind::Unknown || y.kind == TypeKind::Unknown) return true;
         if (x.kind != y.kind) return false;
         switch (x.kind) {

@@ -1,4 +1,6 @@
 // Constants: folded when first asked for, in any order, across units.
+// Folding is the only part of declarations where order is free in both directions, hence the care about depth: a
+// generated list of 100,000 constants, each one more than the next, must fold.
 #include "runtime/compiler/sema/values/constants.h"
 
 #include "runtime/compiler/sema/context.h"
@@ -35,10 +37,12 @@ Variable* constantNamed(const World& world, const syntax::Expr& e, const Scope& 
             variable = findMember(*found.entity.unit, id).variable;
         }
     }
+    // Only those still to be folded are of interest.
     return variable && variable->isConstant && variable->folding == Folding::Open ? variable : nullptr;
 }
 
 void gatherConstants(const World& world, const syntax::Expr* root, const Scope& scope, std::vector<Variable*>& out) {
+    // A list instead of recursion: an expression may be a thousand operators deep.
     std::vector<const syntax::Expr*> open;
     if (root) open.push_back(root);
     while (!open.empty()) {
@@ -58,6 +62,7 @@ bool planFolding(WorldBuilder& world, Variable& variable, std::vector<Variable*>
     if (!variable.declaration) return true;
     std::vector<Variable*> needed;
     gatherConstants(world, variable.declaration->initial, variable.scope, needed);
+    // STRING(N): the type needs a constant as well.
     if (variable.spec) gatherConstants(world, variable.spec->length, variable.scope, needed);
     for (Variable* each : needed) {
         if (each->isFoldingPlanned) return false;
@@ -73,6 +78,7 @@ void foldNeeded(WorldBuilder& world, Variable& first) {
     while (!waiting.empty()) {
         Variable& variable = *waiting.back();
         if (!variable.isFoldingPlanned) {
+            // A cycle: fold() below meets Working and reports it.
             if (!planFolding(world, variable, waiting)) return;
             continue;
         }
@@ -98,6 +104,7 @@ const types::Value* fold(WorldBuilder& world, Variable& variable) {
         return &variable.value;
     case Folding::Dynamic:
         return nullptr;
+    // Met while it is being folded: it needs itself.
     case Folding::Working:
         world.emit(variable.range, findings::TypeCycle(variable.name));
         variable.folding = Folding::Dynamic;
@@ -113,6 +120,7 @@ const types::Value* fold(WorldBuilder& world, Variable& variable) {
     }
     const TypeId type = typeOf(world, variable);
     variable.folding = Folding::Working;
+    // Its type was reported.
     if (!completeType(world, type, variable.range) || world.types.kind(type) == TypeKind::Unknown) {
         variable.folding = Folding::Dynamic;
         return nullptr;
@@ -125,6 +133,7 @@ const types::Value* fold(WorldBuilder& world, Variable& variable) {
     }
     Context checker(world, variable.scope, world.sink, world.arena);
     const Operand value = converted(checker, expression(checker, *initial, type), type);
+    // Dynamic: the cycle was reported further down.
     if (variable.folding == Folding::Dynamic || value.isUnknown()) {
         variable.folding = Folding::Dynamic;
         return nullptr;
@@ -147,6 +156,7 @@ const types::Value* fold(WorldBuilder& world, Variable& variable) {
     return &variable.value;
 }
 
+// By now every type is complete, so the order no longer matters.
 void checkConstants(WorldBuilder& world) {
     const auto check = [&](Variable& variable) {
         if (variable.isConstant && variable.kind != syntax::SectionKind::External &&

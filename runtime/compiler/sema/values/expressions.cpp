@@ -26,6 +26,7 @@ static Operand anyExpression(Context& context, const syntax::Expr& e, TypeId hin
 Context::Context(const Check& check, Scope theScope, diagnostics::Sink& theSink, Arena& theArena)
     : Check(check), types(check.gathered.types), scope(theScope), sink(theSink), arena(theArena) {}
 
+// What was reported goes on as a node of type Unknown: it fits everywhere and nobody complains about it again.
 Operand unknown(Context& context, SourceRange range) {
     tree::Expr* e = context.arena.make<tree::Expr>();
     e->type = context.elementary(TypeKind::Unknown);
@@ -39,6 +40,7 @@ Operand constant(Context& context, types::Value value, SourceRange range, bool i
     e->type = value.type;
     e->range = range;
     e->value = std::move(value);
+    // Flexible: a literal without a type of its own; it takes that of what it meets (settled, converted).
     return {e, &context.types, isFlexible};
 }
 
@@ -58,6 +60,7 @@ bool isNumeric(const Context& context, TypeId type) {
 
 void refer(Context& context, SourceRange range, SymbolId symbol, Access access) {
     if (context.isMuted || context.isExpression) return;
+    // "Find writes" shows addresses too: whoever has one may write.
     const bool isWrite = access == Access::Write || access == Access::ReadWrite || access == Access::Address;
     refer(static_cast<const Check&>(context), range, symbol, access != Access::Write, isWrite);
 }
@@ -71,6 +74,7 @@ TypeId textType(Context& context, size_t length, bool isWide) {
 Operand settled(Context& context, Operand operand, TypeId hint) {
     if (!operand.isFlexible) return operand;
     TypeId type = smallestType(context, operand);
+    // Only when it fits; otherwise the conversion that follows gives the message, with the value.
     if (hint.isValid() && isNumeric(context, hint) && fits(context, operand.expr->value, hint)) type = hint;
     if (operand.expr->type == type) {
         operand.isFlexible = false;
@@ -93,6 +97,7 @@ Operand value(Context& context, Denoted denoted, const syntax::Expr& e, TypeId h
     case Denoted::Kind::Unit: {
         Unit& unit = *denoted.unit;
         const bool callable = unit.kind == UnitKind::Function || unit.kind == UnitKind::Method;
+        // CODESYS lets a method without parameters be read without parentheses.
         if (callable && unit.parameters.empty() && context.isExpression == false && unit.kind == UnitKind::Method) {
             syntax::Expr bare = e; // a method without parameters may be read like a property
             bare.arguments.clear();
@@ -109,12 +114,14 @@ Operand value(Context& context, Denoted denoted, const syntax::Expr& e, TypeId h
         context.emit(e.range, findings::NoValue(context.textOf(e.range)));
         return unknown(context, e.range);
     }
+    // Not needed here: a name was already looked up with it.
     (void)hint;
     return unknown(context, e.range);
 }
 
 /// The time of a chart's action or step.
 ///   ok:    lamp(L, T#5s); lamp(D, delay);      wrong: lamp(L, 5);  (P2003)
+// Times of actions and steps come from the chart's own syntax, where a number would be taken for milliseconds by some.
 Operand durationExpression(Context& context, const syntax::Expr& e) {
     const TypeId time = context.elementary(TypeKind::Time);
     Operand value = anyExpression(context, e, time);
@@ -155,6 +162,7 @@ Operand anyExpression(Context& context, const syntax::Expr& e, TypeId hint) {
             return unknown(context, e.range);
         }
         // b := c as a value: assign c to b, then read b
+        // a := b := c of CODESYS; not in an initial value, where nothing can be assigned.
         const Denoted inner = target(context, *e.base);
         const TypeId type = inner.kind == Denoted::Kind::Place ? inner.place->type : hint;
         Operand value = expression(context, *e.right, type);
@@ -175,6 +183,7 @@ Operand anyExpression(Context& context, const syntax::Expr& e, TypeId hint) {
         return unknown(context, e.range);
     case ExprKind::This:
     case ExprKind::Super: {
+        // THIS as a value is the pointer to the instance.
         const Denoted self = denote(context, e, Access::Address);
         if (self.kind != Denoted::Kind::Place) return unknown(context, e.range);
         if (self.place->type.isValid() && context.isKind(self.place->type, TypeKind::Block))
@@ -197,6 +206,7 @@ bool fitsIntoCode(Context& context, TypeId type, SourceRange range) {
 }
 
 Operand aggregate(Context& context, const syntax::Expr& e, TypeId hint) {
+    // Lists need the initialiser's machinery, which adds types.
     if (context.isExpression) {
         context.emit(e.range, findings::NotAllowedInExpression(context.textOf(e.range)));
         return unknown(context, e.range);
@@ -212,6 +222,7 @@ Operand aggregate(Context& context, const syntax::Expr& e, TypeId hint) {
     initial.bytes = context.types[hint].initial;
     initial.bytes.resize(context.types[hint].size);
     initialise(context, initial, hint, 0, -1, &e, context.scope, nullptr);
+    // As a value it has to be constant; the assignment of a list with variables is taken apart elsewhere.
     if (!initial.dynamics.empty()) {
         context.emit(e.range, findings::NotConstant());
         return unknown(context, e.range);
@@ -225,6 +236,7 @@ tree::Expr* condition(Context& context, const syntax::Expr& e) {
     if (operand.isUnknown()) return operand.expr;
     const TypeId boolean = context.elementary(TypeKind::Bool);
     if (context.types.storageKind(operand.type()) == TypeKind::Bool) return operand.expr;
+    // WHILE 1 DO: accepted, 1 is TRUE.
     if (operand.isFlexible && std::holds_alternative<int64_t>(operand.expr->value.data) &&
         fits(context, operand.expr->value, boolean))
         return converted(context, operand, boolean).expr;

@@ -1,4 +1,5 @@
 // Literals: numbers in every base, durations and dates, text with $ escapes, typed literals, values of enumerations.
+// The lexer has checked forms; here is what they mean. A literal without a written type stays flexible.
 #include "runtime/compiler/sema/values/literals.h"
 
 #include "runtime/compiler/sema/context.h"
@@ -37,12 +38,14 @@ Integer parseInteger(std::string_view text) {
     if (!text.empty() && (text.front() == '-' || text.front() == '+')) {
         out.isNegative = text.front() == '-';
         text.remove_prefix(1);
+        // INT# - 5: the lexer lets spaces be there.
         while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
     }
     uint64_t base = 10;
     bool isBcd = false;
     if (const size_t hash = text.find('#'); hash != std::string_view::npos) {
         const std::string_view prefix = text.substr(0, hash);
+        // C#998 is BCD (Siemens), each digit half a byte.
         if (equalsIgnoringCase(prefix, "C")) {
             isBcd = true;
             base = 16;
@@ -62,6 +65,7 @@ Integer parseInteger(std::string_view text) {
             out.isGood = false;
             return out;
         }
+        // Wide enough to notice the digit that is one too many.
         const unsigned __int128 next =
             static_cast<unsigned __int128>(out.magnitude) * base + static_cast<unsigned>(digit);
         if (next >> 64) out.isTooLarge = true;
@@ -93,6 +97,7 @@ std::u32string parseText(std::string_view text, bool isWide) {
             continue;
         }
         const char c = text[i + 1];
+        // $0A in a STRING, $000A in a WSTRING (table 6).
         const size_t digits = isWide ? 4 : 2;
         if (i + digits < text.size() && hex(c) >= 0) {
             char32_t code = 0;
@@ -108,6 +113,7 @@ std::u32string parseText(std::string_view text, bool isWide) {
             }
         }
         i += 2;
+        // $N, $R, $$ …; an unknown one is the character itself, as the lexer has said.
         out += types::escapedCharacter(c).value_or(static_cast<unsigned char>(c));
     }
     return out;
@@ -123,6 +129,7 @@ struct Written {
 /// The written type takes the value where it fits.
 Operand inWrittenType(Context& context, const Written& written, Operand operand) {
     if (!written.typed.isValid()) return operand;
+    // So that conversion looks at the value, and INT#40000 is refused.
     operand.isFlexible = true;
     Operand out = converted(context, operand, written.typed);
     out.isFlexible = false;
@@ -144,6 +151,7 @@ std::optional<Operand> bitPattern(Context& context, const Written& written, cons
     const bool isBased = written.e.text.find('#') != std::string_view::npos;
     if (!takesPatterns || number.isNegative || !isBased) return {};
     const TypeKind kind = context.types.storageKind(typed);
+    // Only as many bits as the type has; more are an ordinary value that is too large.
     const unsigned width = types::bitsOf(kind);
     if (width < 64 && number.magnitude >> width != 0) return {};
     return constant(context, {typed, types::wrapInteger(kind, bits)}, written.e.range);
@@ -163,6 +171,7 @@ Operand integerLiteral(Context& context, const Written& written) {
 
 Operand realLiteral(Context& context, const Written& written) {
     const double number = parseReal(written.e.text);
+    // strtod gives infinity for 1.0E400.
     if (!std::isfinite(number)) return outOfRange(context, written, "LREAL");
     return inWrittenType(context, written,
                          constant(context, {context.elementary(TypeKind::Lreal), number}, written.e.range, true));
@@ -177,6 +186,7 @@ Operand durationLiteral(Context& context, const Written& written) {
         context.emit(written.e.range, findings::InvalidLiteral(written.e.text, phrases::DurationLiteral()));
         return unknown(context, written.e.range);
     }
+    // T#5s for an LTIME is one: both are nanoseconds.
     const bool wantsLong = written.hint.isValid() && context.types.storageKind(written.hint) == TypeKind::Ltime;
     const TypeKind kind = isLong(written.e.text) || wantsLong ? TypeKind::Ltime : TypeKind::Time;
     return constant(context, {context.elementary(kind), *duration}, written.e.range);
@@ -211,6 +221,7 @@ struct Characters {
 Characters charactersOf(std::u32string_view text) {
     Characters out;
     for (const char32_t c : text) {
+        // STRING holds Latin-1.
         if (c > 0xFF && !out.foreign) out.foreign = c;
         out.narrow += static_cast<char>(c);
         appendUtf8(out.utf8, c);
@@ -238,6 +249,8 @@ Operand textLiteral(Context& context, const Written& written) {
     const TypeKind wanted = written.typed.isValid()  ? context.types.storageKind(written.typed)
                             : written.hint.isValid() ? context.types.storageKind(written.hint)
                                                      : TypeKind::Unknown;
+    // 'x' and "x" differ by the quotes in the standard; where the type is known it decides, since no text can be
+    // misunderstood then.
     const bool toWide =
         isWide ? wanted != TypeKind::String || text.foreign : wanted == TypeKind::Wstring || wanted == TypeKind::Wchar;
     Operand out;
@@ -290,6 +303,7 @@ Operand literal(Context& context, const syntax::Expr& e, TypeId hint) {
 /// "Motor speed" where a variable was declared with that name in quotes.
 std::optional<Operand> quotedName(Context& context, const syntax::Expr& e, TypeId hint) {
     if (e.text.size() < 3 || context.isExpression) return std::nullopt;
+    // TIA Portal writes names in double quotes; only a variable that was declared so is taken for one.
     const std::string_view inner = e.text.substr(1, e.text.size() - 2);
     const NameId id = context.world.names.find(inner);
     if (!id.isValid()) return std::nullopt;
