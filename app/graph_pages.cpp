@@ -119,7 +119,7 @@ void GraphPages::add(StPage* page, editor::LadderView* ladder) {
             [this, ladder](const QString& variable, const QString& value) {
                 const QString path = m_marks.pathOf(variable, ladder->unit());
                 if (path.isEmpty())
-                    return emit m_tabs.message(EditorTabs::tr("%1 is no variable of the running program").arg(variable),
+                    return emit m_tabs.message(EditorTabs::tr("%1 is not a variable of the running program; check the name, or press F5 to build the program").arg(variable),
                                                true);
                 if (auto written = m_control.write(path, value); !written)
                     emit m_tabs.message(kit::messageText(written.error()), true);
@@ -132,7 +132,7 @@ void GraphPages::add(StPage* page, editor::LadderView* ladder) {
             [this, ladder](const QString& variable, const QString& value) {
                 const QString path = m_marks.pathOf(variable, ladder->unit());
                 if (path.isEmpty())
-                    return emit m_tabs.message(EditorTabs::tr("%1 is no variable of the running program").arg(variable),
+                    return emit m_tabs.message(EditorTabs::tr("%1 is not a variable of the running program; check the name, or press F5 to build the program").arg(variable),
                                                true);
                 if (value.isEmpty()) return m_control.unforce(path);
                 if (auto forced = m_control.force(path, value); !forced)

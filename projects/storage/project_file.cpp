@@ -52,13 +52,11 @@ bool writeAll(int file, std::string_view content) {
 Result<void> writeNewFile(const std::string& path, std::string_view content) {
     const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     const bool isOpen = file >= 0, isWritten = isOpen && writeAll(file, content);
-    int code = errno;
+    const int code = errno;
     if (isOpen && ::close(file) != 0 && isWritten) return Error{errors::FileNotWritten(errors::ofSystem(errno)), path};
     if (isWritten) return {};
     if (isOpen) ::unlink(path.c_str());
-    Message why = errors::ofSystem(code);
-    if (code == ENOSPC) why = errors::FreeSpace(std::move(why));
-    return Error{errors::FileNotWritten(std::move(why)), path};
+    return Error{errors::FileNotWritten(errors::ofSystem(code)), path};
 }
 
 Result<void> writeFileAtomically(const std::string& path, std::string_view content) {
@@ -74,10 +72,7 @@ Result<void> writeFileAtomically(const std::string& path, std::string_view conte
     const auto fail = [&](const auto& what) -> Error {
         const int code = errno;
         ::unlink(temporary.c_str());
-        Message why = errors::ofSystem(code);
-        if (code == ENOSPC) why = errors::FreeSpace(std::move(why));
-        if (code == EACCES) why = errors::CheckPermissions(std::move(why));
-        return {what(std::move(why)), path};
+        return {what(errors::ofSystem(code)), path};
     };
     const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (file < 0) return fail(errors::FileNotWritten);
