@@ -61,7 +61,7 @@
     </message>
     <message>
         <source>{0} is not a name; use letters, digits and underscores, and begin with a letter</source>
-        <translation>{0} er ikke et navn; brug bogstaver, cifre og understreger, og begynd med et bogstav</translation>
+        <translation>{0} er ikke et gyldigt navn; brug bogstaver, cifre og understreger, og begynd med et bogstav</translation>
     </message>
     <message>
         <source>{0} is neither a host name nor an address, for example plc1.local or 192.168.0.10</source>
@@ -93,7 +93,7 @@
     </message>
     <message>
         <source>A device does not let others write its table &quot;{0}&quot;; use &quot;coil&quot; or &quot;holding&quot;, or the direction &quot;in&quot;</source>
-        <translation>En enhed lader ikke andre skrive sin tabel ”{0}”; brug ”coil” eller ”holding” eller retningen ”in”</translation>
+        <translation>Tabellen ”{0}” i en enhed kan ikke skrives; brug ”coil” eller ”holding” eller retningen ”in”</translation>
     </message>
     <message>
         <source>Clients cannot write the table &quot;{0}&quot; of a server; use &quot;coil&quot; or &quot;holding&quot;, or the direction &quot;out&quot;</source>
@@ -141,7 +141,7 @@
     </message>
     <message>
         <source>A {0} may not fit into {1} of type {2}; a value that does not fit leaves the variable as it is and makes the channel bad</source>
-        <translation>En {0} kan måske ikke være i {1} af typen {2}; en værdi, der ikke kan, lader variablen være uændret og gør kanalen ugyldig</translation>
+        <translation>En {0} passer måske ikke i {1} af typen {2}; en værdi, der ikke passer, lader variablen være uændret og gør kanalen ugyldig</translation>
     </message>
     <message>
         <source>{0} is an output of the program; an input channel needs %I or a variable</source>
@@ -225,7 +225,7 @@
     </message>
     <message>
         <source>{0}: a value does not fit into the variable; use a larger type or a scale</source>
-        <translation>{0}: en værdi kan ikke være i variablen; brug en større type eller en skalering</translation>
+        <translation>{0}: en værdi passer ikke i variablen; brug en større type eller en skalering</translation>
     </message>
     <message>
         <source>no client wrote for {0} ms; check the client and its address</source>
@@ -772,7 +772,7 @@
     </message>
     <message>
         <source>{0} does not fit into {1}; use another value or a larger type</source>
-        <translation>{0} kan ikke være i {1}; brug en anden værdi eller en større type</translation>
+        <translation>{0} passer ikke i {1}; brug en anden værdi eller en større type</translation>
     </message>
     <message>
         <source>The condition must be BOOL, not {0}; add a comparison</source>
@@ -881,7 +881,7 @@
     </message>
     <message>
         <source>the called method has no body; override it in the block that is called</source>
-        <translation>den kaldte metode har ingen krop; overskriv den i den blok, der kaldes</translation>
+        <translation>den kaldte metode har ingen krop; tilsidesæt den i den blok, der kaldes</translation>
     </message>
     <message>
         <source>the scan was aborted</source>
@@ -1097,7 +1097,7 @@
     </message>
     <message>
         <source>a character of the text does not fit into a STRING; use a WSTRING</source>
-        <translation>et tegn i teksten kan ikke være i en STRING; brug en WSTRING</translation>
+        <translation>et tegn i teksten kan ikke gemmes i en STRING; brug en WSTRING</translation>
     </message>
     <message>
         <source>a reference can only be set to NULL from outside; assign a variable to it in the program</source>
@@ -1637,7 +1637,7 @@
     </message>
     <message>
         <source>{0} does not fit into {1}; use a larger type or a smaller limit</source>
-        <translation>{0} kan ikke være i {1}; brug en større type eller en mindre grænse</translation>
+        <translation>{0} passer ikke i {1}; brug en større type eller en mindre grænse</translation>
     </message>
     <message>
         <source>STRING contains Latin-1 only; declare the variable as WSTRING</source>
@@ -1681,7 +1681,7 @@
     </message>
     <message>
         <source>&quot;{0}&quot; does not fit: it needs {1} px, the maximum is {2}; make the element wider or the text shorter</source>
-        <translation>”{0}” kan ikke være der: kræver {1} px, der er {2}; gør elementet bredere eller teksten kortere</translation>
+        <translation>”{0}” passer ikke: kræver {1} px, højst {2} er mulig; gør elementet bredere eller teksten kortere</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}; make the element higher or the text shorter</source>
@@ -1793,11 +1793,11 @@
     </message>
     <message>
         <source>The file is in the encoding {0}, which is not supported; save it as UTF-8</source>
-        <translation>Filen har kodningen {0}, som ikke læses; gem den som UTF-8</translation>
+        <translation>Filen har kodningen {0}, som ikke understøttes; gem den som UTF-8</translation>
     </message>
     <message>
         <source>The file declares a document type or entities of its own, which is not supported; export it again without them</source>
-        <translation>Filen erklærer en dokumenttype eller egne entiteter, hvilket ikke læses; eksporter den uden dem</translation>
+        <translation>Filen erklærer en dokumenttype eller egne entiteter, hvilket ikke understøttes; eksporter den igen uden dem</translation>
     </message>
     <message>
         <source>The elements of the file are nested too deeply; export its parts one by one</source>
@@ -2181,7 +2181,7 @@
     </message>
     <message>
         <source>Text needs a contrast of 4.5 to 1 against its ground, large text 3 to 1 (WCAG 2, ISO 9241-303). Roles of the theme keep it in every theme.</source>
-        <translation>Tekst kræver en kontrast på 4,5 til 1 mod sin bund, stor tekst 3 til 1 (WCAG 2, ISO 9241-303). Temaets roller bevarer den i alle temaer.</translation>
+        <translation>Tekst kræver en kontrast på 4,5 til 1 mod sin baggrund, stor tekst 3 til 1 (WCAG 2, ISO 9241-303). Temaets roller bevarer den i alle temaer.</translation>
     </message>
     <message>
         <source>A capital letter must be seen at an angle of 16 minutes at least (ISO 9241-303). The distance and the size of a pixel are set in project.json.</source>
@@ -2253,11 +2253,11 @@
     </message>
     <message>
         <source>What only some may do, or what project.json lists as critical, must not happen by an accidental touch. Set &quot;Writes are confirmed&quot;, or enter a question.</source>
-        <translation>Det, kun nogle må, eller det, project.json angiver som kritisk, må ikke ske ved en utilsigtet berøring. Slå ”Skrivninger bekræftes” til, eller indtast et spørgsmål.</translation>
+        <translation>Det, kun nogle må, eller det, project.json angiver som kritisk, må ikke ske ved en utilsigtet berøring. Slå ”Skrivning bekræftes” til, eller indtast et spørgsmål.</translation>
     </message>
     <message>
         <source>Only {1} may write {0}, but no confirmation is asked; set &quot;Writes are confirmed&quot;</source>
-        <translation>Kun {1} må skrive {0}, men der kræves ingen bekræftelse; slå ”Skrivninger bekræftes” til</translation>
+        <translation>Kun {1} må skrive {0}, men der kræves ingen bekræftelse; slå ”Skrivning bekræftes” til</translation>
     </message>
     <message>
         <source>The theme is not valid JSON with a base and colors</source>
@@ -2493,7 +2493,7 @@
     </message>
     <message>
         <source>the program does not use the address &apos;{0}&apos;; declare a variable AT this address</source>
-        <translation>programmet bruger ikke adressen ”{0}”; erklær en variabel AT denne adresse</translation>
+        <translation>programmet bruger ikke adressen ”{0}”; erklær en variabel med AT på denne adresse</translation>
     </message>
     <message>
         <source>the path is empty; write for example Main.x</source>
@@ -2525,7 +2525,7 @@
     </message>
     <message>
         <source>this is not an expression; write for example Main.x &gt; 5</source>
-        <translation>det er ikke et udtryk; skriv for eksempel Main.x &gt; 5</translation>
+        <translation>dette er ikke et udtryk; skriv for eksempel Main.x &gt; 5</translation>
     </message>
     <message>
         <source>this is not an array; remove the index</source>
@@ -2533,7 +2533,7 @@
     </message>
     <message>
         <source>an expression cannot have side effects; use variables, operators and standard functions only</source>
-        <translation>et udtryk må ikke have sideeffekter; brug kun variable, operatorer og standardfunktioner</translation>
+        <translation>et udtryk må ikke have sideeffekter; brug kun variabler, operatorer og standardfunktioner</translation>
     </message>
     <message>
         <source>There is no body in ST or IL here; put the cursor into one</source>
@@ -2697,11 +2697,11 @@
     </message>
     <message>
         <source>{0} is critical after project.json, but one press writes it; set &quot;Writes are confirmed&quot;</source>
-        <translation>{0} er kritisk ifølge project.json, men ét tryk skriver den; slå ”Skrivninger bekræftes” til</translation>
+        <translation>{0} er kritisk ifølge project.json, men ét tryk skriver den; slå ”Skrivning bekræftes” til</translation>
     </message>
     <message>
         <source>{0} suppresses alarms, but one press writes it; set &quot;Writes are confirmed&quot;</source>
-        <translation>{0} undertrykker alarmer, men ét tryk skriver den; slå ”Skrivninger bekræftes” til</translation>
+        <translation>{0} undertrykker alarmer, men ét tryk skriver den; slå ”Skrivning bekræftes” til</translation>
     </message>
 </context>
 <context>
@@ -2872,7 +2872,7 @@
     </message>
     <message>
         <source>The file is no program source and was left out; import it alone if it is one</source>
-        <translation>Filen er ingen programkilde og blev udeladt; importér den alene, hvis den er en</translation>
+        <translation>Filen er ingen programkilde og blev udeladt; importer den alene, hvis den er en</translation>
     </message>
     <message>
         <source>The network &apos;{0}&apos; is commented out in the diagram and was left out of the text</source>
@@ -3062,7 +3062,7 @@
     </message>
     <message>
         <source>Fill</source>
-        <translation>Fyld</translation>
+        <translation>Udfyldning</translation>
     </message>
     <message>
         <source>Fill level</source>
@@ -3442,7 +3442,7 @@
     </message>
     <message>
         <source>Switch</source>
-        <translation>Kontakt</translation>
+        <translation>Afbryder</translation>
     </message>
     <message>
         <source>Text on</source>
@@ -3614,7 +3614,7 @@
     </message>
     <message>
         <source>Progress</source>
-        <translation>Fremskridt</translation>
+        <translation>Fremdrift</translation>
     </message>
     <message>
         <source>Light tower</source>
@@ -5511,7 +5511,7 @@
     </message>
     <message>
         <source>The time in line {0} is before that of the line above; sort the lines by time</source>
-        <translation>Tiden i linje {0} er før tiden i linjen ovenover; sortér linjerne efter tid</translation>
+        <translation>Tiden i linje {0} er før tiden i linjen ovenover; sorter linjerne efter tid</translation>
     </message>
     <message>
         <source>{0} {0:sample is|samples are} too few for a model; record for longer</source>
@@ -5829,7 +5829,7 @@
     </message>
     <message>
         <source>lost</source>
-        <translation>tabt</translation>
+        <translation>afbrudt</translation>
     </message>
     <message>
         <source>good</source>
@@ -5845,7 +5845,7 @@
     </message>
     <message>
         <source>does not fit</source>
-        <translation>kan ikke være der</translation>
+        <translation>passer ikke</translation>
     </message>
     <message>
         <source>Devices</source>
@@ -6530,7 +6530,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Structured Text with colours by meaning. Errors are underlined while you type; Alt+Enter offers quick fixes; Ctrl+Space completes.</source>
-        <translation>Struktureret tekst med farver efter betydning. Fejl understreges, mens du skriver; Alt+Enter tilbyder hurtige rettelser; Ctrl+Mellemrum fuldender.</translation>
+        <translation>Struktureret tekst med farver efter betydning. Fejl understreges, mens du skriver; Alt+Enter tilbyder hurtige rettelser; Ctrl+Mellemrum fuldfører.</translation>
     </message>
     <message>
         <source>Run</source>
@@ -6957,7 +6957,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>A file name cannot contain / or \; choose another name</source>
-        <translation>Et filnavn indeholder hverken / eller \; vælg et andet navn</translation>
+        <translation>Et filnavn kan ikke indeholde / eller \; vælg et andet navn</translation>
     </message>
     <message>
         <source>A trace %1 already exists; choose another name</source>
@@ -7153,15 +7153,15 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Step Back In</source>
-        <translation>Skridt baglæns ind</translation>
+        <translation>Trin tilbage ind</translation>
     </message>
     <message>
         <source>Step Back Over</source>
-        <translation>Skridt baglæns over</translation>
+        <translation>Trin tilbage over</translation>
     </message>
     <message>
         <source>Step Back Out</source>
-        <translation>Skridt baglæns ud</translation>
+        <translation>Trin tilbage ud</translation>
     </message>
     <message>
         <source>Why?</source>
@@ -8930,7 +8930,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Contacts as in Circuit Diagrams (IEC 60617)</source>
-        <translation>Kontakter som i kredsløbsdiagrammer (IEC 60617)</translation>
+        <translation>Kontakter som i eldiagrammer (IEC 60617)</translation>
     </message>
     <message>
         <source>Names</source>
@@ -9018,7 +9018,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Negated Contact Here</source>
-        <translation>Negeret kontakt her</translation>
+        <translation>Inverteret kontakt her</translation>
     </message>
     <message>
         <source>Function Block Here</source>
@@ -9102,7 +9102,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Step in</source>
-        <translation>Skridt ind</translation>
+        <translation>Trin ind</translation>
     </message>
     <message>
         <source>Step over</source>
@@ -10302,15 +10302,15 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Fix All Issues</source>
-        <translation>Ret alle fund</translation>
+        <translation>Ret alle problemer</translation>
     </message>
     <message>
         <source>Fix Issue</source>
-        <translation>Ret fund</translation>
+        <translation>Ret problemet</translation>
     </message>
     <message>
         <source>Explain Issue</source>
-        <translation>Forklar fund</translation>
+        <translation>Forklar problemet</translation>
     </message>
     <message>
         <source>Outline</source>
@@ -10381,7 +10381,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Set Password…</source>
-        <translation>Angiv adgangskode …</translation>
+        <translation>Angiv adgangskode…</translation>
     </message>
     <message>
         <source>Remove User</source>
@@ -12076,7 +12076,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>The time in line {0} is before that of the line above; sort the lines by time</source>
-        <translation>Tiden i linje {0} er før tiden i linjen ovenover; sortér linjerne efter tid</translation>
+        <translation>Tiden i linje {0} er før tiden i linjen ovenover; sorter linjerne efter tid</translation>
     </message>
     <message>
         <source>The table has no column of numbers besides the time; add one with a heading</source>
@@ -12293,7 +12293,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>Build</source>
-        <translation>Oversæt</translation>
+        <translation>Byg</translation>
     </message>
     <message>
         <source>Build a Native Program</source>
@@ -12368,7 +12368,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>A controller that serves others cannot be put back in time; fetch its recording and go on from there</source>
-        <translation>En styring, der betjener andre, sættes ikke tilbage i tiden; hent dens optagelse, og fortsæt derfra</translation>
+        <translation>En styring, der betjener andre, kan ikke sættes tilbage i tiden; hent dens optagelse, og fortsæt derfra</translation>
     </message>
     <message>
         <source>{0} is not the address of a controller; write for example https://plant:8443/</source>

@@ -53,19 +53,19 @@
     </message>
     <message>
         <source>There are two devices named {0}; rename one</source>
-        <translation>Zwei Geräte heißen {0}; bitte eines umbenennen</translation>
+        <translation>Zwei Geräte heißen {0}; benennen Sie eines um</translation>
     </message>
     <message>
         <source>{0} has two channels named {1}; rename one</source>
-        <translation>{0} hat zwei Kanäle namens {1}; bitte einen umbenennen</translation>
+        <translation>{0} hat zwei Kanäle namens {1}; benennen Sie einen um</translation>
     </message>
     <message>
         <source>{0} is not a name; use letters, digits and underscores, and begin with a letter</source>
-        <translation>{0} ist kein Name; verwenden Sie Buchstaben, Ziffern und Unterstriche, am Anfang einen Buchstaben</translation>
+        <translation>{0} ist kein gültiger Name; verwenden Sie Buchstaben, Ziffern und Unterstriche, am Anfang einen Buchstaben</translation>
     </message>
     <message>
         <source>{0} is neither a host name nor an address, for example plc1.local or 192.168.0.10</source>
-        <translation>{0} ist weder ein Rechnername noch eine Adresse, zum Beispiel plc1.local oder 192.168.0.10</translation>
+        <translation>{0} ist weder ein Hostname noch eine Adresse, zum Beispiel plc1.local oder 192.168.0.10</translation>
     </message>
     <message>
         <source>{0} is not a serial port; write its path, for example /dev/ttyUSB0</source>
@@ -73,7 +73,7 @@
     </message>
     <message>
         <source>{0} and {1} both listen at port {2}; give one another port</source>
-        <translation>{0} und {1} warten beide an Port {2}; geben Sie einem einen anderen Port</translation>
+        <translation>{0} und {1} verwenden beide den Port {2}; geben Sie einem einen anderen Port</translation>
     </message>
     <message>
         <source>Ports below 1024 need special rights; a port such as 1502 does not</source>
@@ -85,7 +85,7 @@
     </message>
     <message>
         <source>{0}: a channel has one topic, without the wildcards + and #</source>
-        <translation>{0}: ein Kanal hat ein Topic, ohne die Platzhalterzeichen + und #</translation>
+        <translation>{0}: Ein Kanal hat genau ein Topic, ohne die Platzhalter + und #</translation>
     </message>
     <message>
         <source>{0} is not a path into JSON; write for example /sensor/temperature</source>
@@ -93,7 +93,7 @@
     </message>
     <message>
         <source>A device does not let others write its table &quot;{0}&quot;; use &quot;coil&quot; or &quot;holding&quot;, or the direction &quot;in&quot;</source>
-        <translation>Ein Gerät lässt seine Tabelle „{0}“ nicht von anderen schreiben; verwenden Sie „coil“ oder „holding“ oder die Richtung „in“</translation>
+        <translation>Die Tabelle „{0}“ eines Geräts kann nicht geschrieben werden; verwenden Sie „coil“ oder „holding“ oder die Richtung „in“</translation>
     </message>
     <message>
         <source>Clients cannot write the table &quot;{0}&quot; of a server; use &quot;coil&quot; or &quot;holding&quot;, or the direction &quot;out&quot;</source>
@@ -500,7 +500,7 @@
     </message>
     <message>
         <source>This is nested too deeply to be compiled; split it into several statements or units</source>
-        <translation>Das ist zu tief geschachtelt, um übersetzt zu werden; in mehrere Anweisungen oder Bausteine aufteilen</translation>
+        <translation>Das ist zu tief verschachtelt, um übersetzt zu werden; in mehrere Anweisungen oder Bausteine aufteilen</translation>
     </message>
     <message>
         <source>Code in C is not executed; write it in ST</source>
@@ -584,7 +584,7 @@
     </message>
     <message>
         <source>{0} does not implement {1} of {2}; add it</source>
-        <translation>{0} implementiert {1} von {2} nicht; es hinzufügen</translation>
+        <translation>{0} implementiert {1} von {2} nicht; {1} hinzufügen</translation>
     </message>
     <message>
         <source>{0} is FINAL and cannot be extended or overridden; remove FINAL or use another base</source>
@@ -877,7 +877,7 @@
     </message>
     <message>
         <source>calls are nested too deeply; check for endless recursion</source>
-        <translation>Aufrufe sind zu tief geschachtelt; auf endlose Rekursion prüfen</translation>
+        <translation>Aufrufe sind zu tief verschachtelt; prüfen Sie auf endlose Rekursion</translation>
     </message>
     <message>
         <source>the called method has no body; override it in the block that is called</source>
@@ -1173,7 +1173,7 @@
     </message>
     <message>
         <source>a character of a string has no address of its own; use the whole string</source>
-        <translation>ein Zeichen einer Zeichenkette hat keine eigene Adresse; verwenden Sie den ganzen Text</translation>
+        <translation>ein Zeichen einer Zeichenkette hat keine eigene Adresse; verwenden Sie die ganze Zeichenkette</translation>
     </message>
     <message>
         <source>this variable cannot be shown; assign it to another variable and watch that one</source>
@@ -1781,7 +1781,7 @@
     </message>
     <message>
         <source>The folder exists and is not empty; name a new one</source>
-        <translation>Der Ordner ist vorhanden und nicht leer; nennen Sie einen neuen</translation>
+        <translation>Der Ordner ist bereits vorhanden und nicht leer; geben Sie einen neuen an</translation>
     </message>
     <message>
         <source>The sources have syntax errors; stepwise check lists them</source>
@@ -1793,11 +1793,11 @@
     </message>
     <message>
         <source>The file is in the encoding {0}, which is not supported; save it as UTF-8</source>
-        <translation>Die Datei hat die Kodierung {0}, die nicht gelesen wird; speichern Sie sie als UTF-8</translation>
+        <translation>Die Datei hat die Kodierung {0}, die nicht unterstützt wird; speichern Sie sie als UTF-8</translation>
     </message>
     <message>
         <source>The file declares a document type or entities of its own, which is not supported; export it again without them</source>
-        <translation>Die Datei deklariert einen Dokumenttyp oder eigene Entitäten, was nicht gelesen wird; exportieren Sie sie ohne diese</translation>
+        <translation>Die Datei deklariert einen Dokumenttyp oder eigene Entitäten, was nicht unterstützt wird; exportieren Sie sie erneut ohne diese</translation>
     </message>
     <message>
         <source>The elements of the file are nested too deeply; export its parts one by one</source>
@@ -1837,7 +1837,7 @@
     </message>
     <message>
         <source>more than {0} units of work (loop passes, calls, copies) in one run of the task; check for an endless loop</source>
-        <translation>mehr als {0} Arbeitseinheiten (Schleifendurchläufe, Aufrufe, Kopien) in einem Lauf der Task; auf eine Endlosschleife prüfen</translation>
+        <translation>mehr als {0} Arbeitseinheiten (Schleifendurchläufe, Aufrufe, Kopien) in einem Lauf der Task; prüfen Sie auf eine Endlosschleife</translation>
     </message>
     <message>
         <source>{0} is not a name: use letters, digits and underscores.</source>
@@ -2161,7 +2161,7 @@
     </message>
     <message>
         <source>The panel {0} is {1} presses away from the start panel; {2} should do</source>
-        <translation>Das Panel {0} ist {1} Tastendrücke vom Startpanel entfernt; {2} sollten reichen</translation>
+        <translation>Das Panel {0} ist {1} Berührungen vom Startpanel entfernt; {2} sollten reichen</translation>
     </message>
     <message>
         <source>Nothing on the panel {0} leads back; add a button with the action back or home, or a navigation bar</source>
@@ -2181,7 +2181,7 @@
     </message>
     <message>
         <source>Text needs a contrast of 4.5 to 1 against its ground, large text 3 to 1 (WCAG 2, ISO 9241-303). Roles of the theme keep it in every theme.</source>
-        <translation>Text braucht gegen seinen Grund einen Kontrast von 4,5 zu 1, großer Text 3 zu 1 (WCAG 2, ISO 9241-303). Rollen des Farbschemas wahren ihn in jedem Farbschema.</translation>
+        <translation>Text braucht gegen seinen Hintergrund einen Kontrast von 4,5 zu 1, großer Text 3 zu 1 (WCAG 2, ISO 9241-303). Rollen des Farbschemas wahren ihn in jedem Farbschema.</translation>
     </message>
     <message>
         <source>A capital letter must be seen at an angle of 16 minutes at least (ISO 9241-303). The distance and the size of a pixel are set in project.json.</source>
@@ -2193,7 +2193,7 @@
     </message>
     <message>
         <source>In an abnormal situation, every panel should be three presses away at most, and there should be a way back from it (ISA-101).</source>
-        <translation>Im Störfall sollte jedes Panel höchstens drei Tastendrücke entfernt sein, und es sollte einen Weg zurück geben (ISA-101).</translation>
+        <translation>Im Störfall sollte jedes Panel höchstens drei Berührungen entfernt sein, und es sollte einen Weg zurück geben (ISA-101).</translation>
     </message>
     <message>
         <source>What is on several panels is found without looking if it is always in the same place. Put it on the frame, or at the same place everywhere.</source>
@@ -2253,11 +2253,11 @@
     </message>
     <message>
         <source>What only some may do, or what project.json lists as critical, must not happen by an accidental touch. Set &quot;Writes are confirmed&quot;, or enter a question.</source>
-        <translation>Was nur einige dürfen oder was project.json als kritisch aufführt, darf nicht durch eine versehentliche Berührung geschehen. Setzen Sie „Schreiben wird bestätigt“ oder geben Sie eine Rückfrage ein.</translation>
+        <translation>Was nur einige dürfen oder was project.json als kritisch aufführt, darf nicht durch eine versehentliche Berührung geschehen. Aktivieren Sie „Schreiben wird bestätigt“ oder geben Sie eine Rückfrage ein.</translation>
     </message>
     <message>
         <source>Only {1} may write {0}, but no confirmation is asked; set &quot;Writes are confirmed&quot;</source>
-        <translation>Nur {1} darf {0} schreiben, aber es wird keine Bestätigung verlangt; setzen Sie „Schreiben wird bestätigt“</translation>
+        <translation>Nur {1} darf {0} schreiben, aber es wird keine Bestätigung verlangt; aktivieren Sie „Schreiben wird bestätigt“</translation>
     </message>
     <message>
         <source>The theme is not valid JSON with a base and colors</source>
@@ -2397,19 +2397,19 @@
     </message>
     <message>
         <source>Two roles are named {0}; rename one</source>
-        <translation>Zwei Rollen heißen {0}; bitte eine umbenennen</translation>
+        <translation>Zwei Rollen heißen {0}; benennen Sie eine um</translation>
     </message>
     <message>
         <source>Two users are named {0}; rename one</source>
-        <translation>Zwei Benutzer heißen {0}; bitte einen umbenennen</translation>
+        <translation>Zwei Benutzer heißen {0}; benennen Sie einen um</translation>
     </message>
     <message>
         <source>Two recipes are named {0}; rename one</source>
-        <translation>Zwei Rezepturen heißen {0}; bitte eine umbenennen</translation>
+        <translation>Zwei Rezepturen heißen {0}; benennen Sie eine um</translation>
     </message>
     <message>
         <source>Two sets of the recipe are named {0}; rename one</source>
-        <translation>Zwei Datensätze der Rezeptur heißen {0}; bitte einen umbenennen</translation>
+        <translation>Zwei Datensätze der Rezeptur heißen {0}; benennen Sie einen um</translation>
     </message>
     <message>
         <source>The alarm has no condition; enter one</source>
@@ -2521,7 +2521,7 @@
     </message>
     <message>
         <source>The expression is nested too deeply; divide it into several</source>
-        <translation>Der Ausdruck ist zu tief geschachtelt; teilen Sie ihn in mehrere auf</translation>
+        <translation>Der Ausdruck ist zu tief verschachtelt; teilen Sie ihn in mehrere auf</translation>
     </message>
     <message>
         <source>this is not an expression; write for example Main.x &gt; 5</source>
@@ -2693,15 +2693,15 @@
     </message>
     <message>
         <source>The project has {0} {0:alarm|alarms}, but no panel has an alarm list or banner; add one</source>
-        <translation>Das Projekt hat {0} {0:Alarm|Alarme}, aber kein Panel hat eine Alarmliste oder eine Alarmzeile; fügen Sie eine hinzu</translation>
+        <translation>Das Projekt hat {0} {0:Alarm|Alarme}, aber kein Panel hat eine Alarmliste oder ein Alarmbanner; fügen Sie eines hinzu</translation>
     </message>
     <message>
         <source>{0} is critical after project.json, but one press writes it; set &quot;Writes are confirmed&quot;</source>
-        <translation>{0} ist laut project.json kritisch, doch ein Druck schreibt es; setzen Sie „Schreiben wird bestätigt“</translation>
+        <translation>{0} ist laut project.json kritisch, doch ein Druck schreibt es; aktivieren Sie „Schreiben wird bestätigt“</translation>
     </message>
     <message>
         <source>{0} suppresses alarms, but one press writes it; set &quot;Writes are confirmed&quot;</source>
-        <translation>{0} unterdrückt Alarme, doch ein Druck schreibt es; setzen Sie „Schreiben wird bestätigt“</translation>
+        <translation>{0} unterdrückt Alarme, doch ein Druck schreibt es; aktivieren Sie „Schreiben wird bestätigt“</translation>
     </message>
 </context>
 <context>
@@ -3774,7 +3774,7 @@
     </message>
     <message>
         <source>Alarm banner</source>
-        <translation>Alarmzeile</translation>
+        <translation>Alarmbanner</translation>
     </message>
     <message>
         <source>Language selector</source>
@@ -4553,7 +4553,7 @@
     </message>
     <message>
         <source>Filler</source>
-        <translation>Füller</translation>
+        <translation>Abfüllmaschine</translation>
     </message>
     <message>
         <source>Carton</source>
@@ -4768,7 +4768,7 @@
     </message>
     <message>
         <source>time passed.</source>
-        <translation>Zeit verging.</translation>
+        <translation>Zeit vergangen ist.</translation>
     </message>
     <message>
         <source>it was the first scan.</source>
@@ -5075,7 +5075,7 @@
     </message>
     <message>
         <source>comments nest: the next *) closes the one that begins here</source>
-        <translation>Kommentare sind geschachtelt: das nächste *) schließt den, der hier beginnt</translation>
+        <translation>Kommentare sind verschachtelt: Das nächste *) schließt den, der hier beginnt</translation>
     </message>
 </context>
 <context>
@@ -5515,7 +5515,7 @@
     </message>
     <message>
         <source>{0} {0:sample is|samples are} too few for a model; record for longer</source>
-        <translation>{0} {0:Messwert ist|Messwerte sind} zu wenig für ein Modell; länger aufzeichnen</translation>
+        <translation>{0} {0:Messwert ist|Messwerte sind} zu wenig für ein Modell; zeichnen Sie länger auf</translation>
     </message>
     <message>
         <source>usable</source>
@@ -5563,7 +5563,7 @@
     </message>
     <message>
         <source>Fragile: a small change of the process makes it swing.</source>
-        <translation>Empfindlich: Eine kleine Änderung der Strecke bringt sie zum Schwingen.</translation>
+        <translation>Empfindlich: Schon eine kleine Änderung der Strecke bringt den Regelkreis zum Schwingen.</translation>
     </message>
     <message>
         <source>Brisk: quick, and it swings a little; the process should not change much.</source>
@@ -5571,11 +5571,11 @@
     </message>
     <message>
         <source>Good: quick enough, and it tolerates the usual changes of a process.</source>
-        <translation>Gut: schnell genug, und es verträgt die üblichen Änderungen einer Strecke.</translation>
+        <translation>Gut: schnell genug, verträgt die üblichen Änderungen der Strecke.</translation>
     </message>
     <message>
         <source>Calm: slow, and it tolerates a process that changes a lot.</source>
-        <translation>Ruhig: langsam, und es verträgt eine Strecke, die sich stark ändert.</translation>
+        <translation>Ruhig: langsam, verträgt auch starke Änderungen der Strecke.</translation>
     </message>
     <message>
         <source>A step of the set point does not overshoot.</source>
@@ -5591,7 +5591,7 @@
     </message>
     <message>
         <source>The rule looks at one lag only; check the margins.</source>
-        <translation>Die Regel berücksichtigt nur ein Verzögerungsglied; die Reserven prüfen.</translation>
+        <translation>Die Regel berücksichtigt nur ein Verzögerungsglied; prüfen Sie die Reserven.</translation>
     </message>
     <message>
         <source>gain and dead time</source>
@@ -5821,7 +5821,7 @@
     </message>
     <message>
         <source>connecting</source>
-        <translation>verbindet</translation>
+        <translation>wird verbunden</translation>
     </message>
     <message>
         <source>online</source>
@@ -5829,7 +5829,7 @@
     </message>
     <message>
         <source>lost</source>
-        <translation>verloren</translation>
+        <translation>unterbrochen</translation>
     </message>
     <message>
         <source>good</source>
@@ -6271,7 +6271,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <name>plc::app::MainWindow</name>
     <message>
         <source>A panel&apos;s name cannot contain / or \; choose another name</source>
-        <translation>Der Name eines Panels ist ein Dateiname: ohne / und ohne \; wählen Sie einen anderen Namen</translation>
+        <translation>Der Name eines Panels darf weder / noch \ enthalten; wählen Sie einen anderen Namen</translation>
     </message>
     <message>
         <source>Name of the panel:</source>
@@ -6706,7 +6706,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Toggle Comment (Ctrl+/)</source>
-        <translation>Ein- oder auskommentieren (Strg+/)</translation>
+        <translation>Ein- oder auskommentieren (Strg+#)</translation>
     </message>
     <message>
         <source>Duplicate</source>
@@ -6957,7 +6957,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>A file name cannot contain / or \; choose another name</source>
-        <translation>Ein Dateiname enthält weder / noch \; wählen Sie einen anderen Namen</translation>
+        <translation>Ein Dateiname darf weder / noch \ enthalten; wählen Sie einen anderen Namen</translation>
     </message>
     <message>
         <source>A trace %1 already exists; choose another name</source>
@@ -6997,7 +6997,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Cancelled: nothing was saved</source>
-        <translation>Abgebrochen: nichts wurde gespeichert</translation>
+        <translation>Abgebrochen: Nichts wurde gespeichert</translation>
     </message>
     <message>
         <source>%1 is written in %2 and is saved as it was found</source>
@@ -7700,7 +7700,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>No run has ended yet</source>
-        <translation>Noch kein Lauf ist zu Ende</translation>
+        <translation>Noch kein Lauf beendet</translation>
     </message>
 </context>
 <context>
@@ -8156,7 +8156,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Give at least one variable another value</source>
-        <translation>Geben Sie mindestens einer Variable einen anderen Wert</translation>
+        <translation>Geben Sie mindestens einer Variablen einen anderen Wert</translation>
     </message>
 </context>
 <context>
@@ -8750,11 +8750,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>The text has errors: this is the last good drawing</source>
-        <translation>Der Text hat Fehler: dies ist die letzte gültige Zeichnung</translation>
+        <translation>Der Text hat Fehler: Dies ist die letzte gültige Zeichnung</translation>
     </message>
     <message>
         <source>Fix the text first: this is the last good drawing</source>
-        <translation>Zuerst den Text berichtigen: Dies ist die letzte gültige Zeichnung</translation>
+        <translation>Beheben Sie zuerst die Fehler im Text: Dies ist die letzte gültige Zeichnung</translation>
     </message>
     <message>
         <source>Select a rung</source>
@@ -8822,7 +8822,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Edit what is selected (or Enter)</source>
-        <translation>Auswahl bearbeiten (oder Eingabe)</translation>
+        <translation>Auswahl bearbeiten (oder Enter)</translation>
     </message>
     <message>
         <source>Delete what is selected</source>
@@ -8842,7 +8842,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Select the next part; Up and Down also the next rung</source>
-        <translation>Nächstes Teil wählen; Auf und Ab auch das nächste Netzwerk</translation>
+        <translation>Nächsten Teil auswählen; Auf und Ab auch das nächste Netzwerk</translation>
     </message>
     <message>
         <source>Move the rung up; with Down, down</source>
@@ -8974,7 +8974,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>References to the variable</source>
-        <translation>Referenzen der Variable</translation>
+        <translation>Referenzen der Variablen</translation>
     </message>
     <message>
         <source>Quick fix</source>
@@ -9326,11 +9326,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Response to the set point</source>
-        <translation>Antwort auf den Sollwert</translation>
+        <translation>Führungsverhalten</translation>
     </message>
     <message>
         <source>Response to a disturbance</source>
-        <translation>Antwort auf eine Störung</translation>
+        <translation>Störverhalten</translation>
     </message>
     <message>
         <source>Trial with the block itself</source>
@@ -9414,7 +9414,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Disturbance to set point</source>
-        <translation>Störung bis Sollwert</translation>
+        <translation>Störverhalten bis Führungsverhalten</translation>
     </message>
     <message>
         <source>Now</source>
@@ -9605,7 +9605,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>What the model leaves</source>
-        <translation>Rest neben dem Modell</translation>
+        <translation>Was das Modell nicht erklärt</translation>
     </message>
     <message>
         <source>recorded less model</source>
@@ -9665,7 +9665,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Responses</source>
-        <translation>Antworten</translation>
+        <translation>Sprungantworten</translation>
     </message>
     <message>
         <source>Start the controller or open a recording; it is looked at for steps.</source>
@@ -9906,7 +9906,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Cancelled: there is no answer.</source>
-        <translation>Abgebrochen: es gibt keine Antwort.</translation>
+        <translation>Abgebrochen: Es gibt keine Antwort.</translation>
     </message>
 </context>
 <context>
@@ -10302,15 +10302,15 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Fix All Issues</source>
-        <translation>Alle Befunde beheben</translation>
+        <translation>Alle Probleme beheben</translation>
     </message>
     <message>
         <source>Fix Issue</source>
-        <translation>Befund beheben</translation>
+        <translation>Problem beheben</translation>
     </message>
     <message>
         <source>Explain Issue</source>
-        <translation>Befund erklären</translation>
+        <translation>Problem erklären</translation>
     </message>
     <message>
         <source>Outline</source>
@@ -12096,11 +12096,11 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
     </message>
     <message>
         <source>{0} {0:sample is|samples are} too few for a spectrum; show a longer stretch</source>
-        <translation>{0} {0:Abtastwert ist|Abtastwerte sind} zu wenig für ein Spektrum; einen längeren Bereich anzeigen</translation>
+        <translation>{0} {0:Abtastwert ist|Abtastwerte sind} zu wenig für ein Spektrum; zeigen Sie einen längeren Bereich an</translation>
     </message>
     <message>
         <source>{0} {0:sample is|samples are} too few for a frequency response; show a longer stretch</source>
-        <translation>{0} {0:Abtastwert ist|Abtastwerte sind} zu wenig für einen Frequenzgang; einen längeren Bereich anzeigen</translation>
+        <translation>{0} {0:Abtastwert ist|Abtastwerte sind} zu wenig für einen Frequenzgang; zeigen Sie einen längeren Bereich an</translation>
     </message>
     <message>
         <source>The input does not move here; there is nothing to answer to</source>
@@ -12176,7 +12176,7 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
     </message>
     <message>
         <source>Horizontal value</source>
-        <translation>Waagerechter Wert</translation>
+        <translation>Waagrechter Wert</translation>
     </message>
     <message>
         <source>Window of the spectrum</source>
@@ -12192,7 +12192,7 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
     </message>
     <message>
         <source>Horizontal:</source>
-        <translation>Waagerecht:</translation>
+        <translation>Waagrecht:</translation>
     </message>
     <message>
         <source>Input</source>
@@ -12293,7 +12293,7 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
     </message>
     <message>
         <source>Build</source>
-        <translation>Übersetzen</translation>
+        <translation>Erzeugen</translation>
     </message>
     <message>
         <source>Build a Native Program</source>
@@ -12368,7 +12368,7 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
     </message>
     <message>
         <source>A controller that serves others cannot be put back in time; fetch its recording and go on from there</source>
-        <translation>Eine Steuerung, die andere bedient, wird nicht in der Zeit zurückgesetzt; holen Sie ihre Aufzeichnung ab und fahren Sie von dort fort</translation>
+        <translation>Eine Steuerung, die andere bedient, kann nicht in der Zeit zurückgesetzt werden; holen Sie ihre Aufzeichnung ab und fahren Sie von dort fort</translation>
     </message>
     <message>
         <source>{0} is not the address of a controller; write for example https://plant:8443/</source>
