@@ -61,7 +61,7 @@
     </message>
     <message>
         <source>{0} is not a name; use letters, digits and underscores, and begin with a letter</source>
-        <translation>{0} no es un nombre; use letras, cifras y guiones bajos, y empiece por una letra</translation>
+        <translation>{0} no es un nombre válido; use letras, cifras y guiones bajos, y empiece por una letra</translation>
     </message>
     <message>
         <source>{0} is neither a host name nor an address, for example plc1.local or 192.168.0.10</source>
@@ -201,7 +201,7 @@
     </message>
     <message>
         <source>it does not take the value; check the range in its manual</source>
-        <translation>no acepta el valor; compruebe el intervalo en su manual</translation>
+        <translation>no acepta el valor; compruebe el rango en su manual</translation>
     </message>
     <message>
         <source>it failed; look at the device</source>
@@ -340,7 +340,7 @@
     </message>
     <message>
         <source>{0} is missing; the program unit ends here</source>
-        <translation>Falta {0}; el POU termina aquí</translation>
+        <translation>Falta {0}; la POU termina aquí</translation>
     </message>
     <message>
         <source>A semicolon is missing here; the statement ends here</source>
@@ -865,7 +865,7 @@
     </message>
     <message>
         <source>index {0} is outside {1}..{2}; use an index in this range or enlarge the array</source>
-        <translation>el índice {0} está fuera de {1}..{2}; use un índice de este intervalo o amplíe el array</translation>
+        <translation>el índice {0} está fuera de {1}..{2}; use un índice de este rango o amplíe el array</translation>
     </message>
     <message>
         <source>character {0} is read from an empty string; check LEN first</source>
@@ -873,7 +873,7 @@
     </message>
     <message>
         <source>character {0} is outside {1}..{2} of the string; use an index in this range</source>
-        <translation>el carácter {0} está fuera de {1}..{2} de la cadena; use un índice de este intervalo</translation>
+        <translation>el carácter {0} está fuera de {1}..{2} de la cadena; use un índice de este rango</translation>
     </message>
     <message>
         <source>calls are nested too deeply; check for endless recursion</source>
@@ -881,7 +881,7 @@
     </message>
     <message>
         <source>the called method has no body; override it in the block that is called</source>
-        <translation>el método llamado no tiene cuerpo; redefínalo en el bloque al que se llama</translation>
+        <translation>el método llamado no tiene cuerpo; sobrescríbalo en el bloque al que se llama</translation>
     </message>
     <message>
         <source>the scan was aborted</source>
@@ -1037,11 +1037,11 @@
     </message>
     <message>
         <source>bit {0} is outside 0..{1}; use a bit in this range</source>
-        <translation>el bit {0} está fuera de 0..{1}; use un bit de este intervalo</translation>
+        <translation>el bit {0} está fuera de 0..{1}; use un bit de este rango</translation>
     </message>
     <message>
         <source>part {0} is outside 0..{1}; use a part in this range</source>
-        <translation>la parte {0} está fuera de 0..{1}; use una parte de este intervalo</translation>
+        <translation>la parte {0} está fuera de 0..{1}; use una parte de este rango</translation>
     </message>
     <message>
         <source>&apos;{0}&apos; is not an address; write for example %IX0.0, %QB4 or %MW2</source>
@@ -1085,15 +1085,15 @@
     </message>
     <message>
         <source>{0} does not fit into a variable of type {1}; enter a value in its range</source>
-        <translation>{0} no cabe en una variable de tipo {1}; introduzca un valor de su intervalo</translation>
+        <translation>{0} no cabe en una variable de tipo {1}; introduzca un valor de su rango</translation>
     </message>
     <message>
         <source>the value does not fit into a variable of type {0}; enter one in its range</source>
-        <translation>el valor no cabe en una variable de tipo {0}; introduzca uno de su intervalo</translation>
+        <translation>el valor no cabe en una variable de tipo {0}; introduzca uno de su rango</translation>
     </message>
     <message>
         <source>{0} is outside {1}..{2}; enter a value in this range</source>
-        <translation>{0} está fuera de {1}..{2}; introduzca un valor de este intervalo</translation>
+        <translation>{0} está fuera de {1}..{2}; introduzca un valor de este rango</translation>
     </message>
     <message>
         <source>a character of the text does not fit into a STRING; use a WSTRING</source>
@@ -1177,11 +1177,11 @@
     </message>
     <message>
         <source>this variable cannot be shown; assign it to another variable and watch that one</source>
-        <translation>esta variable no se puede mostrar; asígnela a otra variable y observe esa</translation>
+        <translation>esta variable no se puede mostrar; asígnela a otra variable y supervise esa</translation>
     </message>
     <message>
         <source>this array of variable length has no address here; watch the array that is passed to it</source>
-        <translation>este array de longitud variable no tiene dirección aquí; observe el array que se le pasa</translation>
+        <translation>este array de longitud variable no tiene dirección aquí; supervise el array que se le pasa</translation>
     </message>
     <message>
         <source>the array has no such dimension; count them from 1</source>
@@ -1197,7 +1197,7 @@
     </message>
     <message>
         <source>a cast to an interface cannot be watched; watch the instance itself</source>
-        <translation>una conversión a una interfaz no se puede supervisar; observe la propia instancia</translation>
+        <translation>una conversión a una interfaz no se puede supervisar; supervise la propia instancia</translation>
     </message>
     <message>
         <source>this cannot be evaluated; use variables, operators and standard functions</source>
@@ -1841,7 +1841,7 @@
     </message>
     <message>
         <source>{0} is not a name: use letters, digits and underscores.</source>
-        <translation>{0} no es un nombre: use letras, cifras y guiones bajos.</translation>
+        <translation>{0} no es un nombre válido; use letras, cifras y guiones bajos.</translation>
     </message>
     <message>
         <source>The XLIFF version {0} is not known; save the file as 1.2 or 2.0</source>
@@ -2049,7 +2049,7 @@
     </message>
     <message>
         <source>Only for the roles {0}, but the project has no users; anybody may operate it</source>
-        <translation>Solo para las funciones {0}, pero el proyecto no tiene usuarios; cualquiera puede operarlo</translation>
+        <translation>Solo para los roles {0}, pero el proyecto no tiene usuarios; cualquiera puede operarlo</translation>
     </message>
     <message>
         <source>A row of a recipe names no variable; enter one or remove the row</source>
@@ -2173,7 +2173,7 @@
     </message>
     <message>
         <source>What is normal is grey, so that the eye finds what is not (ISA-101). Use a role of the theme such as surface, off or running, and give colour only to conditions.</source>
-        <translation>Lo normal es gris, para que el ojo encuentre lo que no lo es (ISA-101). Use un papel del tema como surface, off o running, y dé color solo a los estados.</translation>
+        <translation>Lo normal es gris, para que el ojo encuentre lo que no lo es (ISA-101). Use un rol del tema como surface, off o running, y dé color solo a los estados.</translation>
     </message>
     <message>
         <source>Red, orange and yellow are kept for alarms. An operator who sees them all day long no longer sees them when they matter (ISA-101, ISA-18.2).</source>
@@ -2373,7 +2373,7 @@
     </message>
     <message>
         <source>The users and roles are not valid JSON; look for a missing comma, quote or bracket</source>
-        <translation>Los usuarios y las funciones no son JSON válido; busque una coma, una comilla o un corchete que falte</translation>
+        <translation>Los usuarios y los roles no son JSON válido; busque una coma, una comilla o un corchete que falte</translation>
     </message>
     <message>
         <source>The trace configuration is not valid JSON (see line {0}); look for a missing comma, quote or bracket</source>
@@ -2397,7 +2397,7 @@
     </message>
     <message>
         <source>Two roles are named {0}; rename one</source>
-        <translation>Dos funciones se llaman {0}; renombre uno</translation>
+        <translation>Dos roles se llaman {0}; renombre uno</translation>
     </message>
     <message>
         <source>Two users are named {0}; rename one</source>
@@ -2633,7 +2633,7 @@
     </message>
     <message>
         <source>A role has no name; give it one</source>
-        <translation>Una función no tiene nombre; dele uno</translation>
+        <translation>Un rol no tiene nombre; dele uno</translation>
     </message>
     <message>
         <source>A user has no name; give it one</source>
@@ -2641,7 +2641,7 @@
     </message>
     <message>
         <source>There is no role {0}; create it or choose another one</source>
-        <translation>No existe la función {0}; créelo o elija otro</translation>
+        <translation>No existe el rol {0}; créelo o elija otro</translation>
     </message>
     <message>
         <source>A recipe has no name; give it one</source>
@@ -2772,7 +2772,7 @@
     </message>
     <message>
         <source>There are two units named {0}; the second is in {1}</source>
-        <translation>Hay dos POU llamados {0}; el segundo está en {1}</translation>
+        <translation>Hay dos POU llamadas {0}; la segunda está en {1}</translation>
     </message>
     <message>
         <source>The configuration of the devices was not read; assign the inputs and outputs again</source>
@@ -3774,7 +3774,7 @@
     </message>
     <message>
         <source>Alarm banner</source>
-        <translation>Barra de alarmas</translation>
+        <translation>Banner de alarmas</translation>
     </message>
     <message>
         <source>Language selector</source>
@@ -3902,7 +3902,7 @@
     </message>
     <message>
         <source>Only for the roles</source>
-        <translation>Solo para las funciones</translation>
+        <translation>Solo para los roles</translation>
     </message>
     <message>
         <source>For all others</source>
@@ -4760,7 +4760,7 @@
     </message>
     <message>
         <source>Step by step</source>
-        <translation>Etapa por etapa</translation>
+        <translation>Paso a paso</translation>
     </message>
     <message>
         <source>because</source>
@@ -4950,7 +4950,7 @@
     <name>Loops</name>
     <message>
         <source>The program has no controller block; name the signals with --input and --output</source>
-        <translation>El programa no tiene ningún bloque controlador; indique las señales con --input y --output</translation>
+        <translation>El programa no tiene ningún bloque regulador; indique las señales con --input y --output</translation>
     </message>
     <message>
         <source>There is no single loop {0}; the program has {1}</source>
@@ -5563,7 +5563,7 @@
     </message>
     <message>
         <source>Fragile: a small change of the process makes it swing.</source>
-        <translation>Frágil: un pequeño cambio del proceso la hace oscilar.</translation>
+        <translation>Frágil: un pequeño cambio del proceso lo hace oscilar.</translation>
     </message>
     <message>
         <source>Brisk: quick, and it swings a little; the process should not change much.</source>
@@ -5778,11 +5778,11 @@
     <name>plc::app::ConversionDialog</name>
     <message>
         <source>%1 as ST</source>
-        <translation>%1 como ST</translation>
+        <translation>%1 en ST</translation>
     </message>
     <message>
         <source>%1 as an Instruction List</source>
-        <translation>%1 como lista de instrucciones</translation>
+        <translation>%1 en lista de instrucciones</translation>
     </message>
     <message>
         <source>Instruction list (current text)</source>
@@ -5794,11 +5794,11 @@
     </message>
     <message>
         <source>The same as ST</source>
-        <translation>Lo mismo como ST</translation>
+        <translation>Lo mismo en ST</translation>
     </message>
     <message>
         <source>The same as an instruction list</source>
-        <translation>Lo mismo como lista de instrucciones</translation>
+        <translation>Lo mismo en lista de instrucciones</translation>
     </message>
     <message>
         <source>Both give the same results. Replacing is one step of undo; comments stay, each above its statement.</source>
@@ -6271,7 +6271,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <name>plc::app::MainWindow</name>
     <message>
         <source>A panel&apos;s name cannot contain / or \; choose another name</source>
-        <translation>El nombre de un panel es un nombre de archivo: sin / ni \; elija otro nombre</translation>
+        <translation>El nombre de un panel no puede contener / ni \; elija otro nombre</translation>
     </message>
     <message>
         <source>Name of the panel:</source>
@@ -6918,7 +6918,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Put the cursor into a unit that is written in ST or IL</source>
-        <translation>Ponga el cursor en un POU escrito en ST o IL</translation>
+        <translation>Ponga el cursor en una POU escrita en ST o IL</translation>
     </message>
     <message>
         <source>The text has changed meanwhile</source>
@@ -6957,7 +6957,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>A file name cannot contain / or \; choose another name</source>
-        <translation>Un nombre de archivo no contiene / ni \; elija otro nombre</translation>
+        <translation>Un nombre de archivo no puede contener / ni \; elija otro nombre</translation>
     </message>
     <message>
         <source>A trace %1 already exists; choose another name</source>
@@ -7045,7 +7045,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>The speed is a factor from 0.001 to 10000</source>
-        <translation>La velocidad es un factor de 0.001 a 10000</translation>
+        <translation>La velocidad es un factor de 0,001 a 10000</translation>
     </message>
     <message>
         <source>Import…</source>
@@ -7980,7 +7980,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <name>plc::app::StartPage</name>
     <message>
         <source>Write, run and watch PLC programs. Every scan is recorded; time runs backwards, too.</source>
-        <translation>Escriba, ejecute y observe programas PLC. Cada ciclo queda grabado; el tiempo también corre hacia atrás.</translation>
+        <translation>Escriba, ejecute y supervise programas PLC. Cada ciclo queda grabado; el tiempo también corre hacia atrás.</translation>
     </message>
     <message>
         <source>Recent projects</source>
@@ -8261,7 +8261,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>The unit %1 is no longer in the text; undo the change or close this view</source>
-        <translation>El POU %1 ya no está en el texto; deshaga el cambio o cierre esta vista</translation>
+        <translation>La POU %1 ya no está en el texto; deshaga el cambio o cierre esta vista</translation>
     </message>
     <message>
         <source>The text has errors: this is the last good drawing</source>
@@ -8313,7 +8313,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Edit</source>
-        <translation>Edición</translation>
+        <translation>Editar</translation>
     </message>
     <message>
         <source>Move Left</source>
@@ -8882,7 +8882,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Edit</source>
-        <translation>Edición</translation>
+        <translation>Editar</translation>
     </message>
     <message>
         <source>Comment…</source>
@@ -9322,7 +9322,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Recording and model</source>
-        <translation>Registro y modelo</translation>
+        <translation>Grabación y modelo</translation>
     </message>
     <message>
         <source>Response to the set point</source>
@@ -9829,7 +9829,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>What is asked about</source>
-        <translation>Por qué se pregunta</translation>
+        <translation>Sobre qué se pregunta</translation>
     </message>
     <message>
         <source>Why?</source>
@@ -10302,15 +10302,15 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Fix All Issues</source>
-        <translation>Corregir todos los avisos</translation>
+        <translation>Corregir todos los problemas</translation>
     </message>
     <message>
         <source>Fix Issue</source>
-        <translation>Corregir el aviso</translation>
+        <translation>Corregir el problema</translation>
     </message>
     <message>
         <source>Explain Issue</source>
-        <translation>Explicar el aviso</translation>
+        <translation>Explicar el problema</translation>
     </message>
     <message>
         <source>Outline</source>
@@ -11647,7 +11647,7 @@ Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
     </message>
     <message>
         <source>Light tower</source>
-        <translation>Torre de señalización</translation>
+        <translation>Columna luminosa</translation>
     </message>
     <message>
         <source>Tuning a control loop</source>
@@ -11819,11 +11819,11 @@ Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
     </message>
     <message>
         <source>A level sensor of 4 to 20 mA, three lamps and the detection of a wire break</source>
-        <translation>Un sensor de nivel de 4 a 20 mA, tres lámparas y detección de rotura de cable</translation>
+        <translation>Un sensor de nivel de 4 a 20 mA, tres pilotos y detección de rotura de cable</translation>
     </message>
     <message>
         <source>Three signals of a machine on three lamps that flash or stay on</source>
-        <translation>Tres señales de una máquina en tres lámparas, fijas o intermitentes</translation>
+        <translation>Tres señales de una máquina en tres pilotos, fijos o intermitentes</translation>
     </message>
     <message>
         <source>A heat exchanger that oscillates; an experiment and its recording give better settings</source>
@@ -11843,7 +11843,7 @@ Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
     </message>
     <message>
         <source>The same process with and without a PID controller, side by side in one trace</source>
-        <translation>El mismo proceso con y sin regulador PID, juntos en un trazado</translation>
+        <translation>El mismo proceso con y sin regulador PID, juntos en una traza</translation>
     </message>
     <message>
         <source>One filter, two sines: the slow one passes, the fast one is damped and lags behind</source>
@@ -12293,7 +12293,7 @@ Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
     </message>
     <message>
         <source>Build</source>
-        <translation>Compilar</translation>
+        <translation>Crear</translation>
     </message>
     <message>
         <source>Build a Native Program</source>
@@ -12368,7 +12368,7 @@ Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
     </message>
     <message>
         <source>A controller that serves others cannot be put back in time; fetch its recording and go on from there</source>
-        <translation>Un controlador que sirve a otros no se lleva atrás en el tiempo; obtenga su grabación y siga desde ahí</translation>
+        <translation>Un controlador que sirve a otros no se puede llevar atrás en el tiempo; obtenga su grabación y siga desde ahí</translation>
     </message>
     <message>
         <source>{0} is not the address of a controller; write for example https://plant:8443/</source>

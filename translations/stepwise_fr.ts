@@ -2225,7 +2225,7 @@
     </message>
     <message>
         <source>the value {0} is outside the subrange {1}..{2}; limit it before the assignment or widen the subrange</source>
-        <translation>la valeur {0} est en dehors du sous-intervalle {1}..{2} ; limitez-la avant l’affectation ou élargissez le sous-domaine</translation>
+        <translation>la valeur {0} est en dehors du sous-intervalle {1}..{2} ; limitez-la avant l’affectation ou élargissez le sous-intervalle</translation>
     </message>
     <message>
         <source>&quot;addressing&quot; in project.json is &quot;byte&quot; or &quot;word&quot;, not &quot;{0}&quot;</source>
@@ -3930,7 +3930,7 @@
     </message>
     <message>
         <source>Alarm statistics</source>
-        <translation>Statistique des alarmes</translation>
+        <translation>Statistiques des alarmes</translation>
     </message>
     <message>
         <source>Hours to look back</source>
@@ -6044,7 +6044,7 @@
     </message>
     <message>
         <source>Wrong</source>
-        <translation>Faux</translation>
+        <translation>Incorrect</translation>
     </message>
     <message>
         <source>Right</source>
@@ -6957,7 +6957,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>A file name cannot contain / or \; choose another name</source>
-        <translation>Un nom de fichier ne contient ni / ni \ ; choisissez un autre nom</translation>
+        <translation>Un nom de fichier ne peut contenir ni / ni \ ; choisissez un autre nom</translation>
     </message>
     <message>
         <source>A trace %1 already exists; choose another name</source>
@@ -7045,7 +7045,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>The speed is a factor from 0.001 to 10000</source>
-        <translation>La vitesse est un facteur de 0.001 à 10000</translation>
+        <translation>La vitesse est un facteur de 0,001 à 10000</translation>
     </message>
     <message>
         <source>Import…</source>
@@ -8313,7 +8313,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Edit</source>
-        <translation>Édition</translation>
+        <translation>Modifier</translation>
     </message>
     <message>
         <source>Move Left</source>
@@ -8882,7 +8882,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Edit</source>
-        <translation>Édition</translation>
+        <translation>Modifier</translation>
     </message>
     <message>
         <source>Comment…</source>
@@ -10158,7 +10158,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Align centres</source>
-        <translation>Centrer verticalement l’alignement</translation>
+        <translation>Aligner les centres</translation>
     </message>
     <message>
         <source>Align right</source>
@@ -10302,15 +10302,15 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Fix All Issues</source>
-        <translation>Corriger toutes les remarques</translation>
+        <translation>Corriger tous les problèmes</translation>
     </message>
     <message>
         <source>Fix Issue</source>
-        <translation>Corriger la remarque</translation>
+        <translation>Corriger le problème</translation>
     </message>
     <message>
         <source>Explain Issue</source>
-        <translation>Expliquer la remarque</translation>
+        <translation>Expliquer le problème</translation>
     </message>
     <message>
         <source>Outline</source>
@@ -10800,7 +10800,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <name>plc::kit::PlotView</name>
     <message>
         <source>Chart</source>
-        <translation>Courbe</translation>
+        <translation>Graphique</translation>
     </message>
     <message>
         <source>%1
@@ -10994,7 +10994,7 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
     </message>
     <message>
         <source>Chart</source>
-        <translation>Courbe</translation>
+        <translation>Graphique</translation>
     </message>
     <message>
         <source>New chart</source>
@@ -12123,7 +12123,7 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
     <name>plc::plot::PlotView</name>
     <message>
         <source>Chart</source>
-        <translation>Courbe</translation>
+        <translation>Graphique</translation>
     </message>
     <message>
         <source>%1
@@ -12293,7 +12293,7 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
     </message>
     <message>
         <source>Build</source>
-        <translation>Compiler</translation>
+        <translation>Créer</translation>
     </message>
     <message>
         <source>Build a Native Program</source>
@@ -12368,7 +12368,7 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
     </message>
     <message>
         <source>A controller that serves others cannot be put back in time; fetch its recording and go on from there</source>
-        <translation>Un automate qui en sert d’autres n’est pas ramené en arrière&#x202f;; récupérez son enregistrement et continuez à partir de là</translation>
+        <translation>Un automate qui en sert d’autres ne peut pas être ramené en arrière&#x202f;; récupérez son enregistrement et continuez à partir de là</translation>
     </message>
     <message>
         <source>{0} is not the address of a controller; write for example https://plant:8443/</source>

@@ -61,7 +61,7 @@
     </message>
     <message>
         <source>{0} is not a name; use letters, digits and underscores, and begin with a letter</source>
-        <translation>{0} 不是名称；请使用字母、数字和下划线，并以字母开头</translation>
+        <translation>{0} 不是有效的名称；请使用字母、数字和下划线，并以字母开头</translation>
     </message>
     <message>
         <source>{0} is neither a host name nor an address, for example plc1.local or 192.168.0.10</source>
@@ -768,7 +768,7 @@
     </message>
     <message>
         <source>The index {0} is outside {1}..{2}; correct it or enlarge the array</source>
-        <translation>下标 {0} 超出 {1}..{2}；请更正索引或增大数组</translation>
+        <translation>下标 {0} 超出 {1}..{2}；请更正下标或增大数组</translation>
     </message>
     <message>
         <source>{0} does not fit into {1}; use another value or a larger type</source>
@@ -1841,7 +1841,7 @@
     </message>
     <message>
         <source>{0} is not a name: use letters, digits and underscores.</source>
-        <translation>{0} 不是名称：请使用字母、数字和下划线。</translation>
+        <translation>{0} 不是有效的名称：请使用字母、数字和下划线。</translation>
     </message>
     <message>
         <source>The XLIFF version {0} is not known; save the file as 1.2 or 2.0</source>
@@ -6266,7 +6266,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <name>plc::app::MainWindow</name>
     <message>
         <source>A panel&apos;s name cannot contain / or \; choose another name</source>
-        <translation>画面名称就是文件名：不能含 / 和 \；请使用其他名称</translation>
+        <translation>画面名称不能含 / 或 \；请使用其他名称</translation>
     </message>
     <message>
         <source>Name of the panel:</source>
@@ -6950,7 +6950,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     </message>
     <message>
         <source>A file name cannot contain / or \; choose another name</source>
-        <translation>文件名不能含 / 和 \；请使用其他名称</translation>
+        <translation>文件名不能含 / 或 \；请使用其他名称</translation>
     </message>
     <message>
         <source>A trace %1 already exists; choose another name</source>
@@ -7218,7 +7218,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     </message>
     <message>
         <source>&lt;h3&gt;Stepwise %1&lt;/h3&gt;&lt;p&gt;An open PLC studio: IEC 61131-3 programs as native code, every scan recorded, operator panels in many languages.&lt;/p&gt;&lt;p&gt;Licence: GPL-3.0&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Stepwise %1&lt;/h3&gt;&lt;p&gt;开放的 PLC 工作室：IEC 61131-3 程序编译为本机代码，记录每个扫描周期，多语言操作画面。&lt;/p&gt;&lt;p&gt;许可证：GPL-3.0&lt;/p&gt;</translation>
+        <translation>&lt;h3&gt;Stepwise %1&lt;/h3&gt;&lt;p&gt;开放的 PLC 开发环境：IEC 61131-3 程序编译为本机代码，记录每个扫描周期，多语言操作画面。&lt;/p&gt;&lt;p&gt;许可证：GPL-3.0&lt;/p&gt;</translation>
     </message>
     <message>
         <source>High-Contrast Theme</source>
@@ -8215,7 +8215,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     </message>
     <message>
         <source>This scan has run to its end: it has no call stack.</source>
-        <translation>此扫描周期已执行完毕：没有调用栈。</translation>
+        <translation>此扫描周期已执行完毕：没有调用堆栈。</translation>
     </message>
 </context>
 <context>
@@ -9622,7 +9622,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     </message>
     <message>
         <source>gain margin</source>
-        <translation>幅值裕度</translation>
+        <translation>增益裕度</translation>
     </message>
     <message>
         <source>phase margin</source>
@@ -11626,7 +11626,7 @@ Click selects, Ctrl+click shows or hides.</source>
     </message>
     <message>
         <source>Light tower</source>
-        <translation>信号灯塔</translation>
+        <translation>塔灯</translation>
     </message>
     <message>
         <source>Tuning a control loop</source>
@@ -12271,7 +12271,7 @@ Click selects, Ctrl+click shows or hides.</source>
     </message>
     <message>
         <source>Build</source>
-        <translation>编译</translation>
+        <translation>生成</translation>
     </message>
     <message>
         <source>Build a Native Program</source>
@@ -12310,11 +12310,11 @@ Click selects, Ctrl+click shows or hides.</source>
     <name>Remote</name>
     <message>
         <source>The request is not understood; studio and controller may be of different versions</source>
-        <translation>无法理解该请求；工作室与控制器的版本可能不同</translation>
+        <translation>无法理解该请求；开发环境与控制器的版本可能不同</translation>
     </message>
     <message>
         <source>There is no request {0}; studio and controller may be of different versions</source>
-        <translation>没有请求 {0}；工作室与控制器的版本可能不同</translation>
+        <translation>没有请求 {0}；开发环境与控制器的版本可能不同</translation>
     </message>
     <message>
         <source>Breakpoints stop a machine in the middle of a scan; `stepwise serve` allows them with --allow-breakpoints</source>
@@ -12346,7 +12346,7 @@ Click selects, Ctrl+click shows or hides.</source>
     </message>
     <message>
         <source>A controller that serves others cannot be put back in time; fetch its recording and go on from there</source>
-        <translation>正在为他人服务的控制器不会回退时间；请获取其记录并从那里继续</translation>
+        <translation>正在为他人服务的控制器不能回退时间；请获取其记录并从那里继续</translation>
     </message>
     <message>
         <source>{0} is not the address of a controller; write for example https://plant:8443/</source>
