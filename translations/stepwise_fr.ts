@@ -17,7 +17,7 @@
     </message>
     <message>
         <source>&quot;{0}&quot; is missing; add it</source>
-        <translation>«&#xa0;{0}&#xa0;» manque ; ajoutez-le</translation>
+        <translation>«&#xa0;{0}&#xa0;» manque&#x202f;; ajoutez-le</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; must be a text in quotes</source>
@@ -61,7 +61,7 @@
     </message>
     <message>
         <source>{0} is not a name; use letters, digits and underscores, and begin with a letter</source>
-        <translation>{0} n’est pas un nom&#x202f;; utilisez des lettres, des chiffres et des traits de soulignement, en commençant par une lettre</translation>
+        <translation>{0} n’est pas un nom valide&#x202f;; utilisez des lettres, des chiffres et des traits de soulignement, en commençant par une lettre</translation>
     </message>
     <message>
         <source>{0} is neither a host name nor an address, for example plc1.local or 192.168.0.10</source>
@@ -101,7 +101,7 @@
     </message>
     <message>
         <source>{0} needs {1} {1:register|registers} from {2}, but 65535 is the last; choose a lower address</source>
-        <translation>{0} demande {1} {1:registre|registres} à partir de {2}, mais 65535 est le dernier ; choisissez une adresse plus basse</translation>
+        <translation>{0} demande {1} {1:registre|registres} à partir de {2}, mais 65535 est le dernier&#x202f;; choisissez une adresse plus basse</translation>
     </message>
     <message>
         <source>&quot;bit&quot; selects one bit of a register; the type must then be BOOL</source>
@@ -117,15 +117,15 @@
     </message>
     <message>
         <source>Only an MQTT channel can be of type STRING; use a number or BOOL</source>
-        <translation>Seule une voie MQTT peut être de type STRING ; utilisez un nombre ou BOOL</translation>
+        <translation>Seule une voie MQTT peut être de type STRING&#x202f;; utilisez un nombre ou BOOL</translation>
     </message>
     <message>
         <source>&quot;scale&quot; must not be 0; leave it out for 1</source>
-        <translation>«&#xa0;scale&#xa0;» ne doit pas être 0 ; omettez-le pour 1</translation>
+        <translation>«&#xa0;scale&#xa0;» ne doit pas être 0&#x202f;; omettez-le pour 1</translation>
     </message>
     <message>
         <source>A {0} has no &quot;scale&quot; and &quot;offset&quot;; remove them</source>
-        <translation>{0} n’a ni «&#xa0;scale&#xa0;» ni «&#xa0;offset&#xa0;» ; supprimez-les</translation>
+        <translation>{0} n’a ni «&#xa0;scale&#xa0;» ni «&#xa0;offset&#xa0;»&#x202f;; supprimez-les</translation>
     </message>
     <message>
         <source>{0}: {1}</source>
@@ -137,7 +137,7 @@
     </message>
     <message>
         <source>{0} is of type {1} and cannot hold a {2}; use a variable of that type</source>
-        <translation>{0} est de type {1} et ne peut pas contenir un {2} ; utilisez une variable de ce type</translation>
+        <translation>{0} est de type {1} et ne peut pas contenir un {2}&#x202f;; utilisez une variable de ce type</translation>
     </message>
     <message>
         <source>A {0} may not fit into {1} of type {2}; a value that does not fit leaves the variable as it is and makes the channel bad</source>
@@ -153,7 +153,7 @@
     </message>
     <message>
         <source>{0} is a constant and cannot be written; choose a variable</source>
-        <translation>{0} est une constante et ne peut pas être écrite ; choisissez une variable</translation>
+        <translation>{0} est une constante et ne peut pas être écrite&#x202f;; choisissez une variable</translation>
     </message>
     <message>
         <source>{0} says whether the channel is good and must be a BOOL or an integer</source>
@@ -177,7 +177,7 @@
     </message>
     <message>
         <source>no answer within {0} ms; check the cable, the address and the unit number</source>
-        <translation>pas de réponse en {0}&#xa0;ms ; vérifiez le câble, l’adresse et le numéro d’unité</translation>
+        <translation>pas de réponse en {0}&#xa0;ms&#x202f;; vérifiez le câble, l’adresse et le numéro d’unité</translation>
     </message>
     <message>
         <source>the connection ended: {0}</source>
@@ -185,7 +185,7 @@
     </message>
     <message>
         <source>the answer does not match the request; check baud rate, parity and unit number</source>
-        <translation>la réponse ne correspond pas à la requête ; vérifiez la vitesse, la parité et le numéro d’unité</translation>
+        <translation>la réponse ne correspond pas à la requête&#x202f;; vérifiez la vitesse, la parité et le numéro d’unité</translation>
     </message>
     <message>
         <source>the device refuses {0} {1}: {2}</source>
@@ -193,47 +193,47 @@
     </message>
     <message>
         <source>it does not know the function; choose another table</source>
-        <translation>il ne connaît pas la fonction ; choisissez une autre table</translation>
+        <translation>il ne connaît pas la fonction&#x202f;; choisissez une autre table</translation>
     </message>
     <message>
         <source>it has no such address; check the address in its manual</source>
-        <translation>il n’a pas cette adresse ; vérifiez l’adresse dans son manuel</translation>
+        <translation>il n’a pas cette adresse&#x202f;; vérifiez l’adresse dans son manuel</translation>
     </message>
     <message>
         <source>it does not take the value; check the range in its manual</source>
-        <translation>il n’accepte pas la valeur ; vérifiez la plage dans son manuel</translation>
+        <translation>il n’accepte pas la valeur&#x202f;; vérifiez la plage dans son manuel</translation>
     </message>
     <message>
         <source>it failed; look at the device</source>
-        <translation>il a échoué ; examinez l’appareil</translation>
+        <translation>il a échoué&#x202f;; examinez l’appareil</translation>
     </message>
     <message>
         <source>it is busy; it is asked again</source>
-        <translation>il est occupé ; il sera interrogé de nouveau</translation>
+        <translation>il est occupé&#x202f;; il sera interrogé de nouveau</translation>
     </message>
     <message>
         <source>the gateway does not reach it; check the unit number and the cable behind it</source>
-        <translation>la passerelle ne l’atteint pas ; vérifiez le numéro d’unité et le câble derrière elle</translation>
+        <translation>la passerelle ne l’atteint pas&#x202f;; vérifiez le numéro d’unité et le câble derrière elle</translation>
     </message>
     <message>
         <source>cannot listen at {0}: {1}; choose another address or port</source>
-        <translation>écoute impossible sur {0}&#xa0;: {1} ; choisissez une autre adresse ou un autre port</translation>
+        <translation>écoute impossible sur {0}&#xa0;: {1}&#x202f;; choisissez une autre adresse ou un autre port</translation>
     </message>
     <message>
         <source>{0}: the message holds no value that can be read; check what the device publishes</source>
-        <translation>{0}&#xa0;: le message ne contient aucune valeur lisible ; vérifiez ce que l’appareil publie</translation>
+        <translation>{0}&#xa0;: le message ne contient aucune valeur lisible&#x202f;; vérifiez ce que l’appareil publie</translation>
     </message>
     <message>
         <source>{0}: a value does not fit into the variable; use a larger type or a scale</source>
-        <translation>{0}&#xa0;: une valeur ne tient pas dans la variable ; utilisez un type plus grand ou une échelle</translation>
+        <translation>{0}&#xa0;: une valeur ne tient pas dans la variable&#x202f;; utilisez un type plus grand ou une échelle</translation>
     </message>
     <message>
         <source>no client wrote for {0} ms; check the client and its address</source>
-        <translation>aucun client n’a écrit depuis {0}&#xa0;ms ; vérifiez le client et son adresse</translation>
+        <translation>aucun client n’a écrit depuis {0}&#xa0;ms&#x202f;; vérifiez le client et son adresse</translation>
     </message>
     <message>
         <source>the broker refuses the connection: {0}; check the user and the password</source>
-        <translation>le broker refuse la connexion&#xa0;: {0} ; vérifiez l’utilisateur et le mot de passe</translation>
+        <translation>le broker refuse la connexion&#xa0;: {0}&#x202f;; vérifiez l’utilisateur et le mot de passe</translation>
     </message>
     <message>
         <source>the input {0} of the device {1} was lost</source>
@@ -261,7 +261,7 @@
     </message>
     <message>
         <source>The devices of an attached controller are connected there; detach to connect them here</source>
-        <translation>Les appareils d’un automate rattaché sont reliés là-bas ; détachez-vous pour les connecter ici</translation>
+        <translation>Les appareils d’un automate rattaché sont reliés là-bas&#x202f;; détachez-vous pour les connecter ici</translation>
     </message>
     <message>
         <source>{0} and {1} write the same bytes: {2}; change an address</source>
@@ -312,11 +312,11 @@
     </message>
     <message>
         <source>A semicolon is missing here; add it</source>
-        <translation>Il manque un point-virgule ici ; l’ajouter</translation>
+        <translation>Il manque un point-virgule ici&#x202f;; l’ajouter</translation>
     </message>
     <message>
         <source>{0} is missing for this {1}; add it</source>
-        <translation>Il manque {0} pour ce {1} ; l’ajouter</translation>
+        <translation>Il manque {0} pour ce {1}&#x202f;; l’ajouter</translation>
     </message>
     <message>
         <source>This comparison has no effect; use := to assign</source>
@@ -328,7 +328,7 @@
     </message>
     <message>
         <source>A colon is missing between the name and its type; add it</source>
-        <translation>Il manque un deux-points entre le nom et son type ; l’ajouter</translation>
+        <translation>Il manque un deux-points entre le nom et son type&#x202f;; l’ajouter</translation>
     </message>
     <message>
         <source>Decimal numbers use a point: {0}</source>
@@ -356,7 +356,7 @@
     </message>
     <message>
         <source>{0} has only the bits 0 to {1}; use one of them</source>
-        <translation>{0} n’a que les bits 0 à {1} ; utiliser l’un d’eux</translation>
+        <translation>{0} n’a que les bits 0 à {1}&#x202f;; utiliser l’un d’eux</translation>
     </message>
     <message>
         <source>{0} is ambiguous: {1}; write the namespace before it</source>
@@ -392,7 +392,7 @@
     </message>
     <message>
         <source>The range {0}..{1} is not valid: the lower bound is above the upper bound or there are too many elements; correct the bounds</source>
-        <translation>La plage {0}..{1} n’est pas valide&#xa0;: la borne inférieure dépasse la borne supérieure ou il y a trop d’éléments ; corriger les bornes</translation>
+        <translation>La plage {0}..{1} n’est pas valide&#xa0;: la borne inférieure dépasse la borne supérieure ou il y a trop d’éléments&#x202f;; corriger les bornes</translation>
     </message>
     <message>
         <source>{0} has an incomplete address; complete it in a VAR_CONFIG</source>
@@ -400,7 +400,7 @@
     </message>
     <message>
         <source>{0} may call itself; the depth of recursion is limited at run time; a loop is safer</source>
-        <translation>{0} peut s’appeler lui-même&#x202f;; la profondeur de récursion est limitée à l’exécution ; une boucle est plus sûre</translation>
+        <translation>{0} peut s’appeler lui-même&#x202f;; la profondeur de récursion est limitée à l’exécution&#x202f;; une boucle est plus sûre</translation>
     </message>
     <message>
         <source>The steps before this transition cannot be active together; start them from one simultaneous branch</source>
@@ -408,7 +408,7 @@
     </message>
     <message>
         <source>This transition is always true; the step before it lasts one scan; write the condition to wait for</source>
-        <translation>Cette transition est toujours vraie&#x202f;; l’étape qui la précède dure un cycle ; écrire la condition à attendre</translation>
+        <translation>Cette transition est toujours vraie&#x202f;; l’étape qui la précède dure un cycle&#x202f;; écrire la condition à attendre</translation>
     </message>
     <message>
         <source>The qualifier {0} needs a time, for example T#2s</source>
@@ -460,11 +460,11 @@
     </message>
     <message>
         <source>No transition leads away from step {0}; the chart ends here; add a TRANSITION if it should go on</source>
-        <translation>Aucune transition ne part de l’étape {0}&#x202f;; le grafcet se termine ici ; ajouter une TRANSITION s’il doit continuer</translation>
+        <translation>Aucune transition ne part de l’étape {0}&#x202f;; le grafcet se termine ici&#x202f;; ajouter une TRANSITION s’il doit continuer</translation>
     </message>
     <message>
         <source>{0} is also a variable; steps and calls mean the ACTION; rename one of the two</source>
-        <translation>{0} est aussi une variable&#x202f;; les étapes et les appels désignent l’ACTION ; renommer l’un des deux</translation>
+        <translation>{0} est aussi une variable&#x202f;; les étapes et les appels désignent l’ACTION&#x202f;; renommer l’un des deux</translation>
     </message>
     <message>
         <source>Use {1} instead of {0} in Structured Text</source>
@@ -472,7 +472,7 @@
     </message>
     <message>
         <source>The task {0} has no INTERVAL above zero and no SINGLE; it runs in every scan; give it an INTERVAL to slow it down</source>
-        <translation>La tâche {0} n’a ni INTERVAL supérieur à zéro ni SINGLE&#x202f;; elle s’exécute à chaque cycle ; indiquer INTERVAL pour la ralentir</translation>
+        <translation>La tâche {0} n’a ni INTERVAL supérieur à zéro ni SINGLE&#x202f;; elle s’exécute à chaque cycle&#x202f;; indiquer INTERVAL pour la ralentir</translation>
     </message>
     <message>
         <source>{0} is read as {1}; write a time with its unit</source>
@@ -492,7 +492,7 @@
     </message>
     <message>
         <source>The pragma {0} is missing for this {1}; add it</source>
-        <translation>Il manque le pragma {0} pour ce {1} ; l’ajouter</translation>
+        <translation>Il manque le pragma {0} pour ce {1}&#x202f;; l’ajouter</translation>
     </message>
     <message>
         <source>The character {0} has no meaning here; remove it</source>
@@ -857,23 +857,23 @@
     <name>Errors</name>
     <message>
         <source>division by zero; check the divisor first</source>
-        <translation>division par zéro ; vérifiez d’abord le diviseur</translation>
+        <translation>division par zéro&#x202f;; vérifiez d’abord le diviseur</translation>
     </message>
     <message>
         <source>index {0} is used on an empty array; check its bounds first</source>
-        <translation>accès à l’indice {0} d’un tableau vide ; vérifiez d’abord ses bornes</translation>
+        <translation>accès à l’indice {0} d’un tableau vide&#x202f;; vérifiez d’abord ses bornes</translation>
     </message>
     <message>
         <source>index {0} is outside {1}..{2}; use an index in this range or enlarge the array</source>
-        <translation>l’indice {0} est en dehors de {1}..{2} ; utilisez un indice de cette plage ou agrandissez le tableau</translation>
+        <translation>l’indice {0} est en dehors de {1}..{2}&#x202f;; utilisez un indice de cette plage ou agrandissez le tableau</translation>
     </message>
     <message>
         <source>character {0} is read from an empty string; check LEN first</source>
-        <translation>lecture du caractère {0} d’une chaîne vide ; vérifiez d’abord LEN</translation>
+        <translation>lecture du caractère {0} d’une chaîne vide&#x202f;; vérifiez d’abord LEN</translation>
     </message>
     <message>
         <source>character {0} is outside {1}..{2} of the string; use an index in this range</source>
-        <translation>le caractère {0} est en dehors de {1}..{2} de la chaîne ; utilisez un indice de cette plage</translation>
+        <translation>le caractère {0} est en dehors de {1}..{2} de la chaîne&#x202f;; utilisez un indice de cette plage</translation>
     </message>
     <message>
         <source>calls are nested too deeply; check for endless recursion</source>
@@ -881,7 +881,7 @@
     </message>
     <message>
         <source>the called method has no body; override it in the block that is called</source>
-        <translation>la méthode appelée n’a pas de corps ; redéfinissez-la dans le bloc appelé</translation>
+        <translation>la méthode appelée n’a pas de corps&#x202f;; redéfinissez-la dans le bloc appelé</translation>
     </message>
     <message>
         <source>the scan was aborted</source>
@@ -933,35 +933,35 @@
     </message>
     <message>
         <source>no such file or folder; check the path</source>
-        <translation>fichier ou dossier introuvable ; vérifiez le chemin</translation>
+        <translation>fichier ou dossier introuvable&#x202f;; vérifiez le chemin</translation>
     </message>
     <message>
         <source>permission denied; check the permissions of the file and its folder</source>
-        <translation>permission refusée ; vérifiez les droits du fichier et de son dossier</translation>
+        <translation>permission refusée&#x202f;; vérifiez les droits du fichier et de son dossier</translation>
     </message>
     <message>
         <source>no space left on the device; free some space and try again</source>
-        <translation>plus d’espace libre sur le périphérique ; libérez de l’espace et réessayez</translation>
+        <translation>plus d’espace libre sur le périphérique&#x202f;; libérez de l’espace et réessayez</translation>
     </message>
     <message>
         <source>it is a folder; choose a file</source>
-        <translation>c’est un dossier ; choisissez un fichier</translation>
+        <translation>c’est un dossier&#x202f;; choisissez un fichier</translation>
     </message>
     <message>
         <source>it is not a folder; choose a folder</source>
-        <translation>ce n’est pas un dossier ; choisissez un dossier</translation>
+        <translation>ce n’est pas un dossier&#x202f;; choisissez un dossier</translation>
     </message>
     <message>
         <source>the device reports a read or write error; check the drive or the cable</source>
-        <translation>le périphérique signale une erreur de lecture ou d’écriture ; vérifiez le disque ou le câble</translation>
+        <translation>le périphérique signale une erreur de lecture ou d’écriture&#x202f;; vérifiez le disque ou le câble</translation>
     </message>
     <message>
         <source>it already exists; choose another name</source>
-        <translation>il existe déjà ; choisissez un autre nom</translation>
+        <translation>il existe déjà&#x202f;; choisissez un autre nom</translation>
     </message>
     <message>
         <source>the file is too large; choose a smaller one</source>
-        <translation>le fichier est trop grand ; choisissez-en un plus petit</translation>
+        <translation>le fichier est trop grand&#x202f;; choisissez-en un plus petit</translation>
     </message>
     <message>
         <source>cancelled</source>
@@ -989,19 +989,19 @@
     </message>
     <message>
         <source>its program has errors; open the recording with the version of Stepwise that made it</source>
-        <translation>son programme contient des erreurs ; ouvrez l’enregistrement avec la version de Stepwise qui l’a créé</translation>
+        <translation>son programme contient des erreurs&#x202f;; ouvrez l’enregistrement avec la version de Stepwise qui l’a créé</translation>
     </message>
     <message>
         <source>The recording contains no program; record the run again with this version</source>
-        <translation>L’enregistrement ne contient pas de programme ; enregistrez de nouveau l’exécution avec cette version</translation>
+        <translation>L’enregistrement ne contient pas de programme&#x202f;; enregistrez de nouveau l’exécution avec cette version</translation>
     </message>
     <message>
         <source>This scan is no longer in the recording; choose a later one</source>
-        <translation>Ce cycle n’est plus dans l’enregistrement ; choisissez-en un plus récent</translation>
+        <translation>Ce cycle n’est plus dans l’enregistrement&#x202f;; choisissez-en un plus récent</translation>
     </message>
     <message>
         <source>The program that recorded this scan is no longer available; choose a scan after the last change of the program</source>
-        <translation>Le programme qui a enregistré ce cycle n’est plus disponible ; choisissez un cycle postérieur à la dernière modification du programme</translation>
+        <translation>Le programme qui a enregistré ce cycle n’est plus disponible&#x202f;; choisissez un cycle postérieur à la dernière modification du programme</translation>
     </message>
     <message>
         <source>&apos;{0}&apos; is ambiguous; write one of {1}</source>
@@ -1013,7 +1013,7 @@
     </message>
     <message>
         <source>&apos;{0}&apos; has no variable &apos;{1}&apos;; check the name</source>
-        <translation>«&#xa0;{0}&#xa0;» n’a pas de variable «&#xa0;{1}&#xa0;» ; vérifiez le nom</translation>
+        <translation>«&#xa0;{0}&#xa0;» n’a pas de variable «&#xa0;{1}&#xa0;»&#x202f;; vérifiez le nom</translation>
     </message>
     <message>
         <source>there is no variable &apos;{0}&apos;; did you mean &apos;{1}&apos;?</source>
@@ -1021,11 +1021,11 @@
     </message>
     <message>
         <source>there is no variable &apos;{0}&apos;; check the name or declare it</source>
-        <translation>la variable «&#xa0;{0}&#xa0;» n’existe pas ; vérifiez le nom ou déclarez-la</translation>
+        <translation>la variable «&#xa0;{0}&#xa0;» n’existe pas&#x202f;; vérifiez le nom ou déclarez-la</translation>
     </message>
     <message>
         <source>a variable of type {1} has no member &apos;{0}&apos;; check the name</source>
-        <translation>une variable de type {1} n’a pas de membre «&#xa0;{0}&#xa0;» ; vérifiez le nom</translation>
+        <translation>une variable de type {1} n’a pas de membre «&#xa0;{0}&#xa0;»&#x202f;; vérifiez le nom</translation>
     </message>
     <message>
         <source>&apos;{0}&apos; is a VAR_IN_OUT; write the variable that is connected to it</source>
@@ -1033,15 +1033,15 @@
     </message>
     <message>
         <source>{0} needs {1} {1:index|indices}, not {2}; write one for each dimension</source>
-        <translation>{0} demande {1} {1:indice|indices}, et non {2} ; écrivez-en un par dimension</translation>
+        <translation>{0} demande {1} {1:indice|indices}, et non {2}&#x202f;; écrivez-en un par dimension</translation>
     </message>
     <message>
         <source>bit {0} is outside 0..{1}; use a bit in this range</source>
-        <translation>le bit {0} est en dehors de 0..{1} ; utilisez un bit de cette plage</translation>
+        <translation>le bit {0} est en dehors de 0..{1}&#x202f;; utilisez un bit de cette plage</translation>
     </message>
     <message>
         <source>part {0} is outside 0..{1}; use a part in this range</source>
-        <translation>la partie {0} est en dehors de 0..{1} ; utilisez une partie de cette plage</translation>
+        <translation>la partie {0} est en dehors de 0..{1}&#x202f;; utilisez une partie de cette plage</translation>
     </message>
     <message>
         <source>&apos;{0}&apos; is not an address; write for example %IX0.0, %QB4 or %MW2</source>
@@ -1049,7 +1049,7 @@
     </message>
     <message>
         <source>the path cannot be read from &apos;{0}&apos; on; write for example Main.a[2].x</source>
-        <translation>le chemin n’est plus lisible à partir de «&#xa0;{0}&#xa0;» ; écrivez par exemple Main.a[2].x</translation>
+        <translation>le chemin n’est plus lisible à partir de «&#xa0;{0}&#xa0;»&#x202f;; écrivez par exemple Main.a[2].x</translation>
     </message>
     <message>
         <source>{0} is forced; release the force before writing</source>
@@ -1069,7 +1069,7 @@
     </message>
     <message>
         <source>The retain file cannot be read: {0}; the program starts with its initial values</source>
-        <translation>Le fichier des valeurs rémanentes ne peut pas être lu&#xa0;: {0} ; le programme démarre avec ses valeurs initiales</translation>
+        <translation>Le fichier des valeurs rémanentes ne peut pas être lu&#xa0;: {0}&#x202f;; le programme démarre avec ses valeurs initiales</translation>
     </message>
     <message>
         <source>The retain file is damaged; the program starts with its initial values</source>
@@ -1081,19 +1081,19 @@
     </message>
     <message>
         <source>{0} retained {0:value does|values do} not fit the program: {1}; they start with their initial values</source>
-        <translation>{0} {0:valeur rémanente ne correspond|valeurs rémanentes ne correspondent} pas au programme&#xa0;: {1} ; elles démarrent avec leurs valeurs initiales</translation>
+        <translation>{0} {0:valeur rémanente ne correspond|valeurs rémanentes ne correspondent} pas au programme&#xa0;: {1}&#x202f;; elles démarrent avec leurs valeurs initiales</translation>
     </message>
     <message>
         <source>{0} does not fit into a variable of type {1}; enter a value in its range</source>
-        <translation>{0} dépasse la plage d’une variable de type {1} ; entrez une valeur de sa plage</translation>
+        <translation>{0} dépasse la plage d’une variable de type {1}&#x202f;; entrez une valeur de sa plage</translation>
     </message>
     <message>
         <source>the value does not fit into a variable of type {0}; enter one in its range</source>
-        <translation>la valeur dépasse la plage d’une variable de type {0} ; entrez-en une de sa plage</translation>
+        <translation>la valeur dépasse la plage d’une variable de type {0}&#x202f;; entrez-en une de sa plage</translation>
     </message>
     <message>
         <source>{0} is outside {1}..{2}; enter a value in this range</source>
-        <translation>{0} est en dehors de {1}..{2} ; entrez une valeur de cette plage</translation>
+        <translation>{0} est en dehors de {1}..{2}&#x202f;; entrez une valeur de cette plage</translation>
     </message>
     <message>
         <source>a character of the text does not fit into a STRING; use a WSTRING</source>
@@ -1101,7 +1101,7 @@
     </message>
     <message>
         <source>a reference can only be set to NULL from outside; assign a variable to it in the program</source>
-        <translation>de l’extérieur, une référence ne peut être mise qu’à NULL ; affectez-lui une variable dans le programme</translation>
+        <translation>de l’extérieur, une référence ne peut être mise qu’à NULL&#x202f;; affectez-lui une variable dans le programme</translation>
     </message>
     <message>
         <source>{0} is not a value for {1}, which is {2}</source>
@@ -1161,31 +1161,31 @@
     </message>
     <message>
         <source>There is no program to optimise; declare a PROGRAM</source>
-        <translation>Il n’y a pas de programme à optimiser ; déclarez un PROGRAM</translation>
+        <translation>Il n’y a pas de programme à optimiser&#x202f;; déclarez un PROGRAM</translation>
     </message>
     <message>
         <source>this is local to a running call and has no address of its own; pause in the call to see it</source>
-        <translation>ceci est local à un appel en cours et n’a pas d’adresse propre ; arrêtez-vous dans l’appel pour le voir</translation>
+        <translation>ceci est local à un appel en cours et n’a pas d’adresse propre&#x202f;; arrêtez-vous dans l’appel pour le voir</translation>
     </message>
     <message>
         <source>this part of a computed value cannot be shown; assign the value to a variable first</source>
-        <translation>cette partie d’une valeur calculée ne peut pas être affichée ; affectez d’abord la valeur à une variable</translation>
+        <translation>cette partie d’une valeur calculée ne peut pas être affichée&#x202f;; affectez d’abord la valeur à une variable</translation>
     </message>
     <message>
         <source>a character of a string has no address of its own; use the whole string</source>
-        <translation>un caractère d’une chaîne n’a pas d’adresse propre ; utilisez la chaîne entière</translation>
+        <translation>un caractère d’une chaîne n’a pas d’adresse propre&#x202f;; utilisez la chaîne entière</translation>
     </message>
     <message>
         <source>this variable cannot be shown; assign it to another variable and watch that one</source>
-        <translation>cette variable ne peut pas être affichée ; affectez-la à une autre variable et surveillez celle-ci</translation>
+        <translation>cette variable ne peut pas être affichée&#x202f;; affectez-la à une autre variable et surveillez celle-ci</translation>
     </message>
     <message>
         <source>this array of variable length has no address here; watch the array that is passed to it</source>
-        <translation>ce tableau de longueur variable n’a pas d’adresse ici ; surveillez le tableau qui lui est passé</translation>
+        <translation>ce tableau de longueur variable n’a pas d’adresse ici&#x202f;; surveillez le tableau qui lui est passé</translation>
     </message>
     <message>
         <source>the array has no such dimension; count them from 1</source>
-        <translation>le tableau n’a pas cette dimension ; comptez-les à partir de 1</translation>
+        <translation>le tableau n’a pas cette dimension&#x202f;; comptez-les à partir de 1</translation>
     </message>
     <message>
         <source>this has no value</source>
@@ -1193,15 +1193,15 @@
     </message>
     <message>
         <source>only standard functions can be called here; use a function of the library</source>
-        <translation>seules les fonctions standard peuvent être appelées ici ; utilisez une fonction de la bibliothèque</translation>
+        <translation>seules les fonctions standard peuvent être appelées ici&#x202f;; utilisez une fonction de la bibliothèque</translation>
     </message>
     <message>
         <source>a cast to an interface cannot be watched; watch the instance itself</source>
-        <translation>une conversion vers une interface ne peut pas être surveillée ; surveillez l’instance elle-même</translation>
+        <translation>une conversion vers une interface ne peut pas être surveillée&#x202f;; surveillez l’instance elle-même</translation>
     </message>
     <message>
         <source>this cannot be evaluated; use variables, operators and standard functions</source>
-        <translation>ceci ne peut pas être évalué ; utilisez des variables, des opérateurs et des fonctions standard</translation>
+        <translation>ceci ne peut pas être évalué&#x202f;; utilisez des variables, des opérateurs et des fonctions standard</translation>
     </message>
     <message>
         <source>The code generator failed: {0}</source>
@@ -1225,23 +1225,23 @@
     </message>
     <message>
         <source>the program has errors; correct them first</source>
-        <translation>le programme contient des erreurs ; corrigez-les d’abord</translation>
+        <translation>le programme contient des erreurs&#x202f;; corrigez-les d’abord</translation>
     </message>
     <message>
         <source>the online change waits until the scan that is halted at a breakpoint has ended; press F5 to continue</source>
-        <translation>la modification en ligne attend la fin du cycle arrêté à un point d’arrêt ; appuyez sur F5 pour continuer</translation>
+        <translation>la modification en ligne attend la fin du cycle arrêté à un point d’arrêt&#x202f;; appuyez sur F5 pour continuer</translation>
     </message>
     <message>
         <source>This body is not an instruction list; choose a unit that is written in IL</source>
-        <translation>Ce corps n’est pas une liste d’instructions ; choisissez un POU écrit en IL</translation>
+        <translation>Ce corps n’est pas une liste d’instructions&#x202f;; choisissez un POU écrit en IL</translation>
     </message>
     <message>
         <source>This body is not ST; choose a unit that is written in ST</source>
-        <translation>Ce corps n’est pas en ST ; choisissez un POU écrit en ST</translation>
+        <translation>Ce corps n’est pas en ST&#x202f;; choisissez un POU écrit en ST</translation>
     </message>
     <message>
         <source>{0} has no equivalent in an instruction list; write it with simpler statements first</source>
-        <translation>{0} n’a pas d’équivalent dans une liste d’instructions ; écrivez-le d’abord avec des instructions plus simples</translation>
+        <translation>{0} n’a pas d’équivalent dans une liste d’instructions&#x202f;; écrivez-le d’abord avec des instructions plus simples</translation>
     </message>
     <message>
         <source>{0} is already written in ST</source>
@@ -1285,7 +1285,7 @@
     </message>
     <message>
         <source>project.json must contain one JSON object; put its contents in braces</source>
-        <translation>project.json doit contenir un objet JSON ; mettez son contenu entre accolades</translation>
+        <translation>project.json doit contenir un objet JSON&#x202f;; mettez son contenu entre accolades</translation>
     </message>
     <message>
         <source>There is no library &quot;{0}&quot;; available are {1}</source>
@@ -1305,7 +1305,7 @@
     </message>
     <message>
         <source>{0} belongs to a library and cannot be renamed; rename only names of the project</source>
-        <translation>{0} appartient à une bibliothèque et ne peut pas être renommé ; renommez seulement les noms du projet</translation>
+        <translation>{0} appartient à une bibliothèque et ne peut pas être renommé&#x202f;; renommez seulement les noms du projet</translation>
     </message>
     <message>
         <source>{0} is not a valid name; use letters, digits and _, start with a letter and avoid keywords</source>
@@ -1329,15 +1329,15 @@
     </message>
     <message>
         <source>The page cannot be written; check the free space and the permissions of the folder</source>
-        <translation>La page ne peut pas être écrite ; vérifiez l’espace libre et les droits du dossier</translation>
+        <translation>La page ne peut pas être écrite&#x202f;; vérifiez l’espace libre et les droits du dossier</translation>
     </message>
     <message>
         <source>There is no such file in the project; choose one from the project tree</source>
-        <translation>Le projet ne contient pas ce fichier ; choisissez-en un dans l’arbre du projet</translation>
+        <translation>Le projet ne contient pas ce fichier&#x202f;; choisissez-en un dans l’arbre du projet</translation>
     </message>
     <message>
         <source>The file&apos;s permissions cannot be changed; change them as the file&apos;s owner</source>
-        <translation>Les droits du fichier ne peuvent pas être modifiés ; modifiez-les en tant que propriétaire du fichier</translation>
+        <translation>Les droits du fichier ne peuvent pas être modifiés&#x202f;; modifiez-les en tant que propriétaire du fichier</translation>
     </message>
     <message>
         <source>The file cannot be removed; check the permissions of the folder</source>
@@ -1353,7 +1353,7 @@
     </message>
     <message>
         <source>This statement is not possible in a TEST together with RUN or ASSERT around it; move it out of RUN and ASSERT</source>
-        <translation>Cette instruction n’est pas possible dans un TEST avec RUN ou ASSERT autour d’elle ; sortez-la de RUN et ASSERT</translation>
+        <translation>Cette instruction n’est pas possible dans un TEST avec RUN ou ASSERT autour d’elle&#x202f;; sortez-la de RUN et ASSERT</translation>
     </message>
     <message>
         <source>The code of this statement is missing</source>
@@ -1365,7 +1365,7 @@
     </message>
     <message>
         <source>{0} is not a value for {1}; write a value of its type</source>
-        <translation>{0} n’est pas une valeur pour {1} ; écrivez une valeur de son type</translation>
+        <translation>{0} n’est pas une valeur pour {1}&#x202f;; écrivez une valeur de son type</translation>
     </message>
     <message>
         <source>The simulation stopped: {0}</source>
@@ -1385,7 +1385,7 @@
     </message>
     <message>
         <source>{0} did not become true within {1}; check the condition or allow more time</source>
-        <translation>{0} n’est pas devenu vrai en {1} ; vérifiez la condition ou laissez plus de temps</translation>
+        <translation>{0} n’est pas devenu vrai en {1}&#x202f;; vérifiez la condition ou laissez plus de temps</translation>
     </message>
     <message>
         <source>ASSERT failed: {0}</source>
@@ -1517,7 +1517,7 @@
     </message>
     <message>
         <source>The run differs from the recording {0}; delete it to record it again, if the new behaviour is right</source>
-        <translation>L’exécution diffère de l’enregistrement {0} ; supprimez-le pour enregistrer de nouveau, si le nouveau comportement est juste</translation>
+        <translation>L’exécution diffère de l’enregistrement {0}&#x202f;; supprimez-le pour enregistrer de nouveau, si le nouveau comportement est juste</translation>
     </message>
     <message>
         <source>the condition cannot be evaluated</source>
@@ -1525,7 +1525,7 @@
     </message>
     <message>
         <source>There is no action {0}; add it or correct the name</source>
-        <translation>L’action {0} n’existe pas ; ajoutez-la ou corrigez le nom</translation>
+        <translation>L’action {0} n’existe pas&#x202f;; ajoutez-la ou corrigez le nom</translation>
     </message>
     <message>
         <source>{0} is not a valid name; use letters, digits and underscores</source>
@@ -1533,31 +1533,31 @@
     </message>
     <message>
         <source>The initial step stays at the top; make another step the initial step first</source>
-        <translation>L’étape initiale reste en haut ; faites d’abord d’une autre étape l’étape initiale</translation>
+        <translation>L’étape initiale reste en haut&#x202f;; faites d’abord d’une autre étape l’étape initiale</translation>
     </message>
     <message>
         <source>Only a step with a single transition of its own can be moved; move it in the text</source>
-        <translation>Seule une étape dotée d’une seule transition propre peut être déplacée ; déplacez-la dans le texte</translation>
+        <translation>Seule une étape dotée d’une seule transition propre peut être déplacée&#x202f;; déplacez-la dans le texte</translation>
     </message>
     <message>
         <source>The step is already there; choose another place</source>
-        <translation>L’étape s’y trouve déjà ; choisissez un autre endroit</translation>
+        <translation>L’étape s’y trouve déjà&#x202f;; choisissez un autre endroit</translation>
     </message>
     <message>
         <source>A step can be placed after a transition that leads to one step; choose such a transition</source>
-        <translation>Une étape se place après une transition qui mène à une seule étape ; choisissez une telle transition</translation>
+        <translation>Une étape se place après une transition qui mène à une seule étape&#x202f;; choisissez une telle transition</translation>
     </message>
     <message>
         <source>This step only leads to itself; connect it to another step first</source>
-        <translation>Cette étape ne mène qu’à elle-même ; reliez-la d’abord à une autre étape</translation>
+        <translation>Cette étape ne mène qu’à elle-même&#x202f;; reliez-la d’abord à une autre étape</translation>
     </message>
     <message>
         <source>A transition needs a condition; enter one, for example Main.done</source>
-        <translation>Une transition demande une condition ; entrez-en une, par exemple Main.done</translation>
+        <translation>Une transition demande une condition&#x202f;; entrez-en une, par exemple Main.done</translation>
     </message>
     <message>
         <source>A priority must be a positive number; enter 1 or more</source>
-        <translation>Une priorité doit être un nombre positif ; entrez 1 ou plus</translation>
+        <translation>Une priorité doit être un nombre positif&#x202f;; entrez 1 ou plus</translation>
     </message>
     <message>
         <source>Nothing follows this step yet; insert a step after it first</source>
@@ -1565,7 +1565,7 @@
     </message>
     <message>
         <source>There is no such action; select one that is in the chart</source>
-        <translation>Cette action n’existe pas ; sélectionnez-en une du grafcet</translation>
+        <translation>Cette action n’existe pas&#x202f;; sélectionnez-en une du grafcet</translation>
     </message>
     <message>
         <source>The initial step cannot be deleted; make another step the initial step first</source>
@@ -1585,19 +1585,19 @@
     </message>
     <message>
         <source>A panel must be a JSON object; put its contents in braces</source>
-        <translation>Une vue doit être un objet JSON ; mettez son contenu entre accolades</translation>
+        <translation>Une vue doit être un objet JSON&#x202f;; mettez son contenu entre accolades</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; must be a list; put it in square brackets</source>
-        <translation>«&#xa0;{0}&#xa0;» doit être une liste ; mettez-la entre crochets</translation>
+        <translation>«&#xa0;{0}&#xa0;» doit être une liste&#x202f;; mettez-la entre crochets</translation>
     </message>
     <message>
         <source>Element {0} is not an object; put it in braces</source>
-        <translation>L’élément {0} n’est pas un objet ; mettez-le entre accolades</translation>
+        <translation>L’élément {0} n’est pas un objet&#x202f;; mettez-le entre accolades</translation>
     </message>
     <message>
         <source>The kind of element {0} is not a text; write it in quotes</source>
-        <translation>Le genre de l’élément {0} n’est pas un texte ; écrivez-le entre guillemets</translation>
+        <translation>Le genre de l’élément {0} n’est pas un texte&#x202f;; écrivez-le entre guillemets</translation>
     </message>
     <message>
         <source>Two elements have the id &quot;{0}&quot;; change one of them</source>
@@ -1605,7 +1605,7 @@
     </message>
     <message>
         <source>Every alarm and every alarm class must be a JSON object; put it in braces</source>
-        <translation>Chaque alarme et chaque classe d’alarme doit être un objet JSON ; mettez-la entre accolades</translation>
+        <translation>Chaque alarme et chaque classe d’alarme doit être un objet JSON&#x202f;; mettez-la entre accolades</translation>
     </message>
     <message>
         <source>This line is not valid UTF-8; save the file as UTF-8</source>
@@ -1621,7 +1621,7 @@
     </message>
     <message>
         <source>This line has {0} {0:field|fields}, the header has {1}; put texts with separators in quotes</source>
-        <translation>Cette ligne a {0} {0:champ|champs}, l’en-tête en a {1} ; mettez entre guillemets les textes qui contiennent des séparateurs</translation>
+        <translation>Cette ligne a {0} {0:champ|champs}, l’en-tête en a {1}&#x202f;; mettez entre guillemets les textes qui contiennent des séparateurs</translation>
     </message>
     <message>
         <source>The alarm history cannot be opened: {0}</source>
@@ -1637,7 +1637,7 @@
     </message>
     <message>
         <source>{0} does not fit into {1}; use a larger type or a smaller limit</source>
-        <translation>{0} dépasse la plage de {1} ; utilisez un type plus grand ou une limite plus petite</translation>
+        <translation>{0} dépasse la plage de {1}&#x202f;; utilisez un type plus grand ou une limite plus petite</translation>
     </message>
     <message>
         <source>STRING contains Latin-1 only; declare the variable as WSTRING</source>
@@ -1645,23 +1645,23 @@
     </message>
     <message>
         <source>A {0} cannot be written from a panel; write its members one by one</source>
-        <translation>Un {0} ne peut pas être écrit depuis une vue ; écrivez ses membres un à un</translation>
+        <translation>Un {0} ne peut pas être écrit depuis une vue&#x202f;; écrivez ses membres un à un</translation>
     </message>
     <message>
         <source>The folder for the pictures cannot be created; check the path and its permissions</source>
-        <translation>Le dossier des images ne peut pas être créé ; vérifiez le chemin et ses droits</translation>
+        <translation>Le dossier des images ne peut pas être créé&#x202f;; vérifiez le chemin et ses droits</translation>
     </message>
     <message>
         <source>The picture cannot be written; check the free space and the permissions of the folder</source>
-        <translation>L’image ne peut pas être écrite ; vérifiez l’espace libre et les droits du dossier</translation>
+        <translation>L’image ne peut pas être écrite&#x202f;; vérifiez l’espace libre et les droits du dossier</translation>
     </message>
     <message>
         <source>The project has no such panel; choose one from hmi/</source>
-        <translation>Le projet n’a pas cette vue ; choisissez-en une dans hmi/</translation>
+        <translation>Le projet n’a pas cette vue&#x202f;; choisissez-en une dans hmi/</translation>
     </message>
     <message>
         <source>The text &quot;{0}&quot; has no key, so it cannot be translated; move it into the text table</source>
-        <translation>Le texte «&#xa0;{0}&#xa0;» n’a pas de clé et ne peut donc pas être traduit ; déplacez-le dans la table des textes</translation>
+        <translation>Le texte «&#xa0;{0}&#xa0;» n’a pas de clé et ne peut donc pas être traduit&#x202f;; déplacez-le dans la table des textes</translation>
     </message>
     <message>
         <source>The text needs a value for {0}; specify it in &quot;Values in texts&quot;</source>
@@ -1669,7 +1669,7 @@
     </message>
     <message>
         <source>The text list {0} is empty: there is no key {1}; add it to the text table</source>
-        <translation>La liste de textes {0} est vide&#xa0;: la clé {1} n’existe pas ; ajoutez-la à la table des textes</translation>
+        <translation>La liste de textes {0} est vide&#xa0;: la clé {1} n’existe pas&#x202f;; ajoutez-la à la table des textes</translation>
     </message>
     <message>
         <source>This version does not know the element kind &quot;{0}&quot;; it is kept as it is</source>
@@ -1681,11 +1681,11 @@
     </message>
     <message>
         <source>&quot;{0}&quot; does not fit: it needs {1} px, the maximum is {2}; make the element wider or the text shorter</source>
-        <translation>«&#xa0;{0}&#xa0;» ne tient pas&#xa0;: il faut {1}&#xa0;px, le maximum est {2} ; élargissez l’élément ou raccourcissez le texte</translation>
+        <translation>«&#xa0;{0}&#xa0;» ne tient pas&#xa0;: il faut {1}&#xa0;px, le maximum est {2}&#x202f;; élargissez l’élément ou raccourcissez le texte</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}; make the element higher or the text shorter</source>
-        <translation>«&#xa0;{0}&#xa0;» ne tient pas&#xa0;: il faut une hauteur de {1}&#xa0;px, le maximum est {2} ; agrandissez l’élément en hauteur ou raccourcissez le texte</translation>
+        <translation>«&#xa0;{0}&#xa0;» ne tient pas&#xa0;: il faut une hauteur de {1}&#xa0;px, le maximum est {2}&#x202f;; agrandissez l’élément en hauteur ou raccourcissez le texte</translation>
     </message>
     <message>
         <source>{0}; did you mean {1}?</source>
@@ -1693,7 +1693,7 @@
     </message>
     <message>
         <source>{0} is not a variable, so it cannot be written; name a variable</source>
-        <translation>{0} n’est pas une variable et ne peut donc pas être écrit ; indiquez une variable</translation>
+        <translation>{0} n’est pas une variable et ne peut donc pas être écrit&#x202f;; indiquez une variable</translation>
     </message>
     <message>
         <source>{0} is {1}; a BOOL is needed here</source>
@@ -1721,11 +1721,11 @@
     </message>
     <message>
         <source>The format {0} is not known; use one such as %.1f</source>
-        <translation>Le format {0} est inconnu ; utilisez par exemple %.1f</translation>
+        <translation>Le format {0} est inconnu&#x202f;; utilisez par exemple %.1f</translation>
     </message>
     <message>
         <source>A trace configuration must be a JSON object; put its contents in braces</source>
-        <translation>Une configuration de trace doit être un objet JSON ; mettez son contenu entre accolades</translation>
+        <translation>Une configuration de trace doit être un objet JSON&#x202f;; mettez son contenu entre accolades</translation>
     </message>
     <message>
         <source>The trace configuration is invalid: {0}</source>
@@ -1737,7 +1737,7 @@
     </message>
     <message>
         <source>&quot;{0}&quot; is missing; add it</source>
-        <translation>«&#xa0;{0}&#xa0;» manque ; ajoutez-le</translation>
+        <translation>«&#xa0;{0}&#xa0;» manque&#x202f;; ajoutez-le</translation>
     </message>
     <message>
         <source>A picture&apos;s name must end in one of {0}</source>
@@ -1761,7 +1761,7 @@
     </message>
     <message>
         <source>A recording from a file cannot be resumed, only what the controller itself recorded; press F5 to run the program</source>
-        <translation>Un enregistrement ouvert depuis un fichier ne peut pas être repris, seulement ce que l’automate a lui-même enregistré ; appuyez sur F5 pour exécuter le programme</translation>
+        <translation>Un enregistrement ouvert depuis un fichier ne peut pas être repris, seulement ce que l’automate a lui-même enregistré&#x202f;; appuyez sur F5 pour exécuter le programme</translation>
     </message>
     <message>
         <source>A priority is a number; 0 removes it</source>
@@ -1777,7 +1777,7 @@
     </message>
     <message>
         <source>It contains nothing that can be imported; export the project again with its units</source>
-        <translation>Il ne contient rien qui puisse être importé ; exportez de nouveau le projet avec ses POU</translation>
+        <translation>Il ne contient rien qui puisse être importé&#x202f;; exportez de nouveau le projet avec ses POU</translation>
     </message>
     <message>
         <source>The folder exists and is not empty; name a new one</source>
@@ -1789,7 +1789,7 @@
     </message>
     <message>
         <source>The file is too large to be read; export its parts one by one</source>
-        <translation>Le fichier est trop grand pour être lu ; exportez ses parties une à une</translation>
+        <translation>Le fichier est trop grand pour être lu&#x202f;; exportez ses parties une à une</translation>
     </message>
     <message>
         <source>The file is in the encoding {0}, which is not supported; save it as UTF-8</source>
@@ -1801,15 +1801,15 @@
     </message>
     <message>
         <source>The elements of the file are nested too deeply; export its parts one by one</source>
-        <translation>Les éléments du fichier sont imbriqués trop profondément ; exportez ses parties une à une</translation>
+        <translation>Les éléments du fichier sont imbriqués trop profondément&#x202f;; exportez ses parties une à une</translation>
     </message>
     <message>
         <source>This is not well-formed XML: {0}; export the file again</source>
-        <translation>Ce XML n’est pas bien formé&#xa0;: {0} ; exportez de nouveau le fichier</translation>
+        <translation>Ce XML n’est pas bien formé&#xa0;: {0}&#x202f;; exportez de nouveau le fichier</translation>
     </message>
     <message>
         <source>The file has no elements; export it again</source>
-        <translation>Le fichier n’a pas d’éléments ; exportez-le de nouveau</translation>
+        <translation>Le fichier n’a pas d’éléments&#x202f;; exportez-le de nouveau</translation>
     </message>
     <message>
         <source>This is XML, not structured text; import it (stepwise import --help)</source>
@@ -1829,7 +1829,7 @@
     </message>
     <message>
         <source>the local variables of {0} and of what it calls need {1} bytes; the maximum is {2}; declare large arrays in a program or block</source>
-        <translation>les variables locales de {0} et de ce qu’il appelle demandent {1} octets&#x202f;; le maximum est {2} ; déclarez les grands tableaux dans un programme ou un bloc</translation>
+        <translation>les variables locales de {0} et de ce qu’il appelle demandent {1} octets&#x202f;; le maximum est {2}&#x202f;; déclarez les grands tableaux dans un programme ou un bloc</translation>
     </message>
     <message>
         <source>{0} is too large for the stack; divide it into several functions</source>
@@ -1841,7 +1841,7 @@
     </message>
     <message>
         <source>{0} is not a name: use letters, digits and underscores.</source>
-        <translation>{0} n’est pas un nom&#xa0;: utilisez des lettres, des chiffres et le trait de soulignement.</translation>
+        <translation>{0} n’est pas un nom valide&#x202f;; utilisez des lettres, des chiffres et des traits de soulignement.</translation>
     </message>
     <message>
         <source>The XLIFF version {0} is not known; save the file as 1.2 or 2.0</source>
@@ -1849,11 +1849,11 @@
     </message>
     <message>
         <source>The file does not say into which language it is translated; export it again with --language</source>
-        <translation>Le fichier n’indique pas dans quelle langue il est traduit ; exportez-le de nouveau avec --language</translation>
+        <translation>Le fichier n’indique pas dans quelle langue il est traduit&#x202f;; exportez-le de nouveau avec --language</translation>
     </message>
     <message>
         <source>The XML is wrong: {0}; export the file again</source>
-        <translation>Le XML est incorrect&#xa0;: {0} ; exportez de nouveau le fichier</translation>
+        <translation>Le XML est incorrect&#xa0;: {0}&#x202f;; exportez de nouveau le fichier</translation>
     </message>
     <message>
         <source>The text of the key {0} in {1} has changed since the export; check the translation</source>
@@ -1869,7 +1869,7 @@
     </message>
     <message>
         <source>The picture {0} unpacks to more than {1} MB; use a smaller one</source>
-        <translation>L’image {0} dépasse {1}&#xa0;Mo une fois décompressée ; utilisez-en une plus petite</translation>
+        <translation>L’image {0} dépasse {1}&#xa0;Mo une fois décompressée&#x202f;; utilisez-en une plus petite</translation>
     </message>
     <message>
         <source>The picture {0} is {1} x {2} pixels; more than {3} million are not drawn</source>
@@ -1877,15 +1877,15 @@
     </message>
     <message>
         <source>{0} is not a picture in a known format such as PNG, JPEG or SVG; save it as one of them</source>
-        <translation>{0} n’est pas une image dans un format connu tel que PNG, JPEG ou SVG ; enregistrez-la dans l’un d’eux</translation>
+        <translation>{0} n’est pas une image dans un format connu tel que PNG, JPEG ou SVG&#x202f;; enregistrez-la dans l’un d’eux</translation>
     </message>
     <message>
         <source>The picture {0} draws more than {1} shapes; simplify it or save it as PNG</source>
-        <translation>L’image {0} contient plus de {1} formes ; simplifiez-la ou enregistrez-la en PNG</translation>
+        <translation>L’image {0} contient plus de {1} formes&#x202f;; simplifiez-la ou enregistrez-la en PNG</translation>
     </message>
     <message>
         <source>The shapes of the picture {0} are nested more than {1} deep or contain themselves; simplify it or save it as PNG</source>
-        <translation>Les formes de l’image {0} sont imbriquées sur plus de {1} niveaux ou se contiennent elles-mêmes ; simplifiez-la ou enregistrez-la en PNG</translation>
+        <translation>Les formes de l’image {0} sont imbriquées sur plus de {1} niveaux ou se contiennent elles-mêmes&#x202f;; simplifiez-la ou enregistrez-la en PNG</translation>
     </message>
     <message>
         <source>The picture {0} loads {1}; embed it in the picture as PNG or JPEG</source>
@@ -1893,7 +1893,7 @@
     </message>
     <message>
         <source>The picture {0} has dashed lines of more than {1} dashes; make the dashes longer or save it as PNG</source>
-        <translation>L’image {0} a des lignes pointillées de plus de {1} tirets ; allongez les tirets ou enregistrez-la en PNG</translation>
+        <translation>L’image {0} a des lignes pointillées de plus de {1} tirets&#x202f;; allongez les tirets ou enregistrez-la en PNG</translation>
     </message>
     <message>
         <source>This version does not know the property {0}; it is kept as it is</source>
@@ -1953,7 +1953,7 @@
     </message>
     <message>
         <source>{0} ({1}) must be greater than {2} ({3}); exchange or correct the values</source>
-        <translation>{0} ({1}) doit être supérieur à {2} ({3}) ; échangez ou corrigez les valeurs</translation>
+        <translation>{0} ({1}) doit être supérieur à {2} ({3})&#x202f;; échangez ou corrigez les valeurs</translation>
     </message>
     <message>
         <source>{0} has no page {1}; its {2} {2:page is|pages are} numbered from 0</source>
@@ -1981,11 +1981,11 @@
     </message>
     <message>
         <source>The panel {0} contains this one, so it cannot be placed in it; choose another one</source>
-        <translation>La vue {0} contient celle-ci et ne peut donc pas y être placée ; choisissez-en une autre</translation>
+        <translation>La vue {0} contient celle-ci et ne peut donc pas y être placée&#x202f;; choisissez-en une autre</translation>
     </message>
     <message>
         <source>The panel {0} has no parameter {1}; remove the argument or add the parameter</source>
-        <translation>La vue {0} n’a pas de paramètre {1} ; supprimez l’argument ou ajoutez le paramètre</translation>
+        <translation>La vue {0} n’a pas de paramètre {1}&#x202f;; supprimez l’argument ou ajoutez le paramètre</translation>
     </message>
     <message>
         <source>The program has no type {0}; name a block or a structure, BOOL, REAL or the like, or text</source>
@@ -1993,7 +1993,7 @@
     </message>
     <message>
         <source>The parameter {0} needs an argument of type {1}; specify it in the faceplate</source>
-        <translation>Le paramètre {0} demande un argument de type {1} ; indiquez-le dans la vue d’objet</translation>
+        <translation>Le paramètre {0} demande un argument de type {1}&#x202f;; indiquez-le dans la vue d’objet</translation>
     </message>
     <message>
         <source>{0} is {1}; the parameter {2} needs {3}</source>
@@ -2021,7 +2021,7 @@
     </message>
     <message>
         <source>There is no user {0}; create the user or check the name</source>
-        <translation>L’utilisateur {0} n’existe pas ; créez-le ou vérifiez le nom</translation>
+        <translation>L’utilisateur {0} n’existe pas&#x202f;; créez-le ou vérifiez le nom</translation>
     </message>
     <message>
         <source>The password cannot be kept: {0}</source>
@@ -2029,11 +2029,11 @@
     </message>
     <message>
         <source>A password needs at least {0} characters; choose a longer one</source>
-        <translation>Un mot de passe doit avoir au moins {0} caractères ; choisissez-en un plus long</translation>
+        <translation>Un mot de passe doit avoir au moins {0} caractères&#x202f;; choisissez-en un plus long</translation>
     </message>
     <message>
         <source>The password must not be the name of the user; choose another one</source>
-        <translation>Le mot de passe ne doit pas être le nom de l’utilisateur ; choisissez-en un autre</translation>
+        <translation>Le mot de passe ne doit pas être le nom de l’utilisateur&#x202f;; choisissez-en un autre</translation>
     </message>
     <message>
         <source>The audit trail cannot be written: {0}</source>
@@ -2045,7 +2045,7 @@
     </message>
     <message>
         <source>The frame {0} has no panel area, so no panel is seen in it; add one to it</source>
-        <translation>Le cadre {0} n’a pas de zone de vue, aucune vue n’y apparaît donc ; ajoutez-en une</translation>
+        <translation>Le cadre {0} n’a pas de zone de vue, aucune vue n’y apparaît donc&#x202f;; ajoutez-en une</translation>
     </message>
     <message>
         <source>Only for the roles {0}, but the project has no users; anybody may operate it</source>
@@ -2053,7 +2053,7 @@
     </message>
     <message>
         <source>A row of a recipe names no variable; enter one or remove the row</source>
-        <translation>Une ligne d’une recette n’indique pas de variable ; indiquez-en une ou supprimez la ligne</translation>
+        <translation>Une ligne d’une recette n’indique pas de variable&#x202f;; indiquez-en une ou supprimez la ligne</translation>
     </message>
     <message>
         <source>The first column must be named variable, and each set has a column of its own</source>
@@ -2061,19 +2061,19 @@
     </message>
     <message>
         <source>The recipe {0} has no variable {1}; add it or correct the name</source>
-        <translation>La recette {0} n’a pas de variable {1} ; ajoutez-la ou corrigez le nom</translation>
+        <translation>La recette {0} n’a pas de variable {1}&#x202f;; ajoutez-la ou corrigez le nom</translation>
     </message>
     <message>
         <source>There is no recipe {0}; create it or check the name</source>
-        <translation>La recette {0} n’existe pas ; créez-la ou vérifiez le nom</translation>
+        <translation>La recette {0} n’existe pas&#x202f;; créez-la ou vérifiez le nom</translation>
     </message>
     <message>
         <source>The recipe {0} has no set {1}; create it or check the name</source>
-        <translation>La recette {0} n’a pas de jeu de valeurs {1} ; créez-le ou vérifiez le nom</translation>
+        <translation>La recette {0} n’a pas de jeu de valeurs {1}&#x202f;; créez-le ou vérifiez le nom</translation>
     </message>
     <message>
         <source>{0} is outside the limits of {1}, {2} to {3}; enter a value within them</source>
-        <translation>{0} est hors des limites de {1}, {2} à {3} ; entrez une valeur comprise entre elles</translation>
+        <translation>{0} est hors des limites de {1}, {2} à {3}&#x202f;; entrez une valeur comprise entre elles</translation>
     </message>
     <message>
         <source>The list of shelved alarms cannot be read, so none is shelved: {0}</source>
@@ -2137,7 +2137,7 @@
     </message>
     <message>
         <source>{0} on {1} has a contrast of {2} to 1 in the theme {3}; {4} to 1 is needed; choose another colour</source>
-        <translation>{0} sur {1} a un contraste de {2} pour 1 dans le thème {3}&#x202f;; il faut {4} pour 1 ; choisissez une autre couleur</translation>
+        <translation>{0} sur {1} a un contraste de {2} pour 1 dans le thème {3}&#x202f;; il faut {4} pour 1&#x202f;; choisissez une autre couleur</translation>
     </message>
     <message>
         <source>A font of {0} px cannot be read from {2} mm; use at least {1} px</source>
@@ -2157,7 +2157,7 @@
     </message>
     <message>
         <source>The panel shows {0} things to read or press; at its size, {1} can be taken in; move some to another panel</source>
-        <translation>La vue affiche {0} éléments à lire ou à toucher&#x202f;; à sa taille, on en embrasse {1} ; déplacez-en vers une autre vue</translation>
+        <translation>La vue affiche {0} éléments à lire ou à toucher&#x202f;; à sa taille, on en embrasse {1}&#x202f;; déplacez-en vers une autre vue</translation>
     </message>
     <message>
         <source>The panel {0} is {1} presses away from the start panel; {2} should do</source>
@@ -2169,7 +2169,7 @@
     </message>
     <message>
         <source>{0} is at another place on the panel {1}; put it at the same place on both</source>
-        <translation>{0} est à un autre endroit sur la vue {1} ; placez-le au même endroit sur les deux</translation>
+        <translation>{0} est à un autre endroit sur la vue {1}&#x202f;; placez-le au même endroit sur les deux</translation>
     </message>
     <message>
         <source>What is normal is grey, so that the eye finds what is not (ISA-101). Use a role of the theme such as surface, off or running, and give colour only to conditions.</source>
@@ -2225,7 +2225,7 @@
     </message>
     <message>
         <source>the value {0} is outside the subrange {1}..{2}; limit it before the assignment or widen the subrange</source>
-        <translation>la valeur {0} est en dehors du sous-intervalle {1}..{2} ; limitez-la avant l’affectation ou élargissez le sous-intervalle</translation>
+        <translation>la valeur {0} est en dehors du sous-intervalle {1}..{2}&#x202f;; limitez-la avant l’affectation ou élargissez le sous-intervalle</translation>
     </message>
     <message>
         <source>&quot;addressing&quot; in project.json is &quot;byte&quot; or &quot;word&quot;, not &quot;{0}&quot;</source>
@@ -2269,7 +2269,7 @@
     </message>
     <message>
         <source>There is no colour role {0}; check the spelling</source>
-        <translation>Le rôle de couleur {0} n’existe pas ; vérifiez l’orthographe</translation>
+        <translation>Le rôle de couleur {0} n’existe pas&#x202f;; vérifiez l’orthographe</translation>
     </message>
     <message>
         <source>There is no colour role {0}; did you mean {1}?</source>
@@ -2716,7 +2716,7 @@
     </message>
     <message>
         <source>The element {0} was not read; add it by hand if the program needs it</source>
-        <translation>L’élément {0} n’a pas été lu ; ajoutez-le à la main si le programme en a besoin</translation>
+        <translation>L’élément {0} n’a pas été lu&#x202f;; ajoutez-le à la main si le programme en a besoin</translation>
     </message>
     <message>
         <source>The vendor&apos;s data {0} is kept in exchange.json</source>
@@ -2732,11 +2732,11 @@
     </message>
     <message>
         <source>A jump leads to the step {0}, which does not exist; add the step or correct the jump</source>
-        <translation>Un saut mène à l’étape {0}, qui n’existe pas ; ajoutez l’étape ou corrigez le saut</translation>
+        <translation>Un saut mène à l’étape {0}, qui n’existe pas&#x202f;; ajoutez l’étape ou corrigez le saut</translation>
     </message>
     <message>
         <source>The element {0} of the chart is not connected and was left out; connect it in the other tool and export again</source>
-        <translation>L’élément {0} du grafcet n’est pas relié et a été omis ; reliez-le dans l’autre outil et exportez de nouveau</translation>
+        <translation>L’élément {0} du grafcet n’est pas relié et a été omis&#x202f;; reliez-le dans l’autre outil et exportez de nouveau</translation>
     </message>
     <message>
         <source>The transition from {0} has no condition; it is written as FALSE</source>
@@ -2748,11 +2748,11 @@
     </message>
     <message>
         <source>The element {0} is not connected and was left out; connect it in the other tool and export again</source>
-        <translation>L’élément {0} n’est pas relié et a été omis ; reliez-le dans l’autre outil et exportez de nouveau</translation>
+        <translation>L’élément {0} n’est pas relié et a été omis&#x202f;; reliez-le dans l’autre outil et exportez de nouveau</translation>
     </message>
     <message>
         <source>An edge in a function needs the value of the last call, which a function does not store; make it a FUNCTION_BLOCK</source>
-        <translation>Un front dans une fonction demande la valeur du dernier appel, qu’une fonction ne mémorise pas ; faites-en un FUNCTION_BLOCK</translation>
+        <translation>Un front dans une fonction demande la valeur du dernier appel, qu’une fonction ne mémorise pas&#x202f;; faites-en un FUNCTION_BLOCK</translation>
     </message>
     <message>
         <source>The result of {0} is used in several places and is computed in each</source>
@@ -2768,7 +2768,7 @@
     </message>
     <message>
         <source>Code in C is kept as a comment and is not executed; write it in ST</source>
-        <translation>Le code en C est conservé en commentaire et n’est pas exécuté ; écrivez-le en ST</translation>
+        <translation>Le code en C est conservé en commentaire et n’est pas exécuté&#x202f;; écrivez-le en ST</translation>
     </message>
     <message>
         <source>There are two units named {0}; the second is in {1}</source>
@@ -2788,15 +2788,15 @@
     </message>
     <message>
         <source>The diagram in {0} was not read: an expression repeats itself without end; write its body in ST</source>
-        <translation>Le schéma dans {0} n’a pas été lu&#xa0;: une expression se répète sans fin ; écrivez son corps en ST</translation>
+        <translation>Le schéma dans {0} n’a pas été lu&#xa0;: une expression se répète sans fin&#x202f;; écrivez son corps en ST</translation>
     </message>
     <message>
         <source>A condition in {0} needs the call of a block, which a condition cannot make; call the block before and use its output</source>
-        <translation>Une condition dans {0} demande l’appel d’un bloc, ce qu’une condition ne peut pas faire ; appelez le bloc avant et utilisez sa sortie</translation>
+        <translation>Une condition dans {0} demande l’appel d’un bloc, ce qu’une condition ne peut pas faire&#x202f;; appelez le bloc avant et utilisez sa sortie</translation>
     </message>
     <message>
         <source>The transition {0} is not a single expression and was not read; write its condition in the text</source>
-        <translation>La transition {0} n’est pas une expression unique et n’a pas été lue ; écrivez sa condition dans le texte</translation>
+        <translation>La transition {0} n’est pas une expression unique et n’a pas été lue&#x202f;; écrivez sa condition dans le texte</translation>
     </message>
     <message>
         <source>PLCopen XML has no place for panels; they were left out</source>
@@ -2872,7 +2872,7 @@
     </message>
     <message>
         <source>The file is no program source and was left out; import it alone if it is one</source>
-        <translation>Le fichier n’est pas une source de programme et a été omis ; importez-le seul s’il en est une</translation>
+        <translation>Le fichier n’est pas une source de programme et a été omis&#x202f;; importez-le seul s’il en est une</translation>
     </message>
     <message>
         <source>The network &apos;{0}&apos; is commented out in the diagram and was left out of the text</source>
@@ -4958,11 +4958,11 @@
     </message>
     <message>
         <source>The recording contains no program that knows it; choose a loop of the open program</source>
-        <translation>L’enregistrement ne contient aucun programme qui la connaît ; choisissez une boucle du programme ouvert</translation>
+        <translation>L’enregistrement ne contient aucun programme qui la connaît&#x202f;; choisissez une boucle du programme ouvert</translation>
     </message>
     <message>
         <source>It is not a number and cannot be a signal of a loop; name a variable of type REAL or INT</source>
-        <translation>Ce n’est pas un nombre et ne peut pas être un signal de boucle ; indiquez une variable de type REAL ou INT</translation>
+        <translation>Ce n’est pas un nombre et ne peut pas être un signal de boucle&#x202f;; indiquez une variable de type REAL ou INT</translation>
     </message>
     <message>
         <source>This range is no longer recorded, or the program was changed in it; choose another one</source>
@@ -5507,11 +5507,11 @@
     </message>
     <message>
         <source>Line {0} has no number in column {1}; correct or remove the line</source>
-        <translation>La ligne {0} n’a pas de nombre dans la colonne {1} ; corrigez ou supprimez la ligne</translation>
+        <translation>La ligne {0} n’a pas de nombre dans la colonne {1}&#x202f;; corrigez ou supprimez la ligne</translation>
     </message>
     <message>
         <source>The time in line {0} is before that of the line above; sort the lines by time</source>
-        <translation>Le temps de la ligne {0} est antérieur à celui de la ligne précédente ; triez les lignes par temps</translation>
+        <translation>Le temps de la ligne {0} est antérieur à celui de la ligne précédente&#x202f;; triez les lignes par temps</translation>
     </message>
     <message>
         <source>{0} {0:sample is|samples are} too few for a model; record for longer</source>
@@ -5555,7 +5555,7 @@
     </message>
     <message>
         <source>The rule {0} has no answer for this process; choose another one</source>
-        <translation>La règle {0} n’a pas de réponse pour ce procédé ; choisissez-en une autre</translation>
+        <translation>La règle {0} n’a pas de réponse pour ce procédé&#x202f;; choisissez-en une autre</translation>
     </message>
     <message>
         <source>Unstable: the loop would swing up. Do not use this.</source>
@@ -5771,7 +5771,7 @@
     </message>
     <message>
         <source>Change {0} is a disturbance: what caused it is not known, so it makes no model; choose a change of the set point or of the output</source>
-        <translation>Le changement {0} est une perturbation&#xa0;: sa cause est inconnue, il ne donne donc pas de modèle ; choisissez une variation de la consigne ou de la sortie</translation>
+        <translation>Le changement {0} est une perturbation&#xa0;: sa cause est inconnue, il ne donne donc pas de modèle&#x202f;; choisissez une variation de la consigne ou de la sortie</translation>
     </message>
 </context>
 <context>
@@ -6016,7 +6016,7 @@
     </message>
     <message>
         <source>%1 is not a variable of the running program; check the name, or press F5 to build the program</source>
-        <translation>%1 n’est pas une variable du programme en cours ; vérifiez le nom ou compilez le programme avec F5</translation>
+        <translation>%1 n’est pas une variable du programme en cours&#x202f;; vérifiez le nom ou compilez le programme avec F5</translation>
     </message>
     <message>
         <source>Force</source>
@@ -6056,7 +6056,7 @@
     </message>
     <message>
         <source>There is no page for %1; choose a code from the list</source>
-        <translation>Il n’existe pas de page pour %1 ; choisissez un code de la liste</translation>
+        <translation>Il n’existe pas de page pour %1&#x202f;; choisissez un code de la liste</translation>
     </message>
 </context>
 <context>
@@ -6271,7 +6271,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <name>plc::app::MainWindow</name>
     <message>
         <source>A panel&apos;s name cannot contain / or \; choose another name</source>
-        <translation>Le nom d’une vue est un nom de fichier&#xa0;: ni / ni \ ; choisissez un autre nom</translation>
+        <translation>Le nom d’une vue ne peut contenir ni / ni \&#x202f;; choisissez un autre nom</translation>
     </message>
     <message>
         <source>Name of the panel:</source>
@@ -6431,11 +6431,11 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Nothing is declared under this name; declare it or check the name</source>
-        <translation>Rien n’est déclaré sous ce nom ; déclarez-le ou vérifiez-le</translation>
+        <translation>Rien n’est déclaré sous ce nom&#x202f;; déclarez-le ou vérifiez-le</translation>
     </message>
     <message>
         <source>There is no name at the cursor; put the cursor on one</source>
-        <translation>Il n’y a pas de nom sous le curseur ; placez le curseur sur un nom</translation>
+        <translation>Il n’y a pas de nom sous le curseur&#x202f;; placez le curseur sur un nom</translation>
     </message>
     <message>
         <source>Rename</source>
@@ -6957,11 +6957,11 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>A file name cannot contain / or \; choose another name</source>
-        <translation>Un nom de fichier ne peut contenir ni / ni \ ; choisissez un autre nom</translation>
+        <translation>Un nom de fichier ne peut contenir ni / ni \&#x202f;; choisissez un autre nom</translation>
     </message>
     <message>
         <source>A trace %1 already exists; choose another name</source>
-        <translation>Une trace %1 existe déjà ; choisissez un autre nom</translation>
+        <translation>Une trace %1 existe déjà&#x202f;; choisissez un autre nom</translation>
     </message>
     <message>
         <source>New name of %1:</source>
@@ -6969,7 +6969,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>A file %1 already exists; choose another name</source>
-        <translation>Un fichier %1 existe déjà ; choisissez un autre nom</translation>
+        <translation>Un fichier %1 existe déjà&#x202f;; choisissez un autre nom</translation>
     </message>
     <message>
         <source>The file cannot be renamed; check the permissions of the folder</source>
@@ -7145,7 +7145,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>%1 is not a source of this project; open the project that contains it</source>
-        <translation>%1 n’est pas un fichier source de ce projet ; ouvrez le projet qui le contient</translation>
+        <translation>%1 n’est pas un fichier source de ce projet&#x202f;; ouvrez le projet qui le contient</translation>
     </message>
     <message>
         <source>Walk Through the Scan</source>
@@ -7197,7 +7197,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>What if? needs a running controller: a recording from a file cannot be resumed; press F5 to run the program</source>
-        <translation>«&#xa0;Et si&#xa0;» demande un automate en marche&#xa0;: un enregistrement ouvert depuis un fichier ne peut pas être repris ; appuyez sur F5 pour exécuter le programme</translation>
+        <translation>«&#xa0;Et si&#xa0;» demande un automate en marche&#xa0;: un enregistrement ouvert depuis un fichier ne peut pas être repris&#x202f;; appuyez sur F5 pour exécuter le programme</translation>
     </message>
     <message>
         <source>Explain the Problem</source>
@@ -7359,7 +7359,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>%1 already exists and is not empty; choose another name</source>
-        <translation>%1 existe déjà et n’est pas vide ; choisissez un autre nom</translation>
+        <translation>%1 existe déjà et n’est pas vide&#x202f;; choisissez un autre nom</translation>
     </message>
     <message>
         <source>Will be created in %1</source>
@@ -7442,7 +7442,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>%1 already exists in the project; choose another name</source>
-        <translation>%1 existe déjà dans le projet ; choisissez un autre nom</translation>
+        <translation>%1 existe déjà dans le projet&#x202f;; choisissez un autre nom</translation>
     </message>
     <message>
         <source>A file %1 already exists: choose it, or another name</source>
@@ -8152,7 +8152,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>%1 has no value in this scan; choose another variable</source>
-        <translation>%1 n’a pas de valeur dans ce cycle ; choisissez une autre variable</translation>
+        <translation>%1 n’a pas de valeur dans ce cycle&#x202f;; choisissez une autre variable</translation>
     </message>
     <message>
         <source>Give at least one variable another value</source>
@@ -8191,7 +8191,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>The program that runs has no code at this line or below it; choose a line with a statement</source>
-        <translation>Le programme en cours n’a pas de code à cette ligne ni plus bas ; choisissez une ligne avec une instruction</translation>
+        <translation>Le programme en cours n’a pas de code à cette ligne ni plus bas&#x202f;; choisissez une ligne avec une instruction</translation>
     </message>
 </context>
 <context>
@@ -8261,7 +8261,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>The unit %1 is no longer in the text; undo the change or close this view</source>
-        <translation>Le POU %1 n’est plus dans le texte ; annulez la modification ou fermez cette vue</translation>
+        <translation>Le POU %1 n’est plus dans le texte&#x202f;; annulez la modification ou fermez cette vue</translation>
     </message>
     <message>
         <source>The text has errors: this is the last good drawing</source>
@@ -8357,7 +8357,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>A condition is a BOOL; add a comparison</source>
-        <translation>Une condition est un BOOL ; ajoutez une comparaison</translation>
+        <translation>Une condition est un BOOL&#x202f;; ajoutez une comparaison</translation>
     </message>
     <message>
         <source>qualifier</source>
@@ -8425,7 +8425,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>The clipboard contains no step, action or transition; copy one first</source>
-        <translation>Le presse-papiers ne contient ni étape, ni action, ni transition ; copiez-en d’abord une</translation>
+        <translation>Le presse-papiers ne contient ni étape, ni action, ni transition&#x202f;; copiez-en d’abord une</translation>
     </message>
     <message>
         <source>Select the step or transition to paste after</source>
@@ -8683,7 +8683,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>%1 cannot be written; choose a variable of the program</source>
-        <translation>%1 ne peut pas être écrit ; choisissez une variable du programme</translation>
+        <translation>%1 ne peut pas être écrit&#x202f;; choisissez une variable du programme</translation>
     </message>
     <message>
         <source>Print…</source>
@@ -8746,7 +8746,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>%1 is no longer in the text; undo the change or close this view</source>
-        <translation>%1 n’est plus dans le texte ; annulez la modification ou fermez cette vue</translation>
+        <translation>%1 n’est plus dans le texte&#x202f;; annulez la modification ou fermez cette vue</translation>
     </message>
     <message>
         <source>The text has errors: this is the last good drawing</source>
@@ -9075,7 +9075,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>There is no code at or below line %1 of %2; choose an earlier line</source>
-        <translation>Il n’y a pas de code à la ligne %1 de %2 ni plus bas ; choisissez une ligne précédente</translation>
+        <translation>Il n’y a pas de code à la ligne %1 de %2 ni plus bas&#x202f;; choisissez une ligne précédente</translation>
     </message>
     <message>
         <source>The condition of the breakpoint: %1</source>
@@ -9194,7 +9194,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>There is no fix for this line; press F1 for an explanation</source>
-        <translation>Il n’y a pas de correction pour cette ligne ; appuyez sur F1 pour une explication</translation>
+        <translation>Il n’y a pas de correction pour cette ligne&#x202f;; appuyez sur F1 pour une explication</translation>
     </message>
     <message>
         <source>Go to Definition</source>
@@ -9462,7 +9462,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>The program has no controller block; call one, for example PID.</source>
-        <translation>Le programme n’a pas de bloc régulateur ; appelez-en un, par exemple PID.</translation>
+        <translation>Le programme n’a pas de bloc régulateur&#x202f;; appelez-en un, par exemple PID.</translation>
     </message>
     <message>
         <source>Searching…</source>
@@ -9493,7 +9493,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>The rule has no answer for this process; choose another rule.</source>
-        <translation>La règle n’a pas de réponse pour ce procédé ; choisissez une autre règle.</translation>
+        <translation>La règle n’a pas de réponse pour ce procédé&#x202f;; choisissez une autre règle.</translation>
     </message>
     <message>
         <source>any</source>
@@ -10562,7 +10562,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>The recipe &quot;%1&quot; already exists; choose another name.</source>
-        <translation>Une recette «&#xa0;%1&#xa0;» existe déjà ; choisissez un autre nom.</translation>
+        <translation>Une recette «&#xa0;%1&#xa0;» existe déjà&#x202f;; choisissez un autre nom.</translation>
     </message>
     <message>
         <source>A set needs a name.</source>
@@ -10570,7 +10570,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>The set &quot;%1&quot; already exists; choose another name.</source>
-        <translation>Un jeu de valeurs «&#xa0;%1&#xa0;» existe déjà ; choisissez un autre nom.</translation>
+        <translation>Un jeu de valeurs «&#xa0;%1&#xa0;» existe déjà&#x202f;; choisissez un autre nom.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a number; a limit is written like 12.5.</source>
@@ -10582,7 +10582,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>%1 is already in the recipe; choose another variable.</source>
-        <translation>%1 est déjà dans la recette ; choisissez une autre variable.</translation>
+        <translation>%1 est déjà dans la recette&#x202f;; choisissez une autre variable.</translation>
     </message>
 </context>
 <context>
@@ -12072,19 +12072,19 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
     </message>
     <message>
         <source>Line {0} has no number in column {1}; correct or remove the line</source>
-        <translation>La ligne {0} n’a pas de nombre dans la colonne {1} ; corrigez ou supprimez la ligne</translation>
+        <translation>La ligne {0} n’a pas de nombre dans la colonne {1}&#x202f;; corrigez ou supprimez la ligne</translation>
     </message>
     <message>
         <source>The time in line {0} is before that of the line above; sort the lines by time</source>
-        <translation>Le temps de la ligne {0} est antérieur à celui de la ligne précédente ; triez les lignes par temps</translation>
+        <translation>Le temps de la ligne {0} est antérieur à celui de la ligne précédente&#x202f;; triez les lignes par temps</translation>
     </message>
     <message>
         <source>The table has no column of numbers besides the time; add one with a heading</source>
-        <translation>Le tableau n’a pas de colonne de nombres en dehors du temps ; ajoutez-en une avec un en-tête</translation>
+        <translation>Le tableau n’a pas de colonne de nombres en dehors du temps&#x202f;; ajoutez-en une avec un en-tête</translation>
     </message>
     <message>
         <source>The table has no rows under its headings; write one row per sample</source>
-        <translation>Le tableau n’a pas de lignes sous ses en-têtes ; écrivez une ligne par échantillon</translation>
+        <translation>Le tableau n’a pas de lignes sous ses en-têtes&#x202f;; écrivez une ligne par échantillon</translation>
     </message>
     <message>
         <source>The table cannot be shown as a recording: {0}</source>
@@ -12092,7 +12092,7 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
     </message>
     <message>
         <source>the names of its columns cannot be variables; use letters, digits and underscores</source>
-        <translation>les noms de ses colonnes ne peuvent pas être des variables ; utilisez des lettres, des chiffres et des traits de soulignement</translation>
+        <translation>les noms de ses colonnes ne peuvent pas être des variables&#x202f;; utilisez des lettres, des chiffres et des traits de soulignement</translation>
     </message>
     <message>
         <source>{0} {0:sample is|samples are} too few for a spectrum; show a longer stretch</source>
@@ -12116,7 +12116,7 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
     </message>
     <message>
         <source>{0} takes one expression; remove the others</source>
-        <translation>{0} prend une seule expression ; supprimez les autres</translation>
+        <translation>{0} prend une seule expression&#x202f;; supprimez les autres</translation>
     </message>
 </context>
 <context>
@@ -12360,7 +12360,7 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
     </message>
     <message>
         <source>The controller&apos;s program has no file {0}; load its program again</source>
-        <translation>Le programme de l’automate n’a pas de fichier {0} ; rechargez son programme</translation>
+        <translation>Le programme de l’automate n’a pas de fichier {0}&#x202f;; rechargez son programme</translation>
     </message>
     <message>
         <source>A recording is already being fetched; wait until it has arrived</source>
@@ -12404,11 +12404,11 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
     </message>
     <message>
         <source>The connection to {0} is lost; check the network and the controller</source>
-        <translation>La connexion à {0} est perdue ; vérifiez le réseau et l’automate</translation>
+        <translation>La connexion à {0} est perdue&#x202f;; vérifiez le réseau et l’automate</translation>
     </message>
     <message>
         <source>{0} does not answer; check the address and whether the controller runs</source>
-        <translation>{0} ne répond pas ; vérifiez l’adresse et si l’automate fonctionne</translation>
+        <translation>{0} ne répond pas&#x202f;; vérifiez l’adresse et si l’automate fonctionne</translation>
     </message>
     <message>
         <source>The controller&apos;s program cannot be built here as it is there; use the same version of Stepwise on both sides</source>
