@@ -121,10 +121,12 @@ TEST(HarmfulPicture, ShapesThatMultiplyOrContainThemselvesAreRefused) {
     QByteArray deep = kSvg + ">";
     for (int i = 0; i < 100000; ++i) deep += "<g>";
     EXPECT_EQ(project.complaint(project.write("deep.svg", deep)),
-              "The shapes of the picture deep.svg are nested more than 64 deep or contain themselves; simplify it or save it as PNG");
-    EXPECT_EQ(project.complaint(project.write(
-                  "dashes.svg", kSvg + "><line x2=\"1000000\" stroke=\"red\" stroke-dasharray=\"0.00001\"/></svg>")),
-              "The picture dashes.svg has dashed lines of more than 100000 dashes; make the dashes longer or save it as PNG");
+              "The shapes of the picture deep.svg are nested more than 64 deep or contain themselves; simplify it or "
+              "save it as PNG");
+    EXPECT_EQ(
+        project.complaint(project.write(
+            "dashes.svg", kSvg + "><line x2=\"1000000\" stroke=\"red\" stroke-dasharray=\"0.00001\"/></svg>")),
+        "The picture dashes.svg has dashed lines of more than 100000 dashes; make the dashes longer or save it as PNG");
 }
 
 TEST(HarmfulPicture, OtherFilesAreNotReadThroughAPicture) {

@@ -309,9 +309,11 @@ TEST(Controller, WritesThatDoNotFitAreRefusedInWords) {
         const char* message; // "" = good
     };
     const Row rows[] = {
-        {"mode", integer(TypeKind::Dint, 70000), "70000 does not fit into a variable of type INT; enter a value in its range"},
+        {"mode", integer(TypeKind::Dint, 70000),
+         "70000 does not fit into a variable of type INT; enter a value in its range"},
         {"mode", integer(TypeKind::Dint, -32768), ""},
-        {"mode", Value{TypeTable::of(TypeKind::Lreal), 2.5}, "2.5 does not fit into a variable of type INT; enter a value in its range"},
+        {"mode", Value{TypeTable::of(TypeKind::Lreal), 2.5},
+         "2.5 does not fit into a variable of type INT; enter a value in its range"},
         {"mode", Value{TypeTable::of(TypeKind::Lreal), 2.0}, ""},
         {"real", integer(TypeKind::Int, 3), ""},
         {"small", integer(TypeKind::Int, 12), "12 is outside 0..10; enter a value in this range"},
