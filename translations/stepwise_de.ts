@@ -5495,7 +5495,7 @@
     <name>Tuning</name>
     <message>
         <source>The table has no column of times; name one time_s (seconds) or time_ms</source>
-        <translation>Die Tabelle hat keine Zeitspalte; nennen Sie eine time_s (Sekunden) oder time_ms</translation>
+        <translation>Die Tabelle hat keine Zeitspalte; benennen Sie eine Spalte time_s (Sekunden) oder time_ms</translation>
     </message>
     <message>
         <source>The table has no column {0}; it has {1}</source>
@@ -7927,7 +7927,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Disk space for the recordings of earlier runs, per project</source>
-        <translation>Plattenplatz für die Aufzeichnungen früherer Läufe, je Projekt</translation>
+        <translation>Speicherplatz für die Aufzeichnungen früherer Läufe, je Projekt</translation>
     </message>
     <message>
         <source> MB</source>
@@ -12060,7 +12060,7 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
     <name>Waveform</name>
     <message>
         <source>The table has no column of times; name one time_s (seconds) or time_ms</source>
-        <translation>Die Tabelle hat keine Zeitspalte; nennen Sie eine time_s (Sekunden) oder time_ms</translation>
+        <translation>Die Tabelle hat keine Zeitspalte; benennen Sie eine Spalte time_s (Sekunden) oder time_ms</translation>
     </message>
     <message>
         <source>The table has no column {0}; it has {1}</source>

@@ -10390,15 +10390,15 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     </message>
     <message>
         <source>Logged out after</source>
-        <translation>注销时间</translation>
+        <translation>自动注销时间</translation>
     </message>
     <message>
         <source>Logged out after </source>
-        <translation>注销时间 </translation>
+        <translation>自动注销时间 </translation>
     </message>
     <message>
         <source>Logged Out After</source>
-        <translation>注销时间</translation>
+        <translation>自动注销时间</translation>
     </message>
     <message>
         <source>Set Password</source>
