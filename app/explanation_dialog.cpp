@@ -86,9 +86,10 @@ void explainProblem(MainWindow& window) {
     auto* dialog = window.findChild<ExplanationDialog*>();
     if (!dialog) dialog = new ExplanationDialog(&window);
     if (!dialog->show(code))
-        window.say(code.isEmpty() ? ExplanationDialog::tr("Put the cursor on a problem, or choose one in the list, and "
-                                                          "press F1 again")
-                                  : ExplanationDialog::tr("There is no page for %1").arg(code));
+        window.say(code.isEmpty()
+                       ? ExplanationDialog::tr("Put the cursor on a problem, or choose one in the list, and "
+                                               "press F1 again")
+                       : ExplanationDialog::tr("There is no page for %1; choose a code from the list").arg(code));
 }
 
 } // namespace plc::app

@@ -1,11 +1,13 @@
 #include "app/guide_view.h"
 
 #include "editor/kit/theme.h"
+#include "editor/kit/translation_tag.h"
 #include "hmi/view/picture_file.h"
 
 #include <QDesktopServices>
 #include <QDir>
 #include <QFile>
+#include <QLocale>
 #include <QScrollBar>
 
 namespace plc::app {
@@ -27,16 +29,21 @@ GuideView::GuideView(QWidget* parent) : QTextBrowser(parent) {
     connect(&kit::Theme::current(), &kit::Theme::changed, this, &GuideView::render);
 }
 
+QString GuideView::readmeOf(const QString& folder) {
+    const QString translated = folder + "/README." + kit::translationTag(QLocale().name()) + ".md";
+    return QFile::exists(translated) ? translated : folder + "/README.md";
+}
+
 bool GuideView::showProject(const QString& folder) {
     m_folder = folder;
-    QFile file(folder + "/README.md");
+    QFile file(readmeOf(folder));
     m_text = !folder.isEmpty() && file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
     render();
     return !m_text.isEmpty();
 }
 
 QString GuideView::summaryOf(const QString& folder) {
-    QFile file(folder + "/README.md");
+    QFile file(readmeOf(folder));
     if (!file.open(QIODevice::ReadOnly)) return {};
     QStringList paragraph;
     for (const QString& line : QString::fromUtf8(file.readAll()).split('\n')) {

@@ -9,6 +9,8 @@ class GuideView : public QTextBrowser {
     Q_OBJECT
 public:
     explicit GuideView(QWidget* parent = nullptr);
+    /// The file to read: README.<language of the studio>.md ("README.de.md") where there is one, else README.md.
+    [[nodiscard]] static QString readmeOf(const QString& folder);
     /// The README of the folder; true if there is one.
     bool showProject(const QString& folder);
     /// The first paragraph without marks, for those who have no time.

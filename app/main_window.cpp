@@ -460,7 +460,9 @@ void MainWindow::connectParts() {
 
 void MainWindow::whatIf() {
     if (m_control->showsRecorded() || !m_control->isOnline())
-        return say(tr("What if? needs a running controller: a recording from a file cannot be resumed"), true);
+        return say(tr("What if? needs a running controller: a recording from a file cannot be resumed; press F5 to run "
+                      "the program"),
+                   true);
     if (!m_control->viewed()) m_control->stepView(-1);
     if (!m_control->viewed()) return;
     WhatIfDialog dialog(*m_control, m_watch->expressions(), editor::pathCompletions(*m_workspace), this);

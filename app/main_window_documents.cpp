@@ -34,9 +34,10 @@ void MainWindow::newTrace() {
         QInputDialog::getText(this, tr("New Trace"), tr("Name of the trace:"), QLineEdit::Normal, tr("trace"), &ok)
             .trimmed();
     if (!ok || name.isEmpty()) return;
-    if (name.contains('/') || name.contains('\\')) return say(tr("A file name cannot contain / or \\"), true);
+    if (name.contains('/') || name.contains('\\'))
+        return say(tr("A file name cannot contain / or \\; choose another name"), true);
     const QString path = m_workspace->folder() + "/traces/" + name + ".trace.json";
-    if (QFile::exists(path)) return say(tr("A trace %1 already exists").arg(name), true);
+    if (QFile::exists(path)) return say(tr("A trace %1 already exists; choose another name").arg(name), true);
     QDir().mkpath(QFileInfo(path).path());
     if (auto saved = trace::saveSetup({}, path.toStdString()); !saved)
         return say(kit::messageText(saved.error()), true);
@@ -64,14 +65,16 @@ void MainWindow::renameProjectFile(const QString& kind, const QString& name) {
         QInputDialog::getText(this, tr("Rename"), tr("New name of %1:").arg(shown), QLineEdit::Normal, shown, &ok)
             .trimmed();
     if (!ok || chosen.isEmpty() || chosen == shown) return;
-    if (chosen.contains('/') || chosen.contains('\\')) return say(tr("A file name cannot contain / or \\"), true);
+    if (chosen.contains('/') || chosen.contains('\\'))
+        return say(tr("A file name cannot contain / or \\; choose another name"), true);
     const auto report = [this](const Result<void>& result) {
         if (!result) say(kit::messageText(result.error()), true);
         return static_cast<bool>(result);
     };
     if (kind == "test" || kind == "source") return renameSource(name, QFileInfo(name).path() + "/" + chosen + ".st");
     const QString from = pathOf(m_workspace->folder(), kind, name), to = pathOf(m_workspace->folder(), kind, chosen);
-    if (QFile::exists(to)) return say(tr("A file %1 already exists").arg(QFileInfo(to).fileName()), true);
+    if (QFile::exists(to))
+        return say(tr("A file %1 already exists; choose another name").arg(QFileInfo(to).fileName()), true);
     if (kind == "panel" && !closeDesigns()) return;
     if (kind == "trace") m_live->saveTrace();
     if (!QFile::rename(from, to))
@@ -159,7 +162,8 @@ void MainWindow::newPanel() {
         QInputDialog::getText(this, tr("New Panel"), tr("Name of the panel:"), QLineEdit::Normal, tr("overview"), &ok)
             .trimmed();
     if (!ok || name.isEmpty()) return;
-    if (name.contains('/') || name.contains('\\')) return say(tr("A panel's name cannot contain / or \\"), true);
+    if (name.contains('/') || name.contains('\\'))
+        return say(tr("A panel's name cannot contain / or \\; choose another name"), true);
     if (auto added = m_live->addPanel(name); !added) return say(kit::messageText(added.error()), true);
     openDesigner(name);
     if (QWidget* page = m_tabs->pageByKey("panel:" + name)) page->setFocus();

@@ -69,7 +69,7 @@ void MainWindow::findDefinition(const QString& file, uint32_t offset) {
     const auto id = model ? model->fileOf(file.toStdString()) : std::nullopt;
     if (!id) return;
     const auto place = model->definition(*id, offset);
-    if (!place) return say(tr("Nothing is declared under this name"));
+    if (!place) return say(tr("Nothing is declared under this name; declare it or check the name"));
     const QString target = QString::fromStdString(model->sources()[place->file].path());
     m_tabs->goTo(target, place->begin, place->length());
 }
@@ -127,7 +127,7 @@ void MainWindow::findUses(const QString& file, uint32_t offset) {
     const auto id = model ? model->fileOf(file.toStdString()) : std::nullopt;
     if (!id) return;
     const auto symbol = model->symbolAt(*id, offset);
-    if (!symbol) return say(tr("There is no name at the cursor"));
+    if (!symbol) return say(tr("There is no name at the cursor; put the cursor on one"));
     const sema::Symbol& found = model->symbol(*symbol);
     m_search->showUses(QString::fromStdString(found.name), model->uses(*id, offset), model->sources(),
                        usesInPanels(found));
@@ -149,7 +149,7 @@ void MainWindow::renameSymbol(const QString& file, uint32_t offset) {
     const auto id = model ? model->fileOf(file.toStdString()) : std::nullopt;
     if (!id) return say(tr("The project is still being checked; try again in a moment"));
     const auto symbol = model->symbolAt(*id, offset);
-    if (!symbol) return say(tr("There is no name at the cursor"));
+    if (!symbol) return say(tr("There is no name at the cursor; put the cursor on one"));
     const QString old = QString::fromStdString(model->symbol(*symbol).name);
     std::vector<RenameDialog::Place> places;
     for (const analysis::Use& use : model->uses(*id, offset)) {
@@ -169,7 +169,7 @@ void MainWindow::renameTo(const QString& file, uint32_t offset, const QString& n
     const auto model = m_workspace->presentModel();
     const auto id = model ? model->fileOf(file.toStdString()) : std::nullopt;
     const auto symbol = id ? model->symbolAt(*id, offset) : std::nullopt;
-    if (!symbol) return say(tr("There is no name at the cursor"));
+    if (!symbol) return say(tr("There is no name at the cursor; put the cursor on one"));
     const sema::Symbol& renamedSymbol = model->symbol(*symbol);
     const QString old = QString::fromStdString(renamedSymbol.name), path = QString::fromStdString(renamedSymbol.path);
     const auto found = model->rename(*id, offset, name.toStdString());
@@ -244,7 +244,7 @@ void MainWindow::showInstance(const QString& block, const QString& instance) {
         m_tabs->goTo(file, unit->name.range.begin);
         return;
     }
-    say(tr("%1 is not a source of this project").arg(block), true);
+    say(tr("%1 is not a source of this project; open the project that contains it").arg(block), true);
 }
 
 } // namespace plc::app

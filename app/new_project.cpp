@@ -353,7 +353,7 @@ void NewProjectDialog::check() {
     if (name().isEmpty())
         complaint = tr("Enter a project name");
     else if (QDir(folder()).exists() && !QDir(folder()).isEmpty())
-        complaint = tr("%1 already exists and is not empty").arg(folder());
+        complaint = tr("%1 already exists and is not empty; choose another name").arg(folder());
     QPalette palette = m_complaint->palette();
     palette.setColor(QPalette::WindowText, complaint.isEmpty() ? kit::colors().muted : kit::colors().bad);
     m_complaint->setPalette(palette);
@@ -415,7 +415,7 @@ void NewUnitDialog::check() {
     else if (templateId() != "test" && !isName(name()))
         complaint = tr("A name has letters, digits and _, starts with a letter and is not a keyword");
     else if (templateId() != "test" && m_taken.contains(foldCase(name().toStdString())))
-        complaint = tr("%1 already exists in the project").arg(name());
+        complaint = tr("%1 already exists in the project; choose another name").arg(name());
     else if (m_file->currentData().toString().isEmpty() && m_files.contains(file(), Qt::CaseInsensitive))
         complaint = tr("A file %1 already exists: choose it, or another name").arg(file());
     m_complaint->setText(complaint);

@@ -49,7 +49,11 @@ QString OnlineMarks::pathOf(const QString& name, const QString& pou) const {
 void OnlineMarks::askForValue(const QString& name, const QString& pou, bool force) {
     const QString path = pathOf(name, pou);
     if (path.isEmpty())
-        return emit m_tabs.message(EditorTabs::tr("%1 is no variable of the running program").arg(name), true);
+        return emit m_tabs.message(
+            EditorTabs::tr(
+                "%1 is not a variable of the running program; check the name, or press F5 to build the program")
+                .arg(name),
+            true);
     const auto shown = m_control.value(path);
     bool ok = false;
     const QString present = shown.isBool ? (shown.isTrue ? "FALSE" : "TRUE") : shown.text; // a BOOL is to be the other

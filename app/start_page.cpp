@@ -1,6 +1,7 @@
 #include "app/start_page.h"
 
 #include "app/example_titles.h"
+#include "app/guide_view.h"
 #include "app/settings.h"
 #include "editor/kit/icons.h"
 #include "editor/kit/theme.h"
@@ -43,7 +44,7 @@ QString titleOf(const QString& folder) {
 /// What is known of an example; of another project, the first paragraph of its README below the heading.
 QString summaryOf(const QString& folder) {
     if (const QString known = exampleSummary(titleOf(folder)); !known.isEmpty()) return known;
-    QFile file(folder + "/README.md");
+    QFile file(GuideView::readmeOf(folder));
     if (!file.open(QIODevice::ReadOnly)) return {};
     for (const QString& line : QString::fromUtf8(file.readAll()).split('\n')) {
         QString text = line.trimmed();

@@ -70,7 +70,7 @@ void WhatIfDialog::addVariable(const QString& path) {
     if (path.isEmpty()) return;
     const auto shown = m_control.value(path);
     if (shown.text.isEmpty()) {
-        m_problem->setText(tr("%1 has no value in this scan").arg(path));
+        m_problem->setText(tr("%1 has no value in this scan; choose another variable").arg(path));
         return;
     }
     m_problem->clear();

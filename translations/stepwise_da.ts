@@ -16,8 +16,8 @@
         <translation>Hver post i ”{0}” skal være et objekt i krøllede parenteser</translation>
     </message>
     <message>
-        <source>&quot;{0}&quot; is missing</source>
-        <translation>”{0}” mangler</translation>
+        <source>&quot;{0}&quot; is missing; add it</source>
+        <translation>”{0}” mangler; tilføj det</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; must be a text in quotes</source>
@@ -61,7 +61,7 @@
     </message>
     <message>
         <source>{0} is not a name; use letters, digits and underscores, and begin with a letter</source>
-        <translation>{0} er ikke et navn; brug bogstaver, cifre og understreger, og begynd med et bogstav</translation>
+        <translation>{0} er ikke et gyldigt navn; brug bogstaver, cifre og understreger, og begynd med et bogstav</translation>
     </message>
     <message>
         <source>{0} is neither a host name nor an address, for example plc1.local or 192.168.0.10</source>
@@ -93,15 +93,15 @@
     </message>
     <message>
         <source>A device does not let others write its table &quot;{0}&quot;; use &quot;coil&quot; or &quot;holding&quot;, or the direction &quot;in&quot;</source>
-        <translation>En enhed lader ikke andre skrive sin tabel ”{0}”; brug ”coil” eller ”holding” eller retningen ”in”</translation>
+        <translation>Tabellen ”{0}” i en enhed kan ikke skrives; brug ”coil” eller ”holding” eller retningen ”in”</translation>
     </message>
     <message>
         <source>Clients cannot write the table &quot;{0}&quot; of a server; use &quot;coil&quot; or &quot;holding&quot;, or the direction &quot;out&quot;</source>
         <translation>Klienter kan ikke skrive en servers tabel ”{0}”; brug ”coil” eller ”holding” eller retningen ”out”</translation>
     </message>
     <message>
-        <source>{0} needs {1} {1:register|registers} from {2}, but 65535 is the last</source>
-        <translation>{0} kræver {1} {1:register|registre} fra {2}, men 65535 er det sidste</translation>
+        <source>{0} needs {1} {1:register|registers} from {2}, but 65535 is the last; choose a lower address</source>
+        <translation>{0} kræver {1} {1:register|registre} fra {2}, men 65535 er det sidste; vælg en lavere adresse</translation>
     </message>
     <message>
         <source>&quot;bit&quot; selects one bit of a register; the type must then be BOOL</source>
@@ -116,16 +116,16 @@
         <translation>En BOOL i et register kræver ”bit”, fra 0 til 15</translation>
     </message>
     <message>
-        <source>Only an MQTT channel can be of type STRING</source>
-        <translation>Kun en MQTT-kanal kan være af typen STRING</translation>
+        <source>Only an MQTT channel can be of type STRING; use a number or BOOL</source>
+        <translation>Kun en MQTT-kanal kan være af typen STRING; brug et tal eller BOOL</translation>
     </message>
     <message>
-        <source>&quot;scale&quot; must not be 0</source>
-        <translation>”scale” må ikke være 0</translation>
+        <source>&quot;scale&quot; must not be 0; leave it out for 1</source>
+        <translation>”scale” må ikke være 0; udelad den for 1</translation>
     </message>
     <message>
-        <source>A {0} has no &quot;scale&quot; and &quot;offset&quot;</source>
-        <translation>{0} har hverken ”scale” eller ”offset”</translation>
+        <source>A {0} has no &quot;scale&quot; and &quot;offset&quot;; remove them</source>
+        <translation>{0} har hverken ”scale” eller ”offset”; fjern dem</translation>
     </message>
     <message>
         <source>{0}: {1}</source>
@@ -136,12 +136,12 @@
         <translation>{0} har ingen variabel endnu; angiv en, eller lad adresserne foreslå (stepwise devices PROJECT --propose)</translation>
     </message>
     <message>
-        <source>{0} is of type {1} and cannot hold a {2}</source>
-        <translation>{0} er af typen {1} og kan ikke indeholde en {2}</translation>
+        <source>{0} is of type {1} and cannot hold a {2}; use a variable of that type</source>
+        <translation>{0} er af typen {1} og kan ikke indeholde en {2}; brug en variabel af den type</translation>
     </message>
     <message>
         <source>A {0} may not fit into {1} of type {2}; a value that does not fit leaves the variable as it is and makes the channel bad</source>
-        <translation>En {0} kan måske ikke være i {1} af typen {2}; en værdi, der ikke kan, lader variablen være uændret og gør kanalen ugyldig</translation>
+        <translation>En {0} passer måske ikke i {1} af typen {2}; en værdi, der ikke passer, lader variablen være uændret og gør kanalen ugyldig</translation>
     </message>
     <message>
         <source>{0} is an output of the program; an input channel needs %I or a variable</source>
@@ -152,8 +152,8 @@
         <translation>{0} er en indgang i programmet; en udgangskanal kræver %Q eller en variabel</translation>
     </message>
     <message>
-        <source>{0} is a constant and cannot be written</source>
-        <translation>{0} er en konstant og kan ikke skrives</translation>
+        <source>{0} is a constant and cannot be written; choose a variable</source>
+        <translation>{0} er en konstant og kan ikke skrives; vælg en variabel</translation>
     </message>
     <message>
         <source>{0} says whether the channel is good and must be a BOOL or an integer</source>
@@ -176,64 +176,64 @@
         <translation>{0} kan ikke læses; den indeholder udstederens certifikater (PEM)</translation>
     </message>
     <message>
-        <source>no answer within {0} ms</source>
-        <translation>intet svar inden for {0} ms</translation>
+        <source>no answer within {0} ms; check the cable, the address and the unit number</source>
+        <translation>intet svar inden for {0} ms; kontroller kabel, adresse og enhedsnummer</translation>
     </message>
     <message>
         <source>the connection ended: {0}</source>
         <translation>forbindelsen sluttede: {0}</translation>
     </message>
     <message>
-        <source>the answer does not match the request</source>
-        <translation>svaret passer ikke til forespørgslen</translation>
+        <source>the answer does not match the request; check baud rate, parity and unit number</source>
+        <translation>svaret passer ikke til forespørgslen; kontroller baudrate, paritet og enhedsnummer</translation>
     </message>
     <message>
         <source>the device refuses {0} {1}: {2}</source>
         <translation>enheden afviser {0} {1}: {2}</translation>
     </message>
     <message>
-        <source>it does not know the function</source>
-        <translation>den kender ikke funktionen</translation>
+        <source>it does not know the function; choose another table</source>
+        <translation>den kender ikke funktionen; vælg en anden tabel</translation>
     </message>
     <message>
-        <source>it has no such address</source>
-        <translation>den har ingen sådan adresse</translation>
+        <source>it has no such address; check the address in its manual</source>
+        <translation>den har ingen sådan adresse; kontroller adressen i dens manual</translation>
     </message>
     <message>
-        <source>it does not take the value</source>
-        <translation>den tager ikke imod værdien</translation>
+        <source>it does not take the value; check the range in its manual</source>
+        <translation>den tager ikke imod værdien; kontroller området i dens manual</translation>
     </message>
     <message>
-        <source>it failed</source>
-        <translation>den fejlede</translation>
+        <source>it failed; look at the device</source>
+        <translation>den fejlede; se på enheden</translation>
     </message>
     <message>
-        <source>it is busy</source>
-        <translation>den er optaget</translation>
+        <source>it is busy; it is asked again</source>
+        <translation>den er optaget; den spørges igen</translation>
     </message>
     <message>
-        <source>the gateway does not reach it</source>
-        <translation>gatewayen kan ikke nå den</translation>
+        <source>the gateway does not reach it; check the unit number and the cable behind it</source>
+        <translation>gatewayen kan ikke nå den; kontroller enhedsnummeret og kablet bag den</translation>
     </message>
     <message>
-        <source>cannot listen at {0}: {1}</source>
-        <translation>kan ikke lytte på {0}: {1}</translation>
+        <source>cannot listen at {0}: {1}; choose another address or port</source>
+        <translation>kan ikke lytte på {0}: {1}; vælg en anden adresse eller port</translation>
     </message>
     <message>
-        <source>{0}: the message holds no value that can be read</source>
-        <translation>{0}: meddelelsen indeholder ingen værdi, der kan læses</translation>
+        <source>{0}: the message holds no value that can be read; check what the device publishes</source>
+        <translation>{0}: meddelelsen indeholder ingen værdi, der kan læses; kontroller, hvad enheden udgiver</translation>
     </message>
     <message>
-        <source>{0}: a value does not fit into the variable</source>
-        <translation>{0}: en værdi kan ikke være i variablen</translation>
+        <source>{0}: a value does not fit into the variable; use a larger type or a scale</source>
+        <translation>{0}: en værdi passer ikke i variablen; brug en større type eller en skalering</translation>
     </message>
     <message>
-        <source>no client wrote for {0} ms</source>
-        <translation>ingen klient har skrevet i {0} ms</translation>
+        <source>no client wrote for {0} ms; check the client and its address</source>
+        <translation>ingen klient har skrevet i {0} ms; kontroller klienten og dens adresse</translation>
     </message>
     <message>
-        <source>the broker refuses the connection: {0}</source>
-        <translation>brokeren afviser forbindelsen: {0}</translation>
+        <source>the broker refuses the connection: {0}; check the user and the password</source>
+        <translation>brokeren afviser forbindelsen: {0}; kontroller bruger og adgangskode</translation>
     </message>
     <message>
         <source>the input {0} of the device {1} was lost</source>
@@ -260,8 +260,8 @@
         <translation>Sæt først hastigheden til realtid; enheder kan ikke følge med en anden</translation>
     </message>
     <message>
-        <source>The devices of an attached controller are connected there</source>
-        <translation>Enhederne til en tilkoblet styring er forbundet dér</translation>
+        <source>The devices of an attached controller are connected there; detach to connect them here</source>
+        <translation>Enhederne til en tilkoblet styring er forbundet dér; afbryd forbindelsen for at forbinde dem her</translation>
     </message>
     <message>
         <source>{0} and {1} write the same bytes: {2}; change an address</source>
@@ -311,12 +311,12 @@
         <translation>{0} forventes før {1}</translation>
     </message>
     <message>
-        <source>A semicolon is missing here</source>
-        <translation>Her mangler et semikolon</translation>
+        <source>A semicolon is missing here; add it</source>
+        <translation>Her mangler et semikolon; tilføj det</translation>
     </message>
     <message>
-        <source>{0} is missing for this {1}</source>
-        <translation>{0} mangler til denne {1}</translation>
+        <source>{0} is missing for this {1}; add it</source>
+        <translation>{0} mangler til denne {1}; tilføj det</translation>
     </message>
     <message>
         <source>This comparison has no effect; use := to assign</source>
@@ -327,8 +327,8 @@
         <translation>En tildeling er ikke en betingelse; brug = til sammenligning</translation>
     </message>
     <message>
-        <source>A colon is missing between the name and its type</source>
-        <translation>Der mangler et kolon mellem navnet og dets type</translation>
+        <source>A colon is missing between the name and its type; add it</source>
+        <translation>Der mangler et kolon mellem navnet og dets type; tilføj det</translation>
     </message>
     <message>
         <source>Decimal numbers use a point: {0}</source>
@@ -355,8 +355,8 @@
         <translation>{0} er en IN_OUT-parameter og kræver en variabel af typen {1}</translation>
     </message>
     <message>
-        <source>{0} has only the bits 0 to {1}</source>
-        <translation>{0} har kun bittene 0 til {1}</translation>
+        <source>{0} has only the bits 0 to {1}; use one of them</source>
+        <translation>{0} har kun bittene 0 til {1}; brug en af dem</translation>
     </message>
     <message>
         <source>{0} is ambiguous: {1}; write the namespace before it</source>
@@ -391,24 +391,24 @@
         <translation>Der er flere programmer og ingen CONFIGURATION; omdøb ét til Main, eller skriv en CONFIGURATION</translation>
     </message>
     <message>
-        <source>The range {0}..{1} is not valid: the lower bound is above the upper bound or there are too many elements</source>
-        <translation>Området {0}..{1} er ugyldigt: den nedre grænse er over den øvre, eller der er for mange elementer</translation>
+        <source>The range {0}..{1} is not valid: the lower bound is above the upper bound or there are too many elements; correct the bounds</source>
+        <translation>Området {0}..{1} er ugyldigt: den nedre grænse er over den øvre, eller der er for mange elementer; ret grænserne</translation>
     </message>
     <message>
         <source>{0} has an incomplete address; complete it in a VAR_CONFIG</source>
         <translation>{0} har en ufuldstændig adresse; gør den færdig i en VAR_CONFIG</translation>
     </message>
     <message>
-        <source>{0} may call itself; the depth of recursion is limited at run time</source>
-        <translation>{0} kan kalde sig selv; rekursionsdybden er begrænset under kørslen</translation>
+        <source>{0} may call itself; the depth of recursion is limited at run time; a loop is safer</source>
+        <translation>{0} kan kalde sig selv; rekursionsdybden er begrænset under kørslen; en løkke er sikrere</translation>
     </message>
     <message>
         <source>The steps before this transition cannot be active together; start them from one simultaneous branch</source>
         <translation>Trinnene før denne transition kan ikke være aktive samtidig; start dem fra én parallelgren</translation>
     </message>
     <message>
-        <source>This transition is always true; the step before it lasts one scan</source>
-        <translation>Denne transition er altid sand; trinnet før den er kun aktivt i ét scan</translation>
+        <source>This transition is always true; the step before it lasts one scan; write the condition to wait for</source>
+        <translation>Denne transition er altid sand; trinnet før den er kun aktivt i ét scan; skriv den betingelse, der skal ventes på</translation>
     </message>
     <message>
         <source>The qualifier {0} needs a time, for example T#2s</source>
@@ -459,20 +459,20 @@
         <translation>Et trin angiver her sine aktioner; skriv sætninger i en ACTION</translation>
     </message>
     <message>
-        <source>No transition leads away from step {0}; the chart ends here</source>
-        <translation>Ingen transition fører væk fra trin {0}; SFC-diagrammet slutter her</translation>
+        <source>No transition leads away from step {0}; the chart ends here; add a TRANSITION if it should go on</source>
+        <translation>Ingen transition fører væk fra trin {0}; SFC-diagrammet slutter her; tilføj en TRANSITION, hvis det skal fortsætte</translation>
     </message>
     <message>
-        <source>{0} is also a variable; steps and calls mean the ACTION</source>
-        <translation>{0} er også en variabel; trin og kald betyder aktionen</translation>
+        <source>{0} is also a variable; steps and calls mean the ACTION; rename one of the two</source>
+        <translation>{0} er også en variabel; trin og kald betyder aktionen; omdøb en af dem</translation>
     </message>
     <message>
         <source>Use {1} instead of {0} in Structured Text</source>
         <translation>Brug {1} i stedet for {0} i struktureret tekst</translation>
     </message>
     <message>
-        <source>The task {0} has no INTERVAL above zero and no SINGLE; it runs in every scan</source>
-        <translation>Tasken {0} har intet INTERVAL over nul og intet SINGLE; den kører i hvert scan</translation>
+        <source>The task {0} has no INTERVAL above zero and no SINGLE; it runs in every scan; give it an INTERVAL to slow it down</source>
+        <translation>Tasken {0} har intet INTERVAL over nul og intet SINGLE; den kører i hvert scan; angiv INTERVAL for at gøre den langsommere</translation>
     </message>
     <message>
         <source>{0} is read as {1}; write a time with its unit</source>
@@ -491,8 +491,8 @@
         <translation>Betingelsen {0} består ikke af defined, hasvalue, hasattribute eller hastype med NOT, AND, OR</translation>
     </message>
     <message>
-        <source>The pragma {0} is missing for this {1}</source>
-        <translation>Pragmaet {0} mangler til dette {1}</translation>
+        <source>The pragma {0} is missing for this {1}; add it</source>
+        <translation>Pragmaet {0} mangler til dette {1}; tilføj det</translation>
     </message>
     <message>
         <source>The character {0} has no meaning here; remove it</source>
@@ -772,7 +772,7 @@
     </message>
     <message>
         <source>{0} does not fit into {1}; use another value or a larger type</source>
-        <translation>{0} kan ikke være i {1}; brug en anden værdi eller en større type</translation>
+        <translation>{0} passer ikke i {1}; brug en anden værdi eller en større type</translation>
     </message>
     <message>
         <source>The condition must be BOOL, not {0}; add a comparison</source>
@@ -856,32 +856,32 @@
 <context>
     <name>Errors</name>
     <message>
-        <source>division by zero</source>
-        <translation>division med nul</translation>
+        <source>division by zero; check the divisor first</source>
+        <translation>division med nul; kontroller først divisoren</translation>
     </message>
     <message>
-        <source>index {0} is used on an empty array</source>
-        <translation>adgang til indeks {0} i et tomt array</translation>
+        <source>index {0} is used on an empty array; check its bounds first</source>
+        <translation>adgang til indeks {0} i et tomt array; kontroller først dets grænser</translation>
     </message>
     <message>
-        <source>index {0} is outside {1}..{2}</source>
-        <translation>indeks {0} ligger uden for {1}..{2}</translation>
+        <source>index {0} is outside {1}..{2}; use an index in this range or enlarge the array</source>
+        <translation>indeks {0} ligger uden for {1}..{2}; brug et indeks i dette område, eller gør arrayet større</translation>
     </message>
     <message>
-        <source>character {0} is read from an empty string</source>
-        <translation>adgang til tegn {0} i en tom tekst</translation>
+        <source>character {0} is read from an empty string; check LEN first</source>
+        <translation>adgang til tegn {0} i en tom tekst; kontroller først LEN</translation>
     </message>
     <message>
-        <source>character {0} is outside {1}..{2} of the string</source>
-        <translation>tegn {0} ligger uden for {1}..{2} i teksten</translation>
+        <source>character {0} is outside {1}..{2} of the string; use an index in this range</source>
+        <translation>tegn {0} ligger uden for {1}..{2} i teksten; brug et indeks i dette område</translation>
     </message>
     <message>
         <source>calls are nested too deeply; check for endless recursion</source>
         <translation>kald er indlejret for dybt; kontroller for endeløs rekursion</translation>
     </message>
     <message>
-        <source>the called method has no body</source>
-        <translation>den kaldte metode har ingen krop</translation>
+        <source>the called method has no body; override it in the block that is called</source>
+        <translation>den kaldte metode har ingen krop; tilsidesæt den i den blok, der kaldes</translation>
     </message>
     <message>
         <source>the scan was aborted</source>
@@ -932,44 +932,36 @@
         <translation>{0} := {1}</translation>
     </message>
     <message>
-        <source>no such file or folder</source>
-        <translation>filen eller mappen findes ikke</translation>
+        <source>no such file or folder; check the path</source>
+        <translation>filen eller mappen findes ikke; kontroller stien</translation>
     </message>
     <message>
-        <source>permission denied</source>
-        <translation>ingen tilladelse</translation>
+        <source>permission denied; check the permissions of the file and its folder</source>
+        <translation>ingen tilladelse; kontroller rettighederne til filen og dens mappe</translation>
     </message>
     <message>
-        <source>no space left on the device</source>
-        <translation>der er ikke mere plads på drevet</translation>
+        <source>no space left on the device; free some space and try again</source>
+        <translation>der er ikke mere plads på drevet; frigør plads, og prøv igen</translation>
     </message>
     <message>
-        <source>it is a folder</source>
-        <translation>det er en mappe</translation>
+        <source>it is a folder; choose a file</source>
+        <translation>det er en mappe; vælg en fil</translation>
     </message>
     <message>
-        <source>it is not a folder</source>
-        <translation>det er ikke en mappe</translation>
+        <source>it is not a folder; choose a folder</source>
+        <translation>det er ikke en mappe; vælg en mappe</translation>
     </message>
     <message>
-        <source>the device reports a read or write error</source>
-        <translation>drevet melder en læse- eller skrivefejl</translation>
+        <source>the device reports a read or write error; check the drive or the cable</source>
+        <translation>drevet melder en læse- eller skrivefejl; kontroller drevet eller kablet</translation>
     </message>
     <message>
-        <source>it already exists</source>
-        <translation>det findes allerede</translation>
+        <source>it already exists; choose another name</source>
+        <translation>det findes allerede; vælg et andet navn</translation>
     </message>
     <message>
-        <source>the file is too large</source>
-        <translation>filen er for stor</translation>
-    </message>
-    <message>
-        <source>{0}; free some space and save again</source>
-        <translation>{0}; frigør plads og gem igen</translation>
-    </message>
-    <message>
-        <source>{0}; check the permissions of the folder</source>
-        <translation>{0}; kontroller mappens rettigheder</translation>
+        <source>the file is too large; choose a smaller one</source>
+        <translation>filen er for stor; vælg en mindre</translation>
     </message>
     <message>
         <source>cancelled</source>
@@ -996,20 +988,20 @@
         <translation>Optagelsen kan ikke åbnes: {0}</translation>
     </message>
     <message>
-        <source>its program has errors</source>
-        <translation>dens program har fejl</translation>
+        <source>its program has errors; open the recording with the version of Stepwise that made it</source>
+        <translation>dens program har fejl; åbn optagelsen med den version af Stepwise, der lavede den</translation>
     </message>
     <message>
-        <source>The recording contains no program</source>
-        <translation>Optagelsen indeholder intet program</translation>
+        <source>The recording contains no program; record the run again with this version</source>
+        <translation>Optagelsen indeholder intet program; optag kørslen igen med denne version</translation>
     </message>
     <message>
-        <source>This scan is no longer in the recording</source>
-        <translation>Dette scan er ikke længere i optagelsen</translation>
+        <source>This scan is no longer in the recording; choose a later one</source>
+        <translation>Dette scan er ikke længere i optagelsen; vælg et senere</translation>
     </message>
     <message>
-        <source>The program that recorded this scan is no longer available</source>
-        <translation>Programmet, der optog dette scan, er ikke længere til rådighed</translation>
+        <source>The program that recorded this scan is no longer available; choose a scan after the last change of the program</source>
+        <translation>Programmet, der optog dette scan, er ikke længere til rådighed; vælg et scan efter den sidste ændring af programmet</translation>
     </message>
     <message>
         <source>&apos;{0}&apos; is ambiguous; write one of {1}</source>
@@ -1020,44 +1012,44 @@
         <translation>”{0}” har ingen variabel ”{1}”; mente du ”{2}”?</translation>
     </message>
     <message>
-        <source>&apos;{0}&apos; has no variable &apos;{1}&apos;</source>
-        <translation>”{0}” har ingen variabel ”{1}”</translation>
+        <source>&apos;{0}&apos; has no variable &apos;{1}&apos;; check the name</source>
+        <translation>”{0}” har ingen variabel ”{1}”; kontroller navnet</translation>
     </message>
     <message>
         <source>there is no variable &apos;{0}&apos;; did you mean &apos;{1}&apos;?</source>
         <translation>der er ingen variabel ”{0}”; mente du ”{1}”?</translation>
     </message>
     <message>
-        <source>there is no variable &apos;{0}&apos;</source>
-        <translation>der er ingen variabel ”{0}”</translation>
+        <source>there is no variable &apos;{0}&apos;; check the name or declare it</source>
+        <translation>der er ingen variabel ”{0}”; kontroller navnet, eller erklær den</translation>
     </message>
     <message>
-        <source>a variable of type {1} has no member &apos;{0}&apos;</source>
-        <translation>en variabel af typen {1} har intet medlem ”{0}”</translation>
+        <source>a variable of type {1} has no member &apos;{0}&apos;; check the name</source>
+        <translation>en variabel af typen {1} har intet medlem ”{0}”; kontroller navnet</translation>
     </message>
     <message>
         <source>&apos;{0}&apos; is a VAR_IN_OUT; write the variable that is connected to it</source>
         <translation>”{0}” er en VAR_IN_OUT; skriv den variabel, der er forbundet med den</translation>
     </message>
     <message>
-        <source>{0} needs {1} {1:index|indices}, not {2}</source>
-        <translation>{0} kræver {1} {1:indeks|indekser}, ikke {2}</translation>
+        <source>{0} needs {1} {1:index|indices}, not {2}; write one for each dimension</source>
+        <translation>{0} kræver {1} {1:indeks|indekser}, ikke {2}; skriv ét for hver dimension</translation>
     </message>
     <message>
-        <source>bit {0} is outside 0..{1}</source>
-        <translation>bit {0} ligger uden for 0..{1}</translation>
+        <source>bit {0} is outside 0..{1}; use a bit in this range</source>
+        <translation>bit {0} ligger uden for 0..{1}; brug en bit i dette område</translation>
     </message>
     <message>
-        <source>part {0} is outside 0..{1}</source>
-        <translation>del {0} ligger uden for 0..{1}</translation>
+        <source>part {0} is outside 0..{1}; use a part in this range</source>
+        <translation>del {0} ligger uden for 0..{1}; brug en del i dette område</translation>
     </message>
     <message>
         <source>&apos;{0}&apos; is not an address; write for example %IX0.0, %QB4 or %MW2</source>
         <translation>”{0}” er ikke en adresse; skriv for eksempel %IX0.0, %QB4 eller %MW2</translation>
     </message>
     <message>
-        <source>the path cannot be read from &apos;{0}&apos; on</source>
-        <translation>stien kan ikke læses fra ”{0}”</translation>
+        <source>the path cannot be read from &apos;{0}&apos; on; write for example Main.a[2].x</source>
+        <translation>stien kan ikke læses fra ”{0}”; skriv for eksempel Main.a[2].x</translation>
     </message>
     <message>
         <source>{0} is forced; release the force before writing</source>
@@ -1076,8 +1068,8 @@
         <translation>Retain-filen kan ikke skrives: {0}</translation>
     </message>
     <message>
-        <source>The retain file cannot be read: {0}</source>
-        <translation>Retain-filen kan ikke læses: {0}</translation>
+        <source>The retain file cannot be read: {0}; the program starts with its initial values</source>
+        <translation>Retain-filen kan ikke læses: {0}; programmet starter med sine startværdier</translation>
     </message>
     <message>
         <source>The retain file is damaged; the program starts with its initial values</source>
@@ -1088,28 +1080,28 @@
         <translation>{0}; den er gemt som {1}</translation>
     </message>
     <message>
-        <source>{0} retained {0:value does|values do} not fit the program: {1}</source>
-        <translation>{0} {0:remanent værdi|remanente værdier} passer ikke til programmet: {1}</translation>
+        <source>{0} retained {0:value does|values do} not fit the program: {1}; they start with their initial values</source>
+        <translation>{0} {0:remanent værdi|remanente værdier} passer ikke til programmet: {1}; de starter med deres startværdier</translation>
     </message>
     <message>
-        <source>{0} does not fit into a variable of type {1}</source>
-        <translation>{0} passer ikke i en variabel af typen {1}</translation>
+        <source>{0} does not fit into a variable of type {1}; enter a value in its range</source>
+        <translation>{0} passer ikke i en variabel af typen {1}; indtast en værdi i dens område</translation>
     </message>
     <message>
-        <source>the value does not fit into a variable of type {0}</source>
-        <translation>værdien passer ikke i en variabel af typen {0}</translation>
+        <source>the value does not fit into a variable of type {0}; enter one in its range</source>
+        <translation>værdien passer ikke i en variabel af typen {0}; indtast en i dens område</translation>
     </message>
     <message>
-        <source>{0} is outside {1}..{2}</source>
-        <translation>{0} ligger uden for {1}..{2}</translation>
+        <source>{0} is outside {1}..{2}; enter a value in this range</source>
+        <translation>{0} ligger uden for {1}..{2}; indtast en værdi i dette område</translation>
     </message>
     <message>
         <source>a character of the text does not fit into a STRING; use a WSTRING</source>
-        <translation>et tegn i teksten kan ikke være i en STRING; brug en WSTRING</translation>
+        <translation>et tegn i teksten kan ikke gemmes i en STRING; brug en WSTRING</translation>
     </message>
     <message>
-        <source>a reference can only be set to NULL from outside</source>
-        <translation>en reference kan udefra kun sættes til NULL</translation>
+        <source>a reference can only be set to NULL from outside; assign a variable to it in the program</source>
+        <translation>en reference kan udefra kun sættes til NULL; tildel den en variabel i programmet</translation>
     </message>
     <message>
         <source>{0} is not a value for {1}, which is {2}</source>
@@ -1168,48 +1160,48 @@
         <translation>skriv et heltal, for eksempel {0}</translation>
     </message>
     <message>
-        <source>There is no program to optimise</source>
-        <translation>Der er intet program at optimere</translation>
+        <source>There is no program to optimise; declare a PROGRAM</source>
+        <translation>Der er intet program at optimere; erklær et PROGRAM</translation>
     </message>
     <message>
-        <source>this is local to a running call and has no address of its own</source>
-        <translation>dette er lokalt i et kørende kald og har ingen egen adresse</translation>
+        <source>this is local to a running call and has no address of its own; pause in the call to see it</source>
+        <translation>dette er lokalt i et kørende kald og har ingen egen adresse; sæt på pause i kaldet for at se den</translation>
     </message>
     <message>
-        <source>this part of a computed value cannot be shown</source>
-        <translation>denne del af en beregnet værdi kan ikke vises</translation>
+        <source>this part of a computed value cannot be shown; assign the value to a variable first</source>
+        <translation>denne del af en beregnet værdi kan ikke vises; tildel først værdien til en variabel</translation>
     </message>
     <message>
-        <source>a character of a string has no address of its own</source>
-        <translation>et tegn i en tekst har ingen egen adresse</translation>
+        <source>a character of a string has no address of its own; use the whole string</source>
+        <translation>et tegn i en tekst har ingen egen adresse; brug hele teksten</translation>
     </message>
     <message>
-        <source>this variable cannot be shown</source>
-        <translation>denne variabel kan ikke vises</translation>
+        <source>this variable cannot be shown; assign it to another variable and watch that one</source>
+        <translation>denne variabel kan ikke vises; tildel den til en anden variabel, og overvåg den</translation>
     </message>
     <message>
-        <source>this array of variable length has no address here</source>
-        <translation>dette array med variabel længde har ingen adresse her</translation>
+        <source>this array of variable length has no address here; watch the array that is passed to it</source>
+        <translation>dette array med variabel længde har ingen adresse her; overvåg det array, der overføres</translation>
     </message>
     <message>
-        <source>the array has no such dimension</source>
-        <translation>arrayet har ingen sådan dimension</translation>
+        <source>the array has no such dimension; count them from 1</source>
+        <translation>arrayet har ingen sådan dimension; tæl dem fra 1</translation>
     </message>
     <message>
         <source>this has no value</source>
         <translation>dette har ingen værdi</translation>
     </message>
     <message>
-        <source>only standard functions can be called here</source>
-        <translation>her kan kun standardfunktioner kaldes</translation>
+        <source>only standard functions can be called here; use a function of the library</source>
+        <translation>her kan kun standardfunktioner kaldes; brug en funktion fra biblioteket</translation>
     </message>
     <message>
-        <source>a cast to an interface cannot be watched</source>
-        <translation>en konvertering til et interface kan ikke overvåges</translation>
+        <source>a cast to an interface cannot be watched; watch the instance itself</source>
+        <translation>en konvertering til et interface kan ikke overvåges; overvåg selve instansen</translation>
     </message>
     <message>
-        <source>this cannot be evaluated</source>
-        <translation>dette kan ikke beregnes</translation>
+        <source>this cannot be evaluated; use variables, operators and standard functions</source>
+        <translation>dette kan ikke beregnes; brug variabler, operatorer og standardfunktioner</translation>
     </message>
     <message>
         <source>The code generator failed: {0}</source>
@@ -1232,24 +1224,24 @@
         <translation>programmet kunne ikke optimeres: {0}</translation>
     </message>
     <message>
-        <source>the program has errors</source>
-        <translation>programmet har fejl</translation>
+        <source>the program has errors; correct them first</source>
+        <translation>programmet har fejl; ret dem først</translation>
     </message>
     <message>
-        <source>the online change waits until the scan that is halted at a breakpoint has ended</source>
-        <translation>onlineændringen venter, til scannet ved stoppunktet er slut</translation>
+        <source>the online change waits until the scan that is halted at a breakpoint has ended; press F5 to continue</source>
+        <translation>onlineændringen venter, til scannet ved stoppunktet er slut; tryk på F5 for at fortsætte</translation>
     </message>
     <message>
-        <source>This body is not an instruction list</source>
-        <translation>Denne krop er ikke en instruktionsliste</translation>
+        <source>This body is not an instruction list; choose a unit that is written in IL</source>
+        <translation>Denne krop er ikke en instruktionsliste; vælg en enhed, der er skrevet i IL</translation>
     </message>
     <message>
-        <source>This body is not ST</source>
-        <translation>Denne krop er ikke ST</translation>
+        <source>This body is not ST; choose a unit that is written in ST</source>
+        <translation>Denne krop er ikke ST; vælg en enhed, der er skrevet i ST</translation>
     </message>
     <message>
-        <source>{0} has no equivalent in an instruction list</source>
-        <translation>{0} har intet modstykke i en instruktionsliste</translation>
+        <source>{0} has no equivalent in an instruction list; write it with simpler statements first</source>
+        <translation>{0} har intet modstykke i en instruktionsliste; skriv det først med enklere sætninger</translation>
     </message>
     <message>
         <source>{0} is already written in ST</source>
@@ -1292,8 +1284,8 @@
         <translation>project.json er ikke gyldig JSON; led efter et manglende komma, anførselstegn eller en parentes</translation>
     </message>
     <message>
-        <source>project.json must contain one JSON object</source>
-        <translation>project.json skal indeholde ét JSON-objekt</translation>
+        <source>project.json must contain one JSON object; put its contents in braces</source>
+        <translation>project.json skal indeholde ét JSON-objekt; sæt indholdet i krøllede parenteser</translation>
     </message>
     <message>
         <source>There is no library &quot;{0}&quot;; available are {1}</source>
@@ -1312,8 +1304,8 @@
         <translation>Angiv en projektmappe eller ST-filer, ikke begge dele</translation>
     </message>
     <message>
-        <source>{0} belongs to a library and cannot be renamed</source>
-        <translation>{0} hører til et bibliotek og kan ikke omdøbes</translation>
+        <source>{0} belongs to a library and cannot be renamed; rename only names of the project</source>
+        <translation>{0} hører til et bibliotek og kan ikke omdøbes; omdøb kun projektets egne navne</translation>
     </message>
     <message>
         <source>{0} is not a valid name; use letters, digits and _, start with a letter and avoid keywords</source>
@@ -1336,16 +1328,16 @@
         <translation>Mappen findes allerede og er ikke tom; vælg et andet navn</translation>
     </message>
     <message>
-        <source>The page cannot be written</source>
-        <translation>Siden kan ikke skrives</translation>
+        <source>The page cannot be written; check the free space and the permissions of the folder</source>
+        <translation>Siden kan ikke skrives; kontroller pladsen og rettighederne til mappen</translation>
     </message>
     <message>
-        <source>There is no such file in the project</source>
-        <translation>Filen findes ikke i projektet</translation>
+        <source>There is no such file in the project; choose one from the project tree</source>
+        <translation>Filen findes ikke i projektet; vælg en i projekttræet</translation>
     </message>
     <message>
-        <source>The file&apos;s permissions cannot be changed</source>
-        <translation>Filens rettigheder kan ikke ændres</translation>
+        <source>The file&apos;s permissions cannot be changed; change them as the file&apos;s owner</source>
+        <translation>Filens rettigheder kan ikke ændres; ret dem som filens ejer</translation>
     </message>
     <message>
         <source>The file cannot be removed; check the permissions of the folder</source>
@@ -1360,8 +1352,8 @@
         <translation>Åbn først et projekt</translation>
     </message>
     <message>
-        <source>This statement is not possible in a TEST together with RUN or ASSERT around it</source>
-        <translation>Denne sætning er ikke mulig i en TEST med RUN eller ASSERT omkring</translation>
+        <source>This statement is not possible in a TEST together with RUN or ASSERT around it; move it out of RUN and ASSERT</source>
+        <translation>Denne sætning er ikke mulig i en TEST med RUN eller ASSERT omkring; flyt den ud af RUN og ASSERT</translation>
     </message>
     <message>
         <source>The code of this statement is missing</source>
@@ -1372,8 +1364,8 @@
         <translation>Fejl i testen: {0}</translation>
     </message>
     <message>
-        <source>{0} is not a value for {1}</source>
-        <translation>{0} er ikke en værdi for {1}</translation>
+        <source>{0} is not a value for {1}; write a value of its type</source>
+        <translation>{0} er ikke en værdi for {1}; skriv en værdi af dens type</translation>
     </message>
     <message>
         <source>The simulation stopped: {0}</source>
@@ -1392,8 +1384,8 @@
         <translation>{0} har ingen værdi: {1}</translation>
     </message>
     <message>
-        <source>{0} did not become true within {1}</source>
-        <translation>{0} blev ikke sand inden for {1}</translation>
+        <source>{0} did not become true within {1}; check the condition or allow more time</source>
+        <translation>{0} blev ikke sand inden for {1}; kontroller betingelsen, eller giv mere tid</translation>
     </message>
     <message>
         <source>ASSERT failed: {0}</source>
@@ -1420,16 +1412,16 @@
         <translation>Optagelsen {0} har {1} scan, denne kørsel {2}</translation>
     </message>
     <message>
-        <source>The run differs from the recording {0}</source>
-        <translation>Kørslen afviger fra optagelsen {0}</translation>
+        <source>The run differs from the recording {0}; delete it to record it again, if the new behaviour is right</source>
+        <translation>Kørslen afviger fra optagelsen {0}; slet den for at optage den igen, hvis den nye opførsel er rigtig</translation>
     </message>
     <message>
         <source>the condition cannot be evaluated</source>
         <translation>betingelsen kan ikke beregnes</translation>
     </message>
     <message>
-        <source>There is no action {0}</source>
-        <translation>Der er ingen aktion {0}</translation>
+        <source>There is no action {0}; add it or correct the name</source>
+        <translation>Der er ingen aktion {0}; tilføj den, eller ret navnet</translation>
     </message>
     <message>
         <source>A coil writes a variable.</source>
@@ -1540,40 +1532,40 @@
         <translation>{0} er ikke et gyldigt navn; brug bogstaver, cifre og understreg</translation>
     </message>
     <message>
-        <source>The initial step stays at the top</source>
-        <translation>Starttrinnet bliver øverst</translation>
+        <source>The initial step stays at the top; make another step the initial step first</source>
+        <translation>Starttrinnet bliver øverst; gør først et andet trin til starttrin</translation>
     </message>
     <message>
-        <source>Only a step with a single transition of its own can be moved</source>
-        <translation>Kun et trin med sin egen enkelte transition kan flyttes</translation>
+        <source>Only a step with a single transition of its own can be moved; move it in the text</source>
+        <translation>Kun et trin med sin egen enkelte transition kan flyttes; flyt det i teksten</translation>
     </message>
     <message>
-        <source>The step is already there</source>
-        <translation>Trinnet er der allerede</translation>
+        <source>The step is already there; choose another place</source>
+        <translation>Trinnet er der allerede; vælg et andet sted</translation>
     </message>
     <message>
-        <source>A step can be placed after a transition that leads to one step</source>
-        <translation>Et trin kan sættes efter en transition, der fører til ét trin</translation>
+        <source>A step can be placed after a transition that leads to one step; choose such a transition</source>
+        <translation>Et trin kan sættes efter en transition, der fører til ét trin; vælg sådan en transition</translation>
     </message>
     <message>
-        <source>This step only leads to itself</source>
-        <translation>Dette trin fører kun til sig selv</translation>
+        <source>This step only leads to itself; connect it to another step first</source>
+        <translation>Dette trin fører kun til sig selv; forbind det først med et andet trin</translation>
     </message>
     <message>
-        <source>A transition needs a condition</source>
-        <translation>En transition kræver en betingelse</translation>
+        <source>A transition needs a condition; enter one, for example Main.done</source>
+        <translation>En transition kræver en betingelse; indtast en, for eksempel Main.done</translation>
     </message>
     <message>
-        <source>A priority must be a positive number</source>
-        <translation>En prioritet skal være et positivt tal</translation>
+        <source>A priority must be a positive number; enter 1 or more</source>
+        <translation>En prioritet skal være et positivt tal; indtast 1 eller mere</translation>
     </message>
     <message>
         <source>Nothing follows this step yet; insert a step after it first</source>
         <translation>Intet følger efter dette trin endnu; indsæt først et trin efter det</translation>
     </message>
     <message>
-        <source>There is no such action</source>
-        <translation>Aktionen findes ikke</translation>
+        <source>There is no such action; select one that is in the chart</source>
+        <translation>Aktionen findes ikke; vælg en i SFC-diagrammet</translation>
     </message>
     <message>
         <source>The initial step cannot be deleted; make another step the initial step first</source>
@@ -1592,28 +1584,28 @@
         <translation>Grenene efter denne transition samles ikke; forbind dem først i teksten</translation>
     </message>
     <message>
-        <source>A panel must be a JSON object</source>
-        <translation>Et panel skal være et JSON-objekt</translation>
+        <source>A panel must be a JSON object; put its contents in braces</source>
+        <translation>Et panel skal være et JSON-objekt; sæt indholdet i krøllede parenteser</translation>
     </message>
     <message>
-        <source>&quot;{0}&quot; must be a list</source>
-        <translation>”{0}” skal være en liste</translation>
+        <source>&quot;{0}&quot; must be a list; put it in square brackets</source>
+        <translation>”{0}” skal være en liste; sæt den i kantede parenteser</translation>
     </message>
     <message>
-        <source>Element {0} is not an object</source>
-        <translation>Element {0} er ikke et objekt</translation>
+        <source>Element {0} is not an object; put it in braces</source>
+        <translation>Element {0} er ikke et objekt; sæt det i krøllede parenteser</translation>
     </message>
     <message>
-        <source>The kind of element {0} is not a text</source>
-        <translation>Arten af element {0} er ikke en tekst</translation>
+        <source>The kind of element {0} is not a text; write it in quotes</source>
+        <translation>Arten af element {0} er ikke en tekst; skriv den i anførselstegn</translation>
     </message>
     <message>
         <source>Two elements have the id &quot;{0}&quot;; change one of them</source>
         <translation>To elementer har id&apos;et ”{0}”; ret det ene</translation>
     </message>
     <message>
-        <source>Every alarm and every alarm class must be a JSON object</source>
-        <translation>Hver alarm og hver alarmklasse skal være et JSON-objekt</translation>
+        <source>Every alarm and every alarm class must be a JSON object; put it in braces</source>
+        <translation>Hver alarm og hver alarmklasse skal være et JSON-objekt; sæt den i krøllede parenteser</translation>
     </message>
     <message>
         <source>This line is not valid UTF-8; save the file as UTF-8</source>
@@ -1628,8 +1620,8 @@
         <translation>Den første linje skal være {0} og et sprogmærke pr. kolonne</translation>
     </message>
     <message>
-        <source>This line has {0} {0:field|fields}, the header has {1}</source>
-        <translation>Denne linje har {0} {0:felt|felter}, hovedet har {1}</translation>
+        <source>This line has {0} {0:field|fields}, the header has {1}; put texts with separators in quotes</source>
+        <translation>Denne linje har {0} {0:felt|felter}, hovedet har {1}; sæt tekster med skilletegn i anførselstegn</translation>
     </message>
     <message>
         <source>The alarm history cannot be opened: {0}</source>
@@ -1644,40 +1636,40 @@
         <translation>Alarmhistorikken kan ikke skrives: {0}</translation>
     </message>
     <message>
-        <source>{0} does not fit into {1}</source>
-        <translation>{0} kan ikke være i {1}</translation>
+        <source>{0} does not fit into {1}; use a larger type or a smaller limit</source>
+        <translation>{0} passer ikke i {1}; brug en større type eller en mindre grænse</translation>
     </message>
     <message>
         <source>STRING contains Latin-1 only; declare the variable as WSTRING</source>
         <translation>STRING rummer kun Latin-1; erklær variablen som WSTRING</translation>
     </message>
     <message>
-        <source>A {0} cannot be written from a panel</source>
-        <translation>En {0} kan ikke skrives fra et panel</translation>
+        <source>A {0} cannot be written from a panel; write its members one by one</source>
+        <translation>En {0} kan ikke skrives fra et panel; skriv dens medlemmer ét for ét</translation>
     </message>
     <message>
-        <source>The folder for the pictures cannot be created</source>
-        <translation>Mappen til billederne kan ikke oprettes</translation>
+        <source>The folder for the pictures cannot be created; check the path and its permissions</source>
+        <translation>Mappen til billederne kan ikke oprettes; kontroller stien og dens rettigheder</translation>
     </message>
     <message>
-        <source>The picture cannot be written</source>
-        <translation>Billedet kan ikke skrives</translation>
+        <source>The picture cannot be written; check the free space and the permissions of the folder</source>
+        <translation>Billedet kan ikke skrives; kontroller pladsen og rettighederne til mappen</translation>
     </message>
     <message>
-        <source>The project has no such panel</source>
-        <translation>Projektet har ikke det panel</translation>
+        <source>The project has no such panel; choose one from hmi/</source>
+        <translation>Projektet har ikke det panel; vælg et fra hmi/</translation>
     </message>
     <message>
-        <source>The text &quot;{0}&quot; has no key, so it cannot be translated</source>
-        <translation>Teksten ”{0}” har ingen nøgle og kan derfor ikke oversættes</translation>
+        <source>The text &quot;{0}&quot; has no key, so it cannot be translated; move it into the text table</source>
+        <translation>Teksten ”{0}” har ingen nøgle og kan derfor ikke oversættes; flyt den til teksttabellen</translation>
     </message>
     <message>
         <source>The text needs a value for {0}; specify it in &quot;Values in texts&quot;</source>
         <translation>Teksten kræver en værdi for {0}; angiv den under ”Værdier i tekster”</translation>
     </message>
     <message>
-        <source>The text list {0} is empty: there is no key {1}</source>
-        <translation>Tekstlisten {0} er tom: der er ingen nøgle {1}</translation>
+        <source>The text list {0} is empty: there is no key {1}; add it to the text table</source>
+        <translation>Tekstlisten {0} er tom: der er ingen nøgle {1}; tilføj den i teksttabellen</translation>
     </message>
     <message>
         <source>This version does not know the element kind &quot;{0}&quot;; it is kept as it is</source>
@@ -1688,20 +1680,20 @@
         <translation>Formatet {0} er ukendt; brug for eksempel {1} eller {2}</translation>
     </message>
     <message>
-        <source>&quot;{0}&quot; does not fit: it needs {1} px, the maximum is {2}</source>
-        <translation>”{0}” kan ikke være der: kræver {1} px, der er {2}</translation>
+        <source>&quot;{0}&quot; does not fit: it needs {1} px, the maximum is {2}; make the element wider or the text shorter</source>
+        <translation>”{0}” passer ikke: kræver {1} px, højst {2} er mulig; gør elementet bredere eller teksten kortere</translation>
     </message>
     <message>
-        <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}</source>
-        <translation>”{0}” passer ikke: kræver en højde på {1} px, højst {2} er mulig</translation>
+        <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}; make the element higher or the text shorter</source>
+        <translation>”{0}” passer ikke: kræver en højde på {1} px, højst {2} er mulig; gør elementet højere eller teksten kortere</translation>
     </message>
     <message>
         <source>{0}; did you mean {1}?</source>
         <translation>{0}; mente du {1}?</translation>
     </message>
     <message>
-        <source>{0} is not a variable, so it cannot be written</source>
-        <translation>{0} er ikke en variabel og kan derfor ikke skrives</translation>
+        <source>{0} is not a variable, so it cannot be written; name a variable</source>
+        <translation>{0} er ikke en variabel og kan derfor ikke skrives; angiv en variabel</translation>
     </message>
     <message>
         <source>{0} is {1}; a BOOL is needed here</source>
@@ -1728,12 +1720,12 @@
         <translation>En pladsholder er ikke lukket med {0}</translation>
     </message>
     <message>
-        <source>The format {0} is not known</source>
-        <translation>Formatet {0} er ukendt</translation>
+        <source>The format {0} is not known; use one such as %.1f</source>
+        <translation>Formatet {0} er ukendt; brug for eksempel %.1f</translation>
     </message>
     <message>
-        <source>A trace configuration must be a JSON object</source>
-        <translation>En traceopsætning skal være et JSON-objekt</translation>
+        <source>A trace configuration must be a JSON object; put its contents in braces</source>
+        <translation>En traceopsætning skal være et JSON-objekt; sæt indholdet i krøllede parenteser</translation>
     </message>
     <message>
         <source>The trace configuration is invalid: {0}</source>
@@ -1744,8 +1736,8 @@
         <translation>”{0}” skal være {1}</translation>
     </message>
     <message>
-        <source>&quot;{0}&quot; is missing</source>
-        <translation>”{0}” mangler</translation>
+        <source>&quot;{0}&quot; is missing; add it</source>
+        <translation>”{0}” mangler; tilføj det</translation>
     </message>
     <message>
         <source>A picture&apos;s name must end in one of {0}</source>
@@ -1768,8 +1760,8 @@
         <translation>Optagede værdier kan ikke forceres; fortsæt først herfra, eller gå tilbage til livevisning</translation>
     </message>
     <message>
-        <source>A recording from a file cannot be resumed, only what the controller itself recorded</source>
-        <translation>En optagelse fra en fil kan ikke fortsættes, kun det styringen selv har optaget</translation>
+        <source>A recording from a file cannot be resumed, only what the controller itself recorded; press F5 to run the program</source>
+        <translation>En optagelse fra en fil kan ikke fortsættes, kun det styringen selv har optaget; tryk på F5 for at køre programmet</translation>
     </message>
     <message>
         <source>A priority is a number; 0 removes it</source>
@@ -1784,40 +1776,40 @@
         <translation>Denne XML er hverken PLCopen XML eller fra TwinCAT eller CODESYS; eksporter projektet som PLCopen XML, og importer den fil</translation>
     </message>
     <message>
-        <source>It contains nothing that can be imported</source>
-        <translation>Der er intet i den, som kan importeres</translation>
+        <source>It contains nothing that can be imported; export the project again with its units</source>
+        <translation>Der er intet i den, som kan importeres; eksporter projektet igen med dets enheder</translation>
     </message>
     <message>
         <source>The folder exists and is not empty; name a new one</source>
         <translation>Mappen findes og er ikke tom; angiv en ny</translation>
     </message>
     <message>
-        <source>The sources have errors of syntax; stepwise check lists them</source>
+        <source>The sources have syntax errors; stepwise check lists them</source>
         <translation>Kilderne har syntaksfejl; stepwise check viser dem</translation>
     </message>
     <message>
-        <source>The file is too large to be read</source>
-        <translation>Filen er for stor til at blive læst</translation>
+        <source>The file is too large to be read; export its parts one by one</source>
+        <translation>Filen er for stor til at blive læst; eksporter delene hver for sig</translation>
     </message>
     <message>
-        <source>The file is in the encoding {0}, which is not read; save it as UTF-8</source>
-        <translation>Filen har kodningen {0}, som ikke læses; gem den som UTF-8</translation>
+        <source>The file is in the encoding {0}, which is not supported; save it as UTF-8</source>
+        <translation>Filen har kodningen {0}, som ikke understøttes; gem den som UTF-8</translation>
     </message>
     <message>
-        <source>The file declares a document type or entities of its own, which is not read; export it again without them</source>
-        <translation>Filen erklærer en dokumenttype eller egne entiteter, hvilket ikke læses; eksporter den uden dem</translation>
+        <source>The file declares a document type or entities of its own, which is not supported; export it again without them</source>
+        <translation>Filen erklærer en dokumenttype eller egne entiteter, hvilket ikke understøttes; eksporter den igen uden dem</translation>
     </message>
     <message>
-        <source>The elements of the file are nested too deeply</source>
-        <translation>Filens elementer er for dybt indlejret</translation>
+        <source>The elements of the file are nested too deeply; export its parts one by one</source>
+        <translation>Filens elementer er for dybt indlejret; eksporter delene hver for sig</translation>
     </message>
     <message>
-        <source>This is not well-formed XML: {0}</source>
-        <translation>Dette er ikke velformet XML: {0}</translation>
+        <source>This is not well-formed XML: {0}; export the file again</source>
+        <translation>Dette er ikke velformet XML: {0}; eksporter filen igen</translation>
     </message>
     <message>
-        <source>The file has no elements</source>
-        <translation>Filen har ingen elementer</translation>
+        <source>The file has no elements; export it again</source>
+        <translation>Filen har ingen elementer; eksporter den igen</translation>
     </message>
     <message>
         <source>This is XML, not structured text; import it (stepwise import --help)</source>
@@ -1836,8 +1828,8 @@
         <translation>Skriv et navn og en blok: T1 : TON</translation>
     </message>
     <message>
-        <source>the local variables of {0} and of what it calls need {1} bytes; the maximum is {2}</source>
-        <translation>de lokale variabler i {0} og alt, hvad den kalder, kræver {1} bytes; der er højst plads til {2}</translation>
+        <source>the local variables of {0} and of what it calls need {1} bytes; the maximum is {2}; declare large arrays in a program or block</source>
+        <translation>de lokale variabler i {0} og alt, hvad den kalder, kræver {1} bytes; der er højst plads til {2}; erklær store arrays i et program eller en blok</translation>
     </message>
     <message>
         <source>{0} is too large for the stack; divide it into several functions</source>
@@ -1856,12 +1848,12 @@
         <translation>XLIFF-versionen {0} er ikke kendt; gem filen som 1.2 eller 2.0</translation>
     </message>
     <message>
-        <source>The file does not say into which language it is translated</source>
-        <translation>Filen angiver ikke, hvilket sprog den er oversat til</translation>
+        <source>The file does not say into which language it is translated; export it again with --language</source>
+        <translation>Filen angiver ikke, hvilket sprog den er oversat til; eksporter den igen med --language</translation>
     </message>
     <message>
-        <source>The XML is wrong: {0}</source>
-        <translation>XML&apos;en er forkert: {0}</translation>
+        <source>The XML is wrong: {0}; export the file again</source>
+        <translation>XML&apos;en er forkert: {0}; eksporter filen igen</translation>
     </message>
     <message>
         <source>The text of the key {0} in {1} has changed since the export; check the translation</source>
@@ -1876,32 +1868,32 @@
         <translation>Billedet {0} er uden for projektet; kopier det ind i projektet, eller sæt {1} til true under {2} i project.json</translation>
     </message>
     <message>
-        <source>The picture {0} unpacks to more than {1} MB</source>
-        <translation>Billedet {0} fylder mere end {1} MB udpakket</translation>
+        <source>The picture {0} unpacks to more than {1} MB; use a smaller one</source>
+        <translation>Billedet {0} fylder mere end {1} MB udpakket; brug et mindre</translation>
     </message>
     <message>
         <source>The picture {0} is {1} x {2} pixels; more than {3} million are not drawn</source>
         <translation>Billedet {0} er på {1} x {2} pixels; flere end {3} millioner tegnes ikke</translation>
     </message>
     <message>
-        <source>{0} is not a picture in a known format such as PNG, JPEG or SVG</source>
-        <translation>{0} er ikke et billede i et kendt format som PNG, JPEG eller SVG</translation>
+        <source>{0} is not a picture in a known format such as PNG, JPEG or SVG; save it as one of them</source>
+        <translation>{0} er ikke et billede i et kendt format som PNG, JPEG eller SVG; gem det i et af dem</translation>
     </message>
     <message>
-        <source>The picture {0} draws more than {1} shapes</source>
-        <translation>Billedet {0} indeholder flere end {1} former</translation>
+        <source>The picture {0} draws more than {1} shapes; simplify it or save it as PNG</source>
+        <translation>Billedet {0} indeholder flere end {1} former; forenkl det, eller gem det som PNG</translation>
     </message>
     <message>
-        <source>The shapes of the picture {0} are nested more than {1} deep or contain themselves</source>
-        <translation>Formerne i billedet {0} er indlejret mere end {1} niveauer eller indeholder sig selv</translation>
+        <source>The shapes of the picture {0} are nested more than {1} deep or contain themselves; simplify it or save it as PNG</source>
+        <translation>Formerne i billedet {0} er indlejret mere end {1} niveauer eller indeholder sig selv; forenkl det, eller gem det som PNG</translation>
     </message>
     <message>
         <source>The picture {0} loads {1}; embed it in the picture as PNG or JPEG</source>
         <translation>Billedet {0} indlæser {1}; indlejr det i billedet som PNG eller JPEG</translation>
     </message>
     <message>
-        <source>The picture {0} has dashed lines of more than {1} dashes</source>
-        <translation>Billedet {0} har stiplede linjer med mere end {1} streger</translation>
+        <source>The picture {0} has dashed lines of more than {1} dashes; make the dashes longer or save it as PNG</source>
+        <translation>Billedet {0} har stiplede linjer med mere end {1} streger; gør stregerne længere, eller gem det som PNG</translation>
     </message>
     <message>
         <source>This version does not know the property {0}; it is kept as it is</source>
@@ -1960,8 +1952,8 @@
         <translation>{0} er ikke en farve; mente du {1}?</translation>
     </message>
     <message>
-        <source>{0} ({1}) must be greater than {2} ({3})</source>
-        <translation>{0} ({1}) skal være større end {2} ({3})</translation>
+        <source>{0} ({1}) must be greater than {2} ({3}); exchange or correct the values</source>
+        <translation>{0} ({1}) skal være større end {2} ({3}); byt om på værdierne, eller ret dem</translation>
     </message>
     <message>
         <source>{0} has no page {1}; its {2} {2:page is|pages are} numbered from 0</source>
@@ -1988,20 +1980,20 @@
         <translation>{0} er ikke mellem {1} og {2}; {3} bruges</translation>
     </message>
     <message>
-        <source>The panel {0} contains this one, so it cannot be placed in it</source>
-        <translation>Panelet {0} indeholder dette og kan derfor ikke placeres i det</translation>
+        <source>The panel {0} contains this one, so it cannot be placed in it; choose another one</source>
+        <translation>Panelet {0} indeholder dette og kan derfor ikke placeres i det; vælg et andet</translation>
     </message>
     <message>
-        <source>The panel {0} has no parameter {1}</source>
-        <translation>Panelet {0} har ingen parameter {1}</translation>
+        <source>The panel {0} has no parameter {1}; remove the argument or add the parameter</source>
+        <translation>Panelet {0} har ingen parameter {1}; fjern argumentet, eller tilføj parameteren</translation>
     </message>
     <message>
         <source>The program has no type {0}; name a block or a structure, BOOL, REAL or the like, or text</source>
         <translation>Programmet har ingen type {0}; angiv en blok eller en struktur, BOOL, REAL eller lignende, eller text</translation>
     </message>
     <message>
-        <source>The parameter {0} needs an argument of type {1}</source>
-        <translation>Parameteren {0} kræver et argument af typen {1}</translation>
+        <source>The parameter {0} needs an argument of type {1}; specify it in the faceplate</source>
+        <translation>Parameteren {0} kræver et argument af typen {1}; angiv det i faceplaten</translation>
     </message>
     <message>
         <source>{0} is {1}; the parameter {2} needs {3}</source>
@@ -2028,20 +2020,20 @@
         <translation>Scannet før er ikke i optagelsen, så de værdier, som dette scan begyndte med, er ikke kendt.</translation>
     </message>
     <message>
-        <source>There is no user {0}</source>
-        <translation>Brugeren {0} findes ikke</translation>
+        <source>There is no user {0}; create the user or check the name</source>
+        <translation>Brugeren {0} findes ikke; opret brugeren, eller kontroller navnet</translation>
     </message>
     <message>
         <source>The password cannot be kept: {0}</source>
         <translation>Adgangskoden kan ikke opbevares: {0}</translation>
     </message>
     <message>
-        <source>A password needs at least {0} characters</source>
-        <translation>En adgangskode skal have mindst {0} tegn</translation>
+        <source>A password needs at least {0} characters; choose a longer one</source>
+        <translation>En adgangskode skal have mindst {0} tegn; vælg en længere</translation>
     </message>
     <message>
-        <source>The password must not be the name of the user</source>
-        <translation>Adgangskoden må ikke være brugerens navn</translation>
+        <source>The password must not be the name of the user; choose another one</source>
+        <translation>Adgangskoden må ikke være brugerens navn; vælg en anden</translation>
     </message>
     <message>
         <source>The audit trail cannot be written: {0}</source>
@@ -2052,36 +2044,36 @@
         <translation>Revisionssporet kan ikke læses: {0}</translation>
     </message>
     <message>
-        <source>The frame {0} has no panel area, so no panel is seen in it</source>
-        <translation>Rammen {0} har intet panelområde, så intet panel ses i den</translation>
+        <source>The frame {0} has no panel area, so no panel is seen in it; add one to it</source>
+        <translation>Rammen {0} har intet panelområde, så intet panel ses i den; tilføj et</translation>
     </message>
     <message>
         <source>Only for the roles {0}, but the project has no users; anybody may operate it</source>
         <translation>Kun for rollerne {0}, men projektet har ingen brugere; enhver må betjene det</translation>
     </message>
     <message>
-        <source>A row of a recipe names no variable</source>
-        <translation>En række i en recept angiver ingen variabel</translation>
+        <source>A row of a recipe names no variable; enter one or remove the row</source>
+        <translation>En række i en recept angiver ingen variabel; angiv en, eller fjern rækken</translation>
     </message>
     <message>
         <source>The first column must be named variable, and each set has a column of its own</source>
         <translation>Den første kolonne skal hedde variable, og hvert sæt har sin egen kolonne</translation>
     </message>
     <message>
-        <source>The recipe {0} has no variable {1}</source>
-        <translation>Recepten {0} har ingen variabel {1}</translation>
+        <source>The recipe {0} has no variable {1}; add it or correct the name</source>
+        <translation>Recepten {0} har ingen variabel {1}; tilføj den, eller ret navnet</translation>
     </message>
     <message>
-        <source>There is no recipe {0}</source>
-        <translation>Recepten {0} findes ikke</translation>
+        <source>There is no recipe {0}; create it or check the name</source>
+        <translation>Recepten {0} findes ikke; opret den, eller kontroller navnet</translation>
     </message>
     <message>
-        <source>The recipe {0} has no set {1}</source>
-        <translation>Recepten {0} har intet sæt {1}</translation>
+        <source>The recipe {0} has no set {1}; create it or check the name</source>
+        <translation>Recepten {0} har intet sæt {1}; opret det, eller kontroller navnet</translation>
     </message>
     <message>
-        <source>{0} is outside the limits of {1}, {2} to {3}</source>
-        <translation>{0} er uden for grænserne for {1}, {2} til {3}</translation>
+        <source>{0} is outside the limits of {1}, {2} to {3}; enter a value within them</source>
+        <translation>{0} er uden for grænserne for {1}, {2} til {3}; indtast en værdi inden for dem</translation>
     </message>
     <message>
         <source>The list of shelved alarms cannot be read, so none is shelved: {0}</source>
@@ -2144,8 +2136,8 @@
         <translation>Intet fortæller, hvad lampen betyder; giv den en etiket, eller anbring en tekst ved siden af</translation>
     </message>
     <message>
-        <source>{0} on {1} has a contrast of {2} to 1 in the theme {3}; {4} to 1 is needed</source>
-        <translation>{0} på {1} har en kontrast på {2} til 1 i temaet {3}; der kræves {4} til 1</translation>
+        <source>{0} on {1} has a contrast of {2} to 1 in the theme {3}; {4} to 1 is needed; choose another colour</source>
+        <translation>{0} på {1} har en kontrast på {2} til 1 i temaet {3}; der kræves {4} til 1; vælg en anden farve</translation>
     </message>
     <message>
         <source>A font of {0} px cannot be read from {2} mm; use at least {1} px</source>
@@ -2164,8 +2156,8 @@
         <translation>{0} × {1} px er for lidt til en finger ved siden af naboerne; der kræves {2} px i begge retninger</translation>
     </message>
     <message>
-        <source>The panel shows {0} things to read or press; at its size, {1} can be taken in</source>
-        <translation>Panelet viser {0} ting at læse eller trykke på; ved dets størrelse kan {1} overskues</translation>
+        <source>The panel shows {0} things to read or press; at its size, {1} can be taken in; move some to another panel</source>
+        <translation>Panelet viser {0} ting at læse eller trykke på; ved dets størrelse kan {1} overskues; flyt nogle til et andet panel</translation>
     </message>
     <message>
         <source>The panel {0} is {1} presses away from the start panel; {2} should do</source>
@@ -2176,8 +2168,8 @@
         <translation>Intet på panelet {0} fører tilbage; tilføj en knap med aktionen back eller home, eller en navigationslinje</translation>
     </message>
     <message>
-        <source>{0} is at another place on the panel {1}</source>
-        <translation>{0} er et andet sted på panelet {1}</translation>
+        <source>{0} is at another place on the panel {1}; put it at the same place on both</source>
+        <translation>{0} er et andet sted på panelet {1}; sæt det samme sted på begge</translation>
     </message>
     <message>
         <source>What is normal is grey, so that the eye finds what is not (ISA-101). Use a role of the theme such as surface, off or running, and give colour only to conditions.</source>
@@ -2189,7 +2181,7 @@
     </message>
     <message>
         <source>Text needs a contrast of 4.5 to 1 against its ground, large text 3 to 1 (WCAG 2, ISO 9241-303). Roles of the theme keep it in every theme.</source>
-        <translation>Tekst kræver en kontrast på 4,5 til 1 mod sin bund, stor tekst 3 til 1 (WCAG 2, ISO 9241-303). Temaets roller bevarer den i alle temaer.</translation>
+        <translation>Tekst kræver en kontrast på 4,5 til 1 mod sin baggrund, stor tekst 3 til 1 (WCAG 2, ISO 9241-303). Temaets roller bevarer den i alle temaer.</translation>
     </message>
     <message>
         <source>A capital letter must be seen at an angle of 16 minutes at least (ISO 9241-303). The distance and the size of a pixel are set in project.json.</source>
@@ -2232,8 +2224,8 @@
         <translation>Hvis alt haster, haster intet: ca. 5 % af alarmerne bør have den højeste prioritet, 15 % den næste (ISA-18.2).</translation>
     </message>
     <message>
-        <source>the value {0} is outside the subrange {1}..{2}</source>
-        <translation>værdien {0} er uden for delområdet {1}..{2}</translation>
+        <source>the value {0} is outside the subrange {1}..{2}; limit it before the assignment or widen the subrange</source>
+        <translation>værdien {0} er uden for delområdet {1}..{2}; begræns den før tildelingen, eller gør delområdet større</translation>
     </message>
     <message>
         <source>&quot;addressing&quot; in project.json is &quot;byte&quot; or &quot;word&quot;, not &quot;{0}&quot;</source>
@@ -2261,11 +2253,11 @@
     </message>
     <message>
         <source>What only some may do, or what project.json lists as critical, must not happen by an accidental touch. Set &quot;Writes are confirmed&quot;, or enter a question.</source>
-        <translation>Det, kun nogle må, eller det, project.json angiver som kritisk, må ikke ske ved en utilsigtet berøring. Slå ”Skrivninger bekræftes” til, eller indtast et spørgsmål.</translation>
+        <translation>Det, kun nogle må, eller det, project.json angiver som kritisk, må ikke ske ved en utilsigtet berøring. Slå ”Skrivning bekræftes” til, eller indtast et spørgsmål.</translation>
     </message>
     <message>
         <source>Only {1} may write {0}, but no confirmation is asked; set &quot;Writes are confirmed&quot;</source>
-        <translation>Kun {1} må skrive {0}, men der kræves ingen bekræftelse; slå ”Skrivninger bekræftes” til</translation>
+        <translation>Kun {1} må skrive {0}, men der kræves ingen bekræftelse; slå ”Skrivning bekræftes” til</translation>
     </message>
     <message>
         <source>The theme is not valid JSON with a base and colors</source>
@@ -2276,8 +2268,8 @@
         <translation>Der er intet indbygget tema ”{0}”; basen skal være light, dark eller contrast</translation>
     </message>
     <message>
-        <source>There is no colour role {0}</source>
-        <translation>Der er ingen farverolle {0}</translation>
+        <source>There is no colour role {0}; check the spelling</source>
+        <translation>Der er ingen farverolle {0}; kontroller stavningen</translation>
     </message>
     <message>
         <source>There is no colour role {0}; did you mean {1}?</source>
@@ -2501,7 +2493,7 @@
     </message>
     <message>
         <source>the program does not use the address &apos;{0}&apos;; declare a variable AT this address</source>
-        <translation>programmet bruger ikke adressen ”{0}”; erklær en variabel AT denne adresse</translation>
+        <translation>programmet bruger ikke adressen ”{0}”; erklær en variabel med AT på denne adresse</translation>
     </message>
     <message>
         <source>the path is empty; write for example Main.x</source>
@@ -2533,7 +2525,7 @@
     </message>
     <message>
         <source>this is not an expression; write for example Main.x &gt; 5</source>
-        <translation>det er ikke et udtryk; skriv for eksempel Main.x &gt; 5</translation>
+        <translation>dette er ikke et udtryk; skriv for eksempel Main.x &gt; 5</translation>
     </message>
     <message>
         <source>this is not an array; remove the index</source>
@@ -2541,7 +2533,7 @@
     </message>
     <message>
         <source>an expression cannot have side effects; use variables, operators and standard functions only</source>
-        <translation>et udtryk må ikke have sideeffekter; brug kun variable, operatorer og standardfunktioner</translation>
+        <translation>et udtryk må ikke have sideeffekter; brug kun variabler, operatorer og standardfunktioner</translation>
     </message>
     <message>
         <source>There is no body in ST or IL here; put the cursor into one</source>
@@ -2705,11 +2697,11 @@
     </message>
     <message>
         <source>{0} is critical after project.json, but one press writes it; set &quot;Writes are confirmed&quot;</source>
-        <translation>{0} er kritisk ifølge project.json, men ét tryk skriver den; slå ”Skrivninger bekræftes” til</translation>
+        <translation>{0} er kritisk ifølge project.json, men ét tryk skriver den; slå ”Skrivning bekræftes” til</translation>
     </message>
     <message>
         <source>{0} suppresses alarms, but one press writes it; set &quot;Writes are confirmed&quot;</source>
-        <translation>{0} undertrykker alarmer, men ét tryk skriver den; slå ”Skrivninger bekræftes” til</translation>
+        <translation>{0} undertrykker alarmer, men ét tryk skriver den; slå ”Skrivning bekræftes” til</translation>
     </message>
 </context>
 <context>
@@ -2723,8 +2715,8 @@
         <translation>Filen blev ikke læst: {0}</translation>
     </message>
     <message>
-        <source>The element {0} was not read</source>
-        <translation>Elementet {0} blev ikke læst</translation>
+        <source>The element {0} was not read; add it by hand if the program needs it</source>
+        <translation>Elementet {0} blev ikke læst; tilføj det selv, hvis programmet har brug for det</translation>
     </message>
     <message>
         <source>The vendor&apos;s data {0} is kept in exchange.json</source>
@@ -2739,12 +2731,12 @@
         <translation>Kroppen i {0} er gemt i en form, som kun dens egen editor læser; eksporter den der som PLCopen XML</translation>
     </message>
     <message>
-        <source>A jump leads to the step {0}, which does not exist</source>
-        <translation>Et spring fører til trinnet {0}, som ikke findes</translation>
+        <source>A jump leads to the step {0}, which does not exist; add the step or correct the jump</source>
+        <translation>Et spring fører til trinnet {0}, som ikke findes; tilføj trinnet, eller ret springet</translation>
     </message>
     <message>
-        <source>The element {0} of the chart is not connected and was left out</source>
-        <translation>Elementet {0} i SFC-diagrammet er ikke forbundet og blev udeladt</translation>
+        <source>The element {0} of the chart is not connected and was left out; connect it in the other tool and export again</source>
+        <translation>Elementet {0} i SFC-diagrammet er ikke forbundet og blev udeladt; forbind det i det andet værktøj, og eksporter igen</translation>
     </message>
     <message>
         <source>The transition from {0} has no condition; it is written as FALSE</source>
@@ -2755,12 +2747,12 @@
         <translation>Elementet {0} indgår i en sløjfe uden en blok, der gemmer en værdi; dets sidste værdi bevares ikke</translation>
     </message>
     <message>
-        <source>The element {0} is not connected and was left out</source>
-        <translation>Elementet {0} er ikke forbundet og blev udeladt</translation>
+        <source>The element {0} is not connected and was left out; connect it in the other tool and export again</source>
+        <translation>Elementet {0} er ikke forbundet og blev udeladt; forbind det i det andet værktøj, og eksporter igen</translation>
     </message>
     <message>
-        <source>An edge in a function needs the value of the last call, which a function does not store</source>
-        <translation>En flanke i en funktion kræver værdien fra sidste kald, som en funktion ikke gemmer</translation>
+        <source>An edge in a function needs the value of the last call, which a function does not store; make it a FUNCTION_BLOCK</source>
+        <translation>En flanke i en funktion kræver værdien fra sidste kald, som en funktion ikke gemmer; gør den til en FUNCTION_BLOCK</translation>
     </message>
     <message>
         <source>The result of {0} is used in several places and is computed in each</source>
@@ -2775,8 +2767,8 @@
         <translation>Biblioteket {0} hører ikke til Stepwise; kontrollen melder, hvor det bruges</translation>
     </message>
     <message>
-        <source>Code in C is kept as a comment and is not executed</source>
-        <translation>Kode i C er bevaret som kommentar og udføres ikke</translation>
+        <source>Code in C is kept as a comment and is not executed; write it in ST</source>
+        <translation>Kode i C er bevaret som kommentar og udføres ikke; skriv den i ST</translation>
     </message>
     <message>
         <source>There are two units named {0}; the second is in {1}</source>
@@ -2795,16 +2787,16 @@
         <translation>En kommentar uden for elementerne blev udeladt: {0}</translation>
     </message>
     <message>
-        <source>The diagram in {0} was not read: an expression repeats itself without end</source>
-        <translation>Diagrammet i {0} blev ikke læst: et udtryk gentager sig uden ende</translation>
+        <source>The diagram in {0} was not read: an expression repeats itself without end; write its body in ST</source>
+        <translation>Diagrammet i {0} blev ikke læst: et udtryk gentager sig uden ende; skriv dets krop i ST</translation>
     </message>
     <message>
-        <source>A condition in {0} needs the call of a block, which a condition cannot make</source>
-        <translation>En betingelse i {0} kræver et blokkald, som en betingelse ikke kan udføre</translation>
+        <source>A condition in {0} needs the call of a block, which a condition cannot make; call the block before and use its output</source>
+        <translation>En betingelse i {0} kræver et blokkald, som en betingelse ikke kan udføre; kald blokken før, og brug dens udgang</translation>
     </message>
     <message>
-        <source>The transition {0} is not a single expression and was not read</source>
-        <translation>Transitionen {0} er ikke et enkelt udtryk og blev ikke læst</translation>
+        <source>The transition {0} is not a single expression and was not read; write its condition in the text</source>
+        <translation>Transitionen {0} er ikke et enkelt udtryk og blev ikke læst; skriv dens betingelse i teksten</translation>
     </message>
     <message>
         <source>PLCopen XML has no place for panels; they were left out</source>
@@ -2879,8 +2871,8 @@
         <translation>Version 0201 understøtter ikke biblioteker; {0} blev udeladt</translation>
     </message>
     <message>
-        <source>The file is no program source and was left out</source>
-        <translation>Filen er ingen programkilde og blev udeladt</translation>
+        <source>The file is no program source and was left out; import it alone if it is one</source>
+        <translation>Filen er ingen programkilde og blev udeladt; importer den alene, hvis den er en</translation>
     </message>
     <message>
         <source>The network &apos;{0}&apos; is commented out in the diagram and was left out of the text</source>
@@ -3070,7 +3062,7 @@
     </message>
     <message>
         <source>Fill</source>
-        <translation>Fyld</translation>
+        <translation>Udfyldning</translation>
     </message>
     <message>
         <source>Fill level</source>
@@ -3450,7 +3442,7 @@
     </message>
     <message>
         <source>Switch</source>
-        <translation>Kontakt</translation>
+        <translation>Afbryder</translation>
     </message>
     <message>
         <source>Text on</source>
@@ -3622,7 +3614,7 @@
     </message>
     <message>
         <source>Progress</source>
-        <translation>Fremskridt</translation>
+        <translation>Fremdrift</translation>
     </message>
     <message>
         <source>Light tower</source>
@@ -4965,12 +4957,12 @@
         <translation>Der er ikke én sløjfe {0}; programmet har {1}</translation>
     </message>
     <message>
-        <source>The recording contains no program that knows it</source>
-        <translation>Optagelsen indeholder intet program, der kender den</translation>
+        <source>The recording contains no program that knows it; choose a loop of the open program</source>
+        <translation>Optagelsen indeholder intet program, der kender den; vælg en sløjfe i det åbne program</translation>
     </message>
     <message>
-        <source>It is not a number and cannot be a signal of a loop</source>
-        <translation>Det er ikke et tal og kan ikke være et signal i en sløjfe</translation>
+        <source>It is not a number and cannot be a signal of a loop; name a variable of type REAL or INT</source>
+        <translation>Det er ikke et tal og kan ikke være et signal i en sløjfe; angiv en variabel af typen REAL eller INT</translation>
     </message>
     <message>
         <source>This range is no longer recorded, or the program was changed in it; choose another one</source>
@@ -5514,12 +5506,12 @@
         <translation>Tabellen har ingen kolonne {0}; mente du {1}?</translation>
     </message>
     <message>
-        <source>Line {0} has no number in column {1}</source>
-        <translation>Linje {0} har intet tal i kolonne {1}</translation>
+        <source>Line {0} has no number in column {1}; correct or remove the line</source>
+        <translation>Linje {0} har intet tal i kolonne {1}; ret eller fjern linjen</translation>
     </message>
     <message>
-        <source>The time in line {0} is before that of the line above</source>
-        <translation>Tiden i linje {0} er før tiden i linjen ovenover</translation>
+        <source>The time in line {0} is before that of the line above; sort the lines by time</source>
+        <translation>Tiden i linje {0} er før tiden i linjen ovenover; sorter linjerne efter tid</translation>
     </message>
     <message>
         <source>{0} {0:sample is|samples are} too few for a model; record for longer</source>
@@ -5562,8 +5554,8 @@
         <translation>Ingen model forklarer, hvad udgangen gør; noget andet bevæger den</translation>
     </message>
     <message>
-        <source>The rule {0} has no answer for this process</source>
-        <translation>Reglen {0} har intet svar for denne proces</translation>
+        <source>The rule {0} has no answer for this process; choose another one</source>
+        <translation>Reglen {0} har intet svar for denne proces; vælg en anden</translation>
     </message>
     <message>
         <source>Unstable: the loop would swing up. Do not use this.</source>
@@ -5778,8 +5770,8 @@
         <translation>Optagelsen har {0} {0:forstyrrelse|forstyrrelser}, men intet spring, der kan laves en model af; ændr setpunktet eller udgangen manuelt én gang, og optag det</translation>
     </message>
     <message>
-        <source>Change {0} is a disturbance: what caused it is not known, so it makes no model</source>
-        <translation>Ændring {0} er en forstyrrelse: årsagen kendes ikke, så den giver ingen model</translation>
+        <source>Change {0} is a disturbance: what caused it is not known, so it makes no model; choose a change of the set point or of the output</source>
+        <translation>Ændring {0} er en forstyrrelse: årsagen kendes ikke, så den giver ingen model; vælg en ændring af setpunktet eller udgangen</translation>
     </message>
 </context>
 <context>
@@ -5837,7 +5829,7 @@
     </message>
     <message>
         <source>lost</source>
-        <translation>tabt</translation>
+        <translation>afbrudt</translation>
     </message>
     <message>
         <source>good</source>
@@ -5853,7 +5845,7 @@
     </message>
     <message>
         <source>does not fit</source>
-        <translation>kan ikke være der</translation>
+        <translation>passer ikke</translation>
     </message>
     <message>
         <source>Devices</source>
@@ -6023,8 +6015,8 @@
         <translation>%1 blev ikke gemt</translation>
     </message>
     <message>
-        <source>%1 is no variable of the running program</source>
-        <translation>%1 er ikke en variabel i det kørende program</translation>
+        <source>%1 is not a variable of the running program; check the name, or press F5 to build the program</source>
+        <translation>%1 er ikke en variabel i det kørende program; kontroller navnet, eller oversæt programmet med F5</translation>
     </message>
     <message>
         <source>Force</source>
@@ -6063,8 +6055,8 @@
         <translation>Sæt markøren på et problem, eller vælg et på listen, og tryk på F1 igen</translation>
     </message>
     <message>
-        <source>There is no page for %1</source>
-        <translation>Der er ingen side om %1</translation>
+        <source>There is no page for %1; choose a code from the list</source>
+        <translation>Der er ingen side om %1; vælg en kode fra listen</translation>
     </message>
 </context>
 <context>
@@ -6278,8 +6270,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
 <context>
     <name>plc::app::MainWindow</name>
     <message>
-        <source>A panel&apos;s name cannot contain / or \</source>
-        <translation>Et panels navn kan ikke indeholde / eller \</translation>
+        <source>A panel&apos;s name cannot contain / or \; choose another name</source>
+        <translation>Et panels navn kan ikke indeholde / eller \; vælg et andet navn</translation>
     </message>
     <message>
         <source>Name of the panel:</source>
@@ -6438,12 +6430,12 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Linje (1 til %1)</translation>
     </message>
     <message>
-        <source>Nothing is declared under this name</source>
-        <translation>Intet er erklæret under dette navn</translation>
+        <source>Nothing is declared under this name; declare it or check the name</source>
+        <translation>Intet er erklæret under dette navn; erklær det, eller kontroller det</translation>
     </message>
     <message>
-        <source>There is no name at the cursor</source>
-        <translation>Der er intet navn ved markøren</translation>
+        <source>There is no name at the cursor; put the cursor on one</source>
+        <translation>Der er intet navn ved markøren; sæt markøren på et</translation>
     </message>
     <message>
         <source>Rename</source>
@@ -6538,7 +6530,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Structured Text with colours by meaning. Errors are underlined while you type; Alt+Enter offers quick fixes; Ctrl+Space completes.</source>
-        <translation>Struktureret tekst med farver efter betydning. Fejl understreges, mens du skriver; Alt+Enter tilbyder hurtige rettelser; Ctrl+Mellemrum fuldender.</translation>
+        <translation>Struktureret tekst med farver efter betydning. Fejl understreges, mens du skriver; Alt+Enter tilbyder hurtige rettelser; Ctrl+Mellemrum fuldfører.</translation>
     </message>
     <message>
         <source>Run</source>
@@ -6964,20 +6956,20 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>trace</translation>
     </message>
     <message>
-        <source>A file name cannot contain / or \</source>
-        <translation>Et filnavn indeholder hverken / eller \</translation>
+        <source>A file name cannot contain / or \; choose another name</source>
+        <translation>Et filnavn kan ikke indeholde / eller \; vælg et andet navn</translation>
     </message>
     <message>
-        <source>A trace %1 already exists</source>
-        <translation>Der findes allerede en trace %1</translation>
+        <source>A trace %1 already exists; choose another name</source>
+        <translation>Der findes allerede en trace %1; vælg et andet navn</translation>
     </message>
     <message>
         <source>New name of %1:</source>
         <translation>Nyt navn på %1:</translation>
     </message>
     <message>
-        <source>A file %1 already exists</source>
-        <translation>Der findes allerede en fil %1</translation>
+        <source>A file %1 already exists; choose another name</source>
+        <translation>Der findes allerede en fil %1; vælg et andet navn</translation>
     </message>
     <message>
         <source>The file cannot be renamed; check the permissions of the folder</source>
@@ -7152,8 +7144,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Regulatorindstilling</translation>
     </message>
     <message>
-        <source>%1 is not a source of this project</source>
-        <translation>%1 er ikke en kildefil i dette projekt</translation>
+        <source>%1 is not a source of this project; open the project that contains it</source>
+        <translation>%1 er ikke en kildefil i dette projekt; åbn det projekt, der indeholder den</translation>
     </message>
     <message>
         <source>Walk Through the Scan</source>
@@ -7161,15 +7153,15 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Step Back In</source>
-        <translation>Skridt baglæns ind</translation>
+        <translation>Trin tilbage ind</translation>
     </message>
     <message>
         <source>Step Back Over</source>
-        <translation>Skridt baglæns over</translation>
+        <translation>Trin tilbage over</translation>
     </message>
     <message>
         <source>Step Back Out</source>
-        <translation>Skridt baglæns ud</translation>
+        <translation>Trin tilbage ud</translation>
     </message>
     <message>
         <source>Why?</source>
@@ -7204,8 +7196,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Langsomt scan</translation>
     </message>
     <message>
-        <source>What if? needs a running controller: a recording from a file cannot be resumed</source>
-        <translation>”Hvad nu hvis” kræver en kørende styring: En optagelse fra en fil kan ikke fortsættes</translation>
+        <source>What if? needs a running controller: a recording from a file cannot be resumed; press F5 to run the program</source>
+        <translation>”Hvad nu hvis” kræver en kørende styring: En optagelse fra en fil kan ikke fortsættes; tryk på F5 for at køre programmet</translation>
     </message>
     <message>
         <source>Explain the Problem</source>
@@ -7366,8 +7358,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Projektet skal have et navn</translation>
     </message>
     <message>
-        <source>%1 already exists and is not empty</source>
-        <translation>%1 findes allerede og er ikke tom</translation>
+        <source>%1 already exists and is not empty; choose another name</source>
+        <translation>%1 findes allerede og er ikke tom; vælg et andet navn</translation>
     </message>
     <message>
         <source>Will be created in %1</source>
@@ -7449,8 +7441,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Et navn består af bogstaver, cifre og _, begynder med et bogstav og er ikke et nøgleord</translation>
     </message>
     <message>
-        <source>%1 already exists in the project</source>
-        <translation>Der er allerede en %1 i projektet</translation>
+        <source>%1 already exists in the project; choose another name</source>
+        <translation>Der er allerede en %1 i projektet; vælg et andet navn</translation>
     </message>
     <message>
         <source>A file %1 already exists: choose it, or another name</source>
@@ -8159,8 +8151,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Kør herfra</translation>
     </message>
     <message>
-        <source>%1 has no value in this scan</source>
-        <translation>%1 har ingen værdi i dette scan</translation>
+        <source>%1 has no value in this scan; choose another variable</source>
+        <translation>%1 har ingen værdi i dette scan; vælg en anden variabel</translation>
     </message>
     <message>
         <source>Give at least one variable another value</source>
@@ -8198,8 +8190,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Fjern alle</translation>
     </message>
     <message>
-        <source>The program that runs has no code at this line or below it</source>
-        <translation>Programmet, der kører, har ingen kode i denne linje eller under den</translation>
+        <source>The program that runs has no code at this line or below it; choose a line with a statement</source>
+        <translation>Programmet, der kører, har ingen kode i denne linje eller under den; vælg en linje med en sætning</translation>
     </message>
 </context>
 <context>
@@ -8268,8 +8260,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Slet (Del)</translation>
     </message>
     <message>
-        <source>The unit %1 is no longer in the text</source>
-        <translation>Programenheden %1 er ikke længere i teksten</translation>
+        <source>The unit %1 is no longer in the text; undo the change or close this view</source>
+        <translation>Programenheden %1 er ikke længere i teksten; fortryd ændringen, eller luk denne visning</translation>
     </message>
     <message>
         <source>The text has errors: this is the last good drawing</source>
@@ -8364,8 +8356,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>%1 i trin %2</translation>
     </message>
     <message>
-        <source>A condition is a BOOL</source>
-        <translation>En betingelse er en BOOL</translation>
+        <source>A condition is a BOOL; add a comparison</source>
+        <translation>En betingelse er en BOOL; tilføj en sammenligning</translation>
     </message>
     <message>
         <source>qualifier</source>
@@ -8432,8 +8424,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Vælg det, der skal klippes</translation>
     </message>
     <message>
-        <source>The clipboard contains no step, action or transition</source>
-        <translation>Udklipsholderen indeholder intet trin, ingen aktion og ingen transition</translation>
+        <source>The clipboard contains no step, action or transition; copy one first</source>
+        <translation>Udklipsholderen indeholder intet trin, ingen aktion og ingen transition; kopier først en af dem</translation>
     </message>
     <message>
         <source>Select the step or transition to paste after</source>
@@ -8690,8 +8682,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
     </message>
     <message>
-        <source>%1 cannot be written</source>
-        <translation>%1 kan ikke skrives</translation>
+        <source>%1 cannot be written; choose a variable of the program</source>
+        <translation>%1 kan ikke skrives; vælg en variabel i programmet</translation>
     </message>
     <message>
         <source>Print…</source>
@@ -8753,8 +8745,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Vis som ladderdiagram</translation>
     </message>
     <message>
-        <source>%1 is no longer in the text</source>
-        <translation>%1 er ikke længere i teksten</translation>
+        <source>%1 is no longer in the text; undo the change or close this view</source>
+        <translation>%1 er ikke længere i teksten; fortryd ændringen, eller luk denne visning</translation>
     </message>
     <message>
         <source>The text has errors: this is the last good drawing</source>
@@ -8938,7 +8930,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Contacts as in Circuit Diagrams (IEC 60617)</source>
-        <translation>Kontakter som i kredsløbsdiagrammer (IEC 60617)</translation>
+        <translation>Kontakter som i eldiagrammer (IEC 60617)</translation>
     </message>
     <message>
         <source>Names</source>
@@ -9026,7 +9018,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Negated Contact Here</source>
-        <translation>Negeret kontakt her</translation>
+        <translation>Inverteret kontakt her</translation>
     </message>
     <message>
         <source>Function Block Here</source>
@@ -9082,8 +9074,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Optimerer</translation>
     </message>
     <message>
-        <source>There is no code at or below line %1 of %2</source>
-        <translation>I %2 er der ingen kode i eller under linje %1</translation>
+        <source>There is no code at or below line %1 of %2; choose an earlier line</source>
+        <translation>I %2 er der ingen kode i eller under linje %1; vælg en tidligere linje</translation>
     </message>
     <message>
         <source>The condition of the breakpoint: %1</source>
@@ -9110,7 +9102,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Step in</source>
-        <translation>Skridt ind</translation>
+        <translation>Trin ind</translation>
     </message>
     <message>
         <source>Step over</source>
@@ -9201,8 +9193,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Erklær %1</translation>
     </message>
     <message>
-        <source>There is no fix for this line</source>
-        <translation>Der er ingen rettelse til denne linje</translation>
+        <source>There is no fix for this line; press F1 for an explanation</source>
+        <translation>Der er ingen rettelse til denne linje; tryk på F1 for en forklaring</translation>
     </message>
     <message>
         <source>Go to Definition</source>
@@ -9469,8 +9461,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Start styringen; det er dens optagelse, der undersøges.</translation>
     </message>
     <message>
-        <source>The program has no controller block.</source>
-        <translation>Programmet har ingen regulatorblok.</translation>
+        <source>The program has no controller block; call one, for example PID.</source>
+        <translation>Programmet har ingen regulatorblok; kald en, for eksempel PID.</translation>
     </message>
     <message>
         <source>Searching…</source>
@@ -9500,8 +9492,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Vælg mindst ét spring.</translation>
     </message>
     <message>
-        <source>The rule has no answer for this process.</source>
-        <translation>Reglen har intet svar for denne proces.</translation>
+        <source>The rule has no answer for this process; choose another rule.</source>
+        <translation>Reglen har intet svar for denne proces; vælg en anden regel.</translation>
     </message>
     <message>
         <source>any</source>
@@ -10310,15 +10302,15 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Fix All Issues</source>
-        <translation>Ret alle fund</translation>
+        <translation>Ret alle problemer</translation>
     </message>
     <message>
         <source>Fix Issue</source>
-        <translation>Ret fund</translation>
+        <translation>Ret problemet</translation>
     </message>
     <message>
         <source>Explain Issue</source>
-        <translation>Forklar fund</translation>
+        <translation>Forklar problemet</translation>
     </message>
     <message>
         <source>Outline</source>
@@ -10389,7 +10381,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Set Password…</source>
-        <translation>Angiv adgangskode …</translation>
+        <translation>Angiv adgangskode…</translation>
     </message>
     <message>
         <source>Remove User</source>
@@ -10569,16 +10561,16 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>En recept skal have et navn.</translation>
     </message>
     <message>
-        <source>There is a recipe &quot;%1&quot; already.</source>
-        <translation>Der er allerede en recept ”%1”.</translation>
+        <source>The recipe &quot;%1&quot; already exists; choose another name.</source>
+        <translation>Der er allerede en recept ”%1”; vælg et andet navn.</translation>
     </message>
     <message>
         <source>A set needs a name.</source>
         <translation>Et sæt skal have et navn.</translation>
     </message>
     <message>
-        <source>There is a set &quot;%1&quot; already.</source>
-        <translation>Der er allerede et sæt ”%1”.</translation>
+        <source>The set &quot;%1&quot; already exists; choose another name.</source>
+        <translation>Der er allerede et sæt ”%1”; vælg et andet navn.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a number; a limit is written like 12.5.</source>
@@ -10589,8 +10581,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>En række skal have en variabel; ”Fjern række eller sæt” fjerner rækken.</translation>
     </message>
     <message>
-        <source>%1 is in the recipe already.</source>
-        <translation>%1 er allerede i recepten.</translation>
+        <source>%1 is already in the recipe; choose another variable.</source>
+        <translation>%1 er allerede i recepten; vælg en anden variabel.</translation>
     </message>
 </context>
 <context>
@@ -12079,28 +12071,28 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
         <translation>Tabellen har ingen kolonne {0}; mente du {1}?</translation>
     </message>
     <message>
-        <source>Line {0} has no number in column {1}</source>
-        <translation>Linje {0} har intet tal i kolonne {1}</translation>
+        <source>Line {0} has no number in column {1}; correct or remove the line</source>
+        <translation>Linje {0} har intet tal i kolonne {1}; ret eller fjern linjen</translation>
     </message>
     <message>
-        <source>The time in line {0} is before that of the line above</source>
-        <translation>Tiden i linje {0} er før tiden i linjen ovenover</translation>
+        <source>The time in line {0} is before that of the line above; sort the lines by time</source>
+        <translation>Tiden i linje {0} er før tiden i linjen ovenover; sorter linjerne efter tid</translation>
     </message>
     <message>
-        <source>The table has no column of numbers besides the time</source>
-        <translation>Tabellen har ingen kolonne med tal ud over tiden</translation>
+        <source>The table has no column of numbers besides the time; add one with a heading</source>
+        <translation>Tabellen har ingen kolonne med tal ud over tiden; tilføj en med overskrift</translation>
     </message>
     <message>
-        <source>The table has no rows under its headings</source>
-        <translation>Tabellen har ingen rækker under overskrifterne</translation>
+        <source>The table has no rows under its headings; write one row per sample</source>
+        <translation>Tabellen har ingen rækker under overskrifterne; skriv én række pr. måling</translation>
     </message>
     <message>
         <source>The table cannot be shown as a recording: {0}</source>
         <translation>Tabellen kan ikke vises som en optagelse: {0}</translation>
     </message>
     <message>
-        <source>the names of its columns cannot be variables</source>
-        <translation>navnene på dens kolonner kan ikke være variabler</translation>
+        <source>the names of its columns cannot be variables; use letters, digits and underscores</source>
+        <translation>navnene på dens kolonner kan ikke være variabler; brug bogstaver, cifre og understreger</translation>
     </message>
     <message>
         <source>{0} {0:sample is|samples are} too few for a spectrum; show a longer stretch</source>
@@ -12123,8 +12115,8 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
         <translation>{0} kræver en tid over 0 som andet argument, for eksempel {1}</translation>
     </message>
     <message>
-        <source>{0} takes one expression</source>
-        <translation>{0} tager ét udtryk</translation>
+        <source>{0} takes one expression; remove the others</source>
+        <translation>{0} tager ét udtryk; fjern de andre</translation>
     </message>
 </context>
 <context>
@@ -12301,7 +12293,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>Build</source>
-        <translation>Oversæt</translation>
+        <translation>Byg</translation>
     </message>
     <message>
         <source>Build a Native Program</source>
@@ -12359,7 +12351,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
         <translation>{0} er ikke forceret</translation>
     </message>
     <message>
-        <source>Another program is being built for this controller; try again when it is in</source>
+        <source>Another program is being built for this controller; try again when it is loaded</source>
         <translation>Et andet program oversættes til denne styring; prøv igen, når det er indlæst</translation>
     </message>
     <message>
@@ -12367,16 +12359,16 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
         <translation>Programmet har {0} fejl; styringen fortsætter med det gamle</translation>
     </message>
     <message>
-        <source>The controller&apos;s program has no file {0}</source>
-        <translation>Styringens program har ingen fil {0}</translation>
+        <source>The controller&apos;s program has no file {0}; load its program again</source>
+        <translation>Styringens program har ingen fil {0}; hent dens program igen</translation>
     </message>
     <message>
-        <source>A recording is being fetched already; wait until it has come</source>
+        <source>A recording is already being fetched; wait until it has arrived</source>
         <translation>En optagelse hentes allerede; vent, til den er modtaget</translation>
     </message>
     <message>
-        <source>A controller that serves others is not put back in time; fetch its recording and go on from there</source>
-        <translation>En styring, der betjener andre, sættes ikke tilbage i tiden; hent dens optagelse, og fortsæt derfra</translation>
+        <source>A controller that serves others cannot be put back in time; fetch its recording and go on from there</source>
+        <translation>En styring, der betjener andre, kan ikke sættes tilbage i tiden; hent dens optagelse, og fortsæt derfra</translation>
     </message>
     <message>
         <source>{0} is not the address of a controller; write for example https://plant:8443/</source>
@@ -12411,12 +12403,12 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
         <translation>Certifikatet kan ikke læses fra {0}; det skal være en PEM-fil</translation>
     </message>
     <message>
-        <source>The connection to {0} is lost</source>
-        <translation>Forbindelsen til {0} er afbrudt</translation>
+        <source>The connection to {0} is lost; check the network and the controller</source>
+        <translation>Forbindelsen til {0} er afbrudt; kontroller netværket og styringen</translation>
     </message>
     <message>
-        <source>{0} does not answer</source>
-        <translation>{0} svarer ikke</translation>
+        <source>{0} does not answer; check the address and whether the controller runs</source>
+        <translation>{0} svarer ikke; kontroller adressen, og om styringen kører</translation>
     </message>
     <message>
         <source>The controller&apos;s program cannot be built here as it is there; use the same version of Stepwise on both sides</source>

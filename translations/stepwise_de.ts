@@ -16,8 +16,8 @@
         <translation>Jeder Eintrag von „{0}“ muss ein Objekt in geschweiften Klammern sein</translation>
     </message>
     <message>
-        <source>&quot;{0}&quot; is missing</source>
-        <translation>„{0}“ fehlt</translation>
+        <source>&quot;{0}&quot; is missing; add it</source>
+        <translation>„{0}“ fehlt; ergänzen Sie es</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; must be a text in quotes</source>
@@ -53,19 +53,19 @@
     </message>
     <message>
         <source>There are two devices named {0}; rename one</source>
-        <translation>Zwei Geräte heißen {0}; bitte eines umbenennen</translation>
+        <translation>Zwei Geräte heißen {0}; benennen Sie eines um</translation>
     </message>
     <message>
         <source>{0} has two channels named {1}; rename one</source>
-        <translation>{0} hat zwei Kanäle namens {1}; bitte einen umbenennen</translation>
+        <translation>{0} hat zwei Kanäle namens {1}; benennen Sie einen um</translation>
     </message>
     <message>
         <source>{0} is not a name; use letters, digits and underscores, and begin with a letter</source>
-        <translation>{0} ist kein Name; verwenden Sie Buchstaben, Ziffern und Unterstriche, am Anfang einen Buchstaben</translation>
+        <translation>{0} ist kein gültiger Name; verwenden Sie Buchstaben, Ziffern und Unterstriche, am Anfang einen Buchstaben</translation>
     </message>
     <message>
         <source>{0} is neither a host name nor an address, for example plc1.local or 192.168.0.10</source>
-        <translation>{0} ist weder ein Rechnername noch eine Adresse, zum Beispiel plc1.local oder 192.168.0.10</translation>
+        <translation>{0} ist weder ein Hostname noch eine Adresse, zum Beispiel plc1.local oder 192.168.0.10</translation>
     </message>
     <message>
         <source>{0} is not a serial port; write its path, for example /dev/ttyUSB0</source>
@@ -73,7 +73,7 @@
     </message>
     <message>
         <source>{0} and {1} both listen at port {2}; give one another port</source>
-        <translation>{0} und {1} warten beide an Port {2}; geben Sie einem einen anderen Port</translation>
+        <translation>{0} und {1} verwenden beide den Port {2}; geben Sie einem einen anderen Port</translation>
     </message>
     <message>
         <source>Ports below 1024 need special rights; a port such as 1502 does not</source>
@@ -85,7 +85,7 @@
     </message>
     <message>
         <source>{0}: a channel has one topic, without the wildcards + and #</source>
-        <translation>{0}: ein Kanal hat ein Topic, ohne die Platzhalterzeichen + und #</translation>
+        <translation>{0}: Ein Kanal hat genau ein Topic, ohne die Platzhalter + und #</translation>
     </message>
     <message>
         <source>{0} is not a path into JSON; write for example /sensor/temperature</source>
@@ -93,15 +93,15 @@
     </message>
     <message>
         <source>A device does not let others write its table &quot;{0}&quot;; use &quot;coil&quot; or &quot;holding&quot;, or the direction &quot;in&quot;</source>
-        <translation>Ein Gerät lässt seine Tabelle „{0}“ nicht von anderen schreiben; verwenden Sie „coil“ oder „holding“ oder die Richtung „in“</translation>
+        <translation>Die Tabelle „{0}“ eines Geräts kann nicht geschrieben werden; verwenden Sie „coil“ oder „holding“ oder die Richtung „in“</translation>
     </message>
     <message>
         <source>Clients cannot write the table &quot;{0}&quot; of a server; use &quot;coil&quot; or &quot;holding&quot;, or the direction &quot;out&quot;</source>
         <translation>Clients können die Tabelle „{0}“ eines Servers nicht schreiben; verwenden Sie „coil“ oder „holding“ oder die Richtung „out“</translation>
     </message>
     <message>
-        <source>{0} needs {1} {1:register|registers} from {2}, but 65535 is the last</source>
-        <translation>{0} braucht {1} Register ab {2}, das letzte ist jedoch 65535</translation>
+        <source>{0} needs {1} {1:register|registers} from {2}, but 65535 is the last; choose a lower address</source>
+        <translation>{0} braucht {1} Register ab {2}, das letzte ist jedoch 65535; wählen Sie eine niedrigere Adresse</translation>
     </message>
     <message>
         <source>&quot;bit&quot; selects one bit of a register; the type must then be BOOL</source>
@@ -116,16 +116,16 @@
         <translation>Ein BOOL in einem Register braucht „bit“, von 0 bis 15</translation>
     </message>
     <message>
-        <source>Only an MQTT channel can be of type STRING</source>
-        <translation>Nur ein MQTT-Kanal kann vom Typ STRING sein</translation>
+        <source>Only an MQTT channel can be of type STRING; use a number or BOOL</source>
+        <translation>Nur ein MQTT-Kanal kann vom Typ STRING sein; verwenden Sie eine Zahl oder BOOL</translation>
     </message>
     <message>
-        <source>&quot;scale&quot; must not be 0</source>
-        <translation>„scale“ darf nicht 0 sein</translation>
+        <source>&quot;scale&quot; must not be 0; leave it out for 1</source>
+        <translation>„scale“ darf nicht 0 sein; lassen Sie es für 1 weg</translation>
     </message>
     <message>
-        <source>A {0} has no &quot;scale&quot; and &quot;offset&quot;</source>
-        <translation>{0} hat weder „scale“ noch „offset“</translation>
+        <source>A {0} has no &quot;scale&quot; and &quot;offset&quot;; remove them</source>
+        <translation>{0} hat weder „scale“ noch „offset“; entfernen Sie beide</translation>
     </message>
     <message>
         <source>{0}: {1}</source>
@@ -136,8 +136,8 @@
         <translation>{0} hat noch keine Variable; geben Sie eine an oder lassen Sie Adressen vorschlagen (stepwise devices PROJECT --propose)</translation>
     </message>
     <message>
-        <source>{0} is of type {1} and cannot hold a {2}</source>
-        <translation>{0} ist vom Typ {1} und kann kein {2} aufnehmen</translation>
+        <source>{0} is of type {1} and cannot hold a {2}; use a variable of that type</source>
+        <translation>{0} ist vom Typ {1} und kann kein {2} aufnehmen; verwenden Sie eine Variable dieses Typs</translation>
     </message>
     <message>
         <source>A {0} may not fit into {1} of type {2}; a value that does not fit leaves the variable as it is and makes the channel bad</source>
@@ -152,8 +152,8 @@
         <translation>{0} ist ein Eingang des Programms; ein Ausgangskanal braucht %Q oder eine Variable</translation>
     </message>
     <message>
-        <source>{0} is a constant and cannot be written</source>
-        <translation>{0} ist eine Konstante und kann nicht geschrieben werden</translation>
+        <source>{0} is a constant and cannot be written; choose a variable</source>
+        <translation>{0} ist eine Konstante und kann nicht geschrieben werden; wählen Sie eine Variable</translation>
     </message>
     <message>
         <source>{0} says whether the channel is good and must be a BOOL or an integer</source>
@@ -176,64 +176,64 @@
         <translation>{0} kann nicht gelesen werden; die Datei enthält die Zertifikate der Zertifizierungsstelle (PEM)</translation>
     </message>
     <message>
-        <source>no answer within {0} ms</source>
-        <translation>keine Antwort innerhalb von {0} ms</translation>
+        <source>no answer within {0} ms; check the cable, the address and the unit number</source>
+        <translation>keine Antwort innerhalb von {0} ms; prüfen Sie Kabel, Adresse und Gerätenummer</translation>
     </message>
     <message>
         <source>the connection ended: {0}</source>
         <translation>die Verbindung endete: {0}</translation>
     </message>
     <message>
-        <source>the answer does not match the request</source>
-        <translation>die Antwort passt nicht zur Anfrage</translation>
+        <source>the answer does not match the request; check baud rate, parity and unit number</source>
+        <translation>die Antwort passt nicht zur Anfrage; prüfen Sie Baudrate, Parität und Gerätenummer</translation>
     </message>
     <message>
         <source>the device refuses {0} {1}: {2}</source>
         <translation>das Gerät lehnt {0} {1} ab: {2}</translation>
     </message>
     <message>
-        <source>it does not know the function</source>
-        <translation>es kennt die Funktion nicht</translation>
+        <source>it does not know the function; choose another table</source>
+        <translation>es kennt die Funktion nicht; wählen Sie eine andere Tabelle</translation>
     </message>
     <message>
-        <source>it has no such address</source>
-        <translation>es hat keine solche Adresse</translation>
+        <source>it has no such address; check the address in its manual</source>
+        <translation>es hat keine solche Adresse; prüfen Sie die Adresse in seinem Handbuch</translation>
     </message>
     <message>
-        <source>it does not take the value</source>
-        <translation>es nimmt den Wert nicht an</translation>
+        <source>it does not take the value; check the range in its manual</source>
+        <translation>es nimmt den Wert nicht an; prüfen Sie den Bereich in seinem Handbuch</translation>
     </message>
     <message>
-        <source>it failed</source>
-        <translation>es ist gestört</translation>
+        <source>it failed; look at the device</source>
+        <translation>es ist gestört; sehen Sie am Gerät nach</translation>
     </message>
     <message>
-        <source>it is busy</source>
-        <translation>es ist beschäftigt</translation>
+        <source>it is busy; it is asked again</source>
+        <translation>es ist beschäftigt; es wird erneut abgefragt</translation>
     </message>
     <message>
-        <source>the gateway does not reach it</source>
-        <translation>das Gateway erreicht es nicht</translation>
+        <source>the gateway does not reach it; check the unit number and the cable behind it</source>
+        <translation>das Gateway erreicht es nicht; prüfen Sie die Gerätenummer und das Kabel dahinter</translation>
     </message>
     <message>
-        <source>cannot listen at {0}: {1}</source>
-        <translation>kann an {0} nicht auf Verbindungen warten: {1}</translation>
+        <source>cannot listen at {0}: {1}; choose another address or port</source>
+        <translation>kann an {0} nicht auf Verbindungen warten: {1}; wählen Sie eine andere Adresse oder einen anderen Port</translation>
     </message>
     <message>
-        <source>{0}: the message holds no value that can be read</source>
-        <translation>{0}: die Nachricht enthält keinen lesbaren Wert</translation>
+        <source>{0}: the message holds no value that can be read; check what the device publishes</source>
+        <translation>{0}: die Nachricht enthält keinen lesbaren Wert; prüfen Sie, was das Gerät veröffentlicht</translation>
     </message>
     <message>
-        <source>{0}: a value does not fit into the variable</source>
-        <translation>{0}: ein Wert passt nicht in die Variable</translation>
+        <source>{0}: a value does not fit into the variable; use a larger type or a scale</source>
+        <translation>{0}: ein Wert passt nicht in die Variable; verwenden Sie einen größeren Typ oder eine Skalierung</translation>
     </message>
     <message>
-        <source>no client wrote for {0} ms</source>
-        <translation>seit {0} ms hat kein Client geschrieben</translation>
+        <source>no client wrote for {0} ms; check the client and its address</source>
+        <translation>seit {0} ms hat kein Client geschrieben; prüfen Sie den Client und seine Adresse</translation>
     </message>
     <message>
-        <source>the broker refuses the connection: {0}</source>
-        <translation>der Broker lehnt die Verbindung ab: {0}</translation>
+        <source>the broker refuses the connection: {0}; check the user and the password</source>
+        <translation>der Broker lehnt die Verbindung ab: {0}; prüfen Sie Benutzer und Passwort</translation>
     </message>
     <message>
         <source>the input {0} of the device {1} was lost</source>
@@ -260,8 +260,8 @@
         <translation>Stellen Sie die Geschwindigkeit zuerst auf Echtzeit; mit einer anderen können Geräte nicht mithalten</translation>
     </message>
     <message>
-        <source>The devices of an attached controller are connected there</source>
-        <translation>Die Geräte einer angebundenen Steuerung sind dort verbunden</translation>
+        <source>The devices of an attached controller are connected there; detach to connect them here</source>
+        <translation>Die Geräte einer angebundenen Steuerung sind dort verbunden; beenden Sie die Verbindung, um sie hier anzuschließen</translation>
     </message>
     <message>
         <source>{0} and {1} write the same bytes: {2}; change an address</source>
@@ -311,12 +311,12 @@
         <translation>{0} wird vor {1} erwartet</translation>
     </message>
     <message>
-        <source>A semicolon is missing here</source>
-        <translation>Hier fehlt ein Semikolon</translation>
+        <source>A semicolon is missing here; add it</source>
+        <translation>Hier fehlt ein Semikolon; ergänzen</translation>
     </message>
     <message>
-        <source>{0} is missing for this {1}</source>
-        <translation>{0} fehlt zu diesem {1}</translation>
+        <source>{0} is missing for this {1}; add it</source>
+        <translation>{0} fehlt zu diesem {1}; ergänzen</translation>
     </message>
     <message>
         <source>This comparison has no effect; use := to assign</source>
@@ -327,8 +327,8 @@
         <translation>Eine Zuweisung ist keine Bedingung; zum Vergleichen = verwenden</translation>
     </message>
     <message>
-        <source>A colon is missing between the name and its type</source>
-        <translation>Zwischen Name und Typ fehlt ein Doppelpunkt</translation>
+        <source>A colon is missing between the name and its type; add it</source>
+        <translation>Zwischen Name und Typ fehlt ein Doppelpunkt; ergänzen</translation>
     </message>
     <message>
         <source>Decimal numbers use a point: {0}</source>
@@ -355,8 +355,8 @@
         <translation>{0} ist ein IN_OUT-Parameter und braucht eine Variable vom Typ {1}</translation>
     </message>
     <message>
-        <source>{0} has only the bits 0 to {1}</source>
-        <translation>{0} hat nur die Bits 0 bis {1}</translation>
+        <source>{0} has only the bits 0 to {1}; use one of them</source>
+        <translation>{0} hat nur die Bits 0 bis {1}; eines davon verwenden</translation>
     </message>
     <message>
         <source>{0} is ambiguous: {1}; write the namespace before it</source>
@@ -391,24 +391,24 @@
         <translation>Es gibt mehrere Programme und keine CONFIGURATION; eines in Main umbenennen oder eine CONFIGURATION schreiben</translation>
     </message>
     <message>
-        <source>The range {0}..{1} is not valid: the lower bound is above the upper bound or there are too many elements</source>
-        <translation>Der Bereich {0}..{1} ist ungültig: Die Untergrenze liegt über der Obergrenze oder es sind zu viele Elemente</translation>
+        <source>The range {0}..{1} is not valid: the lower bound is above the upper bound or there are too many elements; correct the bounds</source>
+        <translation>Der Bereich {0}..{1} ist ungültig: Die Untergrenze liegt über der Obergrenze oder es sind zu viele Elemente; die Grenzen berichtigen</translation>
     </message>
     <message>
         <source>{0} has an incomplete address; complete it in a VAR_CONFIG</source>
         <translation>{0} hat eine unvollständige Adresse; in einem VAR_CONFIG vervollständigen</translation>
     </message>
     <message>
-        <source>{0} may call itself; the depth of recursion is limited at run time</source>
-        <translation>{0} kann sich selbst aufrufen; die Rekursionstiefe ist zur Laufzeit begrenzt</translation>
+        <source>{0} may call itself; the depth of recursion is limited at run time; a loop is safer</source>
+        <translation>{0} kann sich selbst aufrufen; die Rekursionstiefe ist zur Laufzeit begrenzt; eine Schleife ist sicherer</translation>
     </message>
     <message>
         <source>The steps before this transition cannot be active together; start them from one simultaneous branch</source>
         <translation>Die Schritte vor dieser Transition können nicht gemeinsam aktiv sein; aus einem Parallelzweig starten</translation>
     </message>
     <message>
-        <source>This transition is always true; the step before it lasts one scan</source>
-        <translation>Diese Transition ist immer wahr; der Schritt davor ist nur einen Zyklus aktiv</translation>
+        <source>This transition is always true; the step before it lasts one scan; write the condition to wait for</source>
+        <translation>Diese Transition ist immer wahr; der Schritt davor ist nur einen Zyklus aktiv; die Bedingung schreiben, auf die gewartet werden soll</translation>
     </message>
     <message>
         <source>The qualifier {0} needs a time, for example T#2s</source>
@@ -459,20 +459,20 @@
         <translation>Ein Schritt führt hier seine Aktionen auf; Anweisungen gehören in eine ACTION</translation>
     </message>
     <message>
-        <source>No transition leads away from step {0}; the chart ends here</source>
-        <translation>Von Schritt {0} führt keine Transition weg; die Schrittkette endet hier</translation>
+        <source>No transition leads away from step {0}; the chart ends here; add a TRANSITION if it should go on</source>
+        <translation>Von Schritt {0} führt keine Transition weg; die Schrittkette endet hier; eine TRANSITION ergänzen, wenn sie weiterlaufen soll</translation>
     </message>
     <message>
-        <source>{0} is also a variable; steps and calls mean the ACTION</source>
-        <translation>{0} ist auch eine Variable; Schritte und Aufrufe meinen die ACTION</translation>
+        <source>{0} is also a variable; steps and calls mean the ACTION; rename one of the two</source>
+        <translation>{0} ist auch eine Variable; Schritte und Aufrufe meinen die ACTION; eines von beiden umbenennen</translation>
     </message>
     <message>
         <source>Use {1} instead of {0} in Structured Text</source>
         <translation>In Strukturiertem Text {1} statt {0} verwenden</translation>
     </message>
     <message>
-        <source>The task {0} has no INTERVAL above zero and no SINGLE; it runs in every scan</source>
-        <translation>Die Task {0} hat kein INTERVAL über null und kein SINGLE; sie läuft in jedem Zyklus</translation>
+        <source>The task {0} has no INTERVAL above zero and no SINGLE; it runs in every scan; give it an INTERVAL to slow it down</source>
+        <translation>Die Task {0} hat kein INTERVAL über null und kein SINGLE; sie läuft in jedem Zyklus; mit INTERVAL eine Zykluszeit angeben</translation>
     </message>
     <message>
         <source>{0} is read as {1}; write a time with its unit</source>
@@ -491,8 +491,8 @@
         <translation>Die Bedingung {0} besteht nicht aus defined, hasvalue, hasattribute oder hastype mit NOT, AND, OR</translation>
     </message>
     <message>
-        <source>The pragma {0} is missing for this {1}</source>
-        <translation>Zu diesem {1} fehlt das Pragma {0}</translation>
+        <source>The pragma {0} is missing for this {1}; add it</source>
+        <translation>Zu diesem {1} fehlt das Pragma {0}; ergänzen</translation>
     </message>
     <message>
         <source>The character {0} has no meaning here; remove it</source>
@@ -500,7 +500,7 @@
     </message>
     <message>
         <source>This is nested too deeply to be compiled; split it into several statements or units</source>
-        <translation>Das ist zu tief geschachtelt, um übersetzt zu werden; in mehrere Anweisungen oder Bausteine aufteilen</translation>
+        <translation>Das ist zu tief verschachtelt, um übersetzt zu werden; in mehrere Anweisungen oder Bausteine aufteilen</translation>
     </message>
     <message>
         <source>Code in C is not executed; write it in ST</source>
@@ -584,7 +584,7 @@
     </message>
     <message>
         <source>{0} does not implement {1} of {2}; add it</source>
-        <translation>{0} implementiert {1} von {2} nicht; es hinzufügen</translation>
+        <translation>{0} implementiert {1} von {2} nicht; {1} hinzufügen</translation>
     </message>
     <message>
         <source>{0} is FINAL and cannot be extended or overridden; remove FINAL or use another base</source>
@@ -856,32 +856,32 @@
 <context>
     <name>Errors</name>
     <message>
-        <source>division by zero</source>
-        <translation>Division durch null</translation>
+        <source>division by zero; check the divisor first</source>
+        <translation>Division durch null; prüfen Sie zuerst den Divisor</translation>
     </message>
     <message>
-        <source>index {0} is used on an empty array</source>
-        <translation>Zugriff auf Index {0} eines leeren Arrays</translation>
+        <source>index {0} is used on an empty array; check its bounds first</source>
+        <translation>Zugriff auf Index {0} eines leeren Arrays; prüfen Sie zuerst seine Grenzen</translation>
     </message>
     <message>
-        <source>index {0} is outside {1}..{2}</source>
-        <translation>Index {0} liegt außerhalb von {1}..{2}</translation>
+        <source>index {0} is outside {1}..{2}; use an index in this range or enlarge the array</source>
+        <translation>Index {0} liegt außerhalb von {1}..{2}; verwenden Sie einen Index aus diesem Bereich oder vergrößern Sie das Array</translation>
     </message>
     <message>
-        <source>character {0} is read from an empty string</source>
-        <translation>Zugriff auf Zeichen {0} einer leeren Zeichenkette</translation>
+        <source>character {0} is read from an empty string; check LEN first</source>
+        <translation>Zugriff auf Zeichen {0} einer leeren Zeichenkette; prüfen Sie zuerst LEN</translation>
     </message>
     <message>
-        <source>character {0} is outside {1}..{2} of the string</source>
-        <translation>Zeichen {0} liegt außerhalb von {1}..{2} der Zeichenkette</translation>
+        <source>character {0} is outside {1}..{2} of the string; use an index in this range</source>
+        <translation>Zeichen {0} liegt außerhalb von {1}..{2} der Zeichenkette; verwenden Sie einen Index aus diesem Bereich</translation>
     </message>
     <message>
         <source>calls are nested too deeply; check for endless recursion</source>
-        <translation>Aufrufe sind zu tief geschachtelt; auf endlose Rekursion prüfen</translation>
+        <translation>Aufrufe sind zu tief verschachtelt; prüfen Sie auf endlose Rekursion</translation>
     </message>
     <message>
-        <source>the called method has no body</source>
-        <translation>die aufgerufene Methode hat keinen Rumpf</translation>
+        <source>the called method has no body; override it in the block that is called</source>
+        <translation>die aufgerufene Methode hat keinen Rumpf; überschreiben Sie sie in dem Baustein, der aufgerufen wird</translation>
     </message>
     <message>
         <source>the scan was aborted</source>
@@ -932,44 +932,36 @@
         <translation>{0} := {1}</translation>
     </message>
     <message>
-        <source>no such file or folder</source>
-        <translation>Datei oder Ordner nicht gefunden</translation>
+        <source>no such file or folder; check the path</source>
+        <translation>Datei oder Ordner nicht gefunden; prüfen Sie den Pfad</translation>
     </message>
     <message>
-        <source>permission denied</source>
-        <translation>keine Berechtigung</translation>
+        <source>permission denied; check the permissions of the file and its folder</source>
+        <translation>keine Berechtigung; prüfen Sie die Rechte der Datei und ihres Ordners</translation>
     </message>
     <message>
-        <source>no space left on the device</source>
-        <translation>kein Speicherplatz mehr auf dem Datenträger</translation>
+        <source>no space left on the device; free some space and try again</source>
+        <translation>kein Speicherplatz mehr auf dem Datenträger; geben Sie Speicherplatz frei und versuchen Sie es erneut</translation>
     </message>
     <message>
-        <source>it is a folder</source>
-        <translation>es ist ein Ordner</translation>
+        <source>it is a folder; choose a file</source>
+        <translation>es ist ein Ordner; wählen Sie eine Datei</translation>
     </message>
     <message>
-        <source>it is not a folder</source>
-        <translation>es ist kein Ordner</translation>
+        <source>it is not a folder; choose a folder</source>
+        <translation>es ist kein Ordner; wählen Sie einen Ordner</translation>
     </message>
     <message>
-        <source>the device reports a read or write error</source>
-        <translation>der Datenträger meldet einen Lese- oder Schreibfehler</translation>
+        <source>the device reports a read or write error; check the drive or the cable</source>
+        <translation>der Datenträger meldet einen Lese- oder Schreibfehler; prüfen Sie das Laufwerk oder das Kabel</translation>
     </message>
     <message>
-        <source>it already exists</source>
-        <translation>es ist bereits vorhanden</translation>
+        <source>it already exists; choose another name</source>
+        <translation>es ist bereits vorhanden; wählen Sie einen anderen Namen</translation>
     </message>
     <message>
-        <source>the file is too large</source>
-        <translation>die Datei ist zu groß</translation>
-    </message>
-    <message>
-        <source>{0}; free some space and save again</source>
-        <translation>{0}; geben Sie Speicherplatz frei und speichern Sie erneut</translation>
-    </message>
-    <message>
-        <source>{0}; check the permissions of the folder</source>
-        <translation>{0}; prüfen Sie die Rechte des Ordners</translation>
+        <source>the file is too large; choose a smaller one</source>
+        <translation>die Datei ist zu groß; wählen Sie eine kleinere</translation>
     </message>
     <message>
         <source>cancelled</source>
@@ -996,20 +988,20 @@
         <translation>Die Aufzeichnung kann nicht geöffnet werden: {0}</translation>
     </message>
     <message>
-        <source>its program has errors</source>
-        <translation>ihr Programm enthält Fehler</translation>
+        <source>its program has errors; open the recording with the version of Stepwise that made it</source>
+        <translation>ihr Programm enthält Fehler; öffnen Sie die Aufzeichnung mit der Version von Stepwise, die sie erstellt hat</translation>
     </message>
     <message>
-        <source>The recording contains no program</source>
-        <translation>Die Aufzeichnung enthält kein Programm</translation>
+        <source>The recording contains no program; record the run again with this version</source>
+        <translation>Die Aufzeichnung enthält kein Programm; zeichnen Sie den Lauf mit dieser Version neu auf</translation>
     </message>
     <message>
-        <source>This scan is no longer in the recording</source>
-        <translation>Dieser Zyklus ist nicht mehr in der Aufzeichnung</translation>
+        <source>This scan is no longer in the recording; choose a later one</source>
+        <translation>Dieser Zyklus ist nicht mehr in der Aufzeichnung; wählen Sie einen späteren</translation>
     </message>
     <message>
-        <source>The program that recorded this scan is no longer available</source>
-        <translation>Das Programm, das diesen Zyklus aufgezeichnet hat, ist nicht mehr verfügbar</translation>
+        <source>The program that recorded this scan is no longer available; choose a scan after the last change of the program</source>
+        <translation>Das Programm, das diesen Zyklus aufgezeichnet hat, ist nicht mehr verfügbar; wählen Sie einen Zyklus nach der letzten Programmänderung</translation>
     </message>
     <message>
         <source>&apos;{0}&apos; is ambiguous; write one of {1}</source>
@@ -1020,44 +1012,44 @@
         <translation>„{0}“ hat keine Variable „{1}“; meinten Sie „{2}“?</translation>
     </message>
     <message>
-        <source>&apos;{0}&apos; has no variable &apos;{1}&apos;</source>
-        <translation>„{0}“ hat keine Variable „{1}“</translation>
+        <source>&apos;{0}&apos; has no variable &apos;{1}&apos;; check the name</source>
+        <translation>„{0}“ hat keine Variable „{1}“; prüfen Sie den Namen</translation>
     </message>
     <message>
         <source>there is no variable &apos;{0}&apos;; did you mean &apos;{1}&apos;?</source>
         <translation>es gibt keine Variable „{0}“; meinten Sie „{1}“?</translation>
     </message>
     <message>
-        <source>there is no variable &apos;{0}&apos;</source>
-        <translation>es gibt keine Variable „{0}“</translation>
+        <source>there is no variable &apos;{0}&apos;; check the name or declare it</source>
+        <translation>es gibt keine Variable „{0}“; prüfen Sie den Namen oder deklarieren Sie sie</translation>
     </message>
     <message>
-        <source>a variable of type {1} has no member &apos;{0}&apos;</source>
-        <translation>eine Variable vom Typ {1} hat kein Element „{0}“</translation>
+        <source>a variable of type {1} has no member &apos;{0}&apos;; check the name</source>
+        <translation>eine Variable vom Typ {1} hat kein Element „{0}“; prüfen Sie den Namen</translation>
     </message>
     <message>
         <source>&apos;{0}&apos; is a VAR_IN_OUT; write the variable that is connected to it</source>
         <translation>„{0}“ ist ein VAR_IN_OUT; schreiben Sie die damit verbundene Variable</translation>
     </message>
     <message>
-        <source>{0} needs {1} {1:index|indices}, not {2}</source>
-        <translation>{0} braucht {1} {1:Index|Indizes}, nicht {2}</translation>
+        <source>{0} needs {1} {1:index|indices}, not {2}; write one for each dimension</source>
+        <translation>{0} braucht {1} {1:Index|Indizes}, nicht {2}; schreiben Sie je Dimension einen</translation>
     </message>
     <message>
-        <source>bit {0} is outside 0..{1}</source>
-        <translation>Bit {0} liegt außerhalb von 0..{1}</translation>
+        <source>bit {0} is outside 0..{1}; use a bit in this range</source>
+        <translation>Bit {0} liegt außerhalb von 0..{1}; verwenden Sie ein Bit aus diesem Bereich</translation>
     </message>
     <message>
-        <source>part {0} is outside 0..{1}</source>
-        <translation>Teil {0} liegt außerhalb von 0..{1}</translation>
+        <source>part {0} is outside 0..{1}; use a part in this range</source>
+        <translation>Teil {0} liegt außerhalb von 0..{1}; verwenden Sie einen Teil aus diesem Bereich</translation>
     </message>
     <message>
         <source>&apos;{0}&apos; is not an address; write for example %IX0.0, %QB4 or %MW2</source>
         <translation>„{0}“ ist keine Adresse; schreiben Sie zum Beispiel %IX0.0, %QB4 oder %MW2</translation>
     </message>
     <message>
-        <source>the path cannot be read from &apos;{0}&apos; on</source>
-        <translation>der Pfad ist ab „{0}“ nicht lesbar</translation>
+        <source>the path cannot be read from &apos;{0}&apos; on; write for example Main.a[2].x</source>
+        <translation>der Pfad ist ab „{0}“ nicht lesbar; schreiben Sie zum Beispiel Main.a[2].x</translation>
     </message>
     <message>
         <source>{0} is forced; release the force before writing</source>
@@ -1076,8 +1068,8 @@
         <translation>Die Retain-Datei kann nicht geschrieben werden: {0}</translation>
     </message>
     <message>
-        <source>The retain file cannot be read: {0}</source>
-        <translation>Die Retain-Datei kann nicht gelesen werden: {0}</translation>
+        <source>The retain file cannot be read: {0}; the program starts with its initial values</source>
+        <translation>Die Retain-Datei kann nicht gelesen werden: {0}; das Programm startet mit seinen Initialwerten</translation>
     </message>
     <message>
         <source>The retain file is damaged; the program starts with its initial values</source>
@@ -1088,28 +1080,28 @@
         <translation>{0}; sie bleibt als {1} erhalten</translation>
     </message>
     <message>
-        <source>{0} retained {0:value does|values do} not fit the program: {1}</source>
-        <translation>{0} {0:remanenter Wert passt|remanente Werte passen} nicht zum Programm: {1}</translation>
+        <source>{0} retained {0:value does|values do} not fit the program: {1}; they start with their initial values</source>
+        <translation>{0} {0:remanenter Wert passt|remanente Werte passen} nicht zum Programm: {1}; sie starten mit ihren Initialwerten</translation>
     </message>
     <message>
-        <source>{0} does not fit into a variable of type {1}</source>
-        <translation>{0} passt nicht in eine Variable vom Typ {1}</translation>
+        <source>{0} does not fit into a variable of type {1}; enter a value in its range</source>
+        <translation>{0} passt nicht in eine Variable vom Typ {1}; geben Sie einen Wert aus seinem Bereich ein</translation>
     </message>
     <message>
-        <source>the value does not fit into a variable of type {0}</source>
-        <translation>der Wert passt nicht in eine Variable vom Typ {0}</translation>
+        <source>the value does not fit into a variable of type {0}; enter one in its range</source>
+        <translation>der Wert passt nicht in eine Variable vom Typ {0}; geben Sie einen aus seinem Bereich ein</translation>
     </message>
     <message>
-        <source>{0} is outside {1}..{2}</source>
-        <translation>{0} liegt außerhalb von {1}..{2}</translation>
+        <source>{0} is outside {1}..{2}; enter a value in this range</source>
+        <translation>{0} liegt außerhalb von {1}..{2}; geben Sie einen Wert aus diesem Bereich ein</translation>
     </message>
     <message>
         <source>a character of the text does not fit into a STRING; use a WSTRING</source>
         <translation>ein Zeichen des Textes passt nicht in einen STRING; verwenden Sie einen WSTRING</translation>
     </message>
     <message>
-        <source>a reference can only be set to NULL from outside</source>
-        <translation>eine Referenz kann von außen nur auf NULL gesetzt werden</translation>
+        <source>a reference can only be set to NULL from outside; assign a variable to it in the program</source>
+        <translation>eine Referenz kann von außen nur auf NULL gesetzt werden; weisen Sie ihr im Programm eine Variable zu</translation>
     </message>
     <message>
         <source>{0} is not a value for {1}, which is {2}</source>
@@ -1168,48 +1160,48 @@
         <translation>schreiben Sie eine ganze Zahl, zum Beispiel {0}</translation>
     </message>
     <message>
-        <source>There is no program to optimise</source>
-        <translation>Kein Programm zum Optimieren vorhanden</translation>
+        <source>There is no program to optimise; declare a PROGRAM</source>
+        <translation>Kein Programm zum Optimieren vorhanden; deklarieren Sie ein PROGRAM</translation>
     </message>
     <message>
-        <source>this is local to a running call and has no address of its own</source>
-        <translation>das ist lokal in einem laufenden Aufruf und hat keine eigene Adresse</translation>
+        <source>this is local to a running call and has no address of its own; pause in the call to see it</source>
+        <translation>das ist lokal in einem laufenden Aufruf und hat keine eigene Adresse; halten Sie im Aufruf an, um es zu sehen</translation>
     </message>
     <message>
-        <source>this part of a computed value cannot be shown</source>
-        <translation>dieser Teil eines berechneten Werts kann nicht angezeigt werden</translation>
+        <source>this part of a computed value cannot be shown; assign the value to a variable first</source>
+        <translation>dieser Teil eines berechneten Werts kann nicht angezeigt werden; weisen Sie den Wert zuerst einer Variablen zu</translation>
     </message>
     <message>
-        <source>a character of a string has no address of its own</source>
-        <translation>ein Zeichen einer Zeichenkette hat keine eigene Adresse</translation>
+        <source>a character of a string has no address of its own; use the whole string</source>
+        <translation>ein Zeichen einer Zeichenkette hat keine eigene Adresse; verwenden Sie die ganze Zeichenkette</translation>
     </message>
     <message>
-        <source>this variable cannot be shown</source>
-        <translation>diese Variable kann nicht angezeigt werden</translation>
+        <source>this variable cannot be shown; assign it to another variable and watch that one</source>
+        <translation>diese Variable kann nicht angezeigt werden; weisen Sie sie einer anderen Variablen zu und überwachen Sie diese</translation>
     </message>
     <message>
-        <source>this array of variable length has no address here</source>
-        <translation>dieses Array variabler Länge hat hier keine Adresse</translation>
+        <source>this array of variable length has no address here; watch the array that is passed to it</source>
+        <translation>dieses Array variabler Länge hat hier keine Adresse; überwachen Sie das Array, das übergeben wird</translation>
     </message>
     <message>
-        <source>the array has no such dimension</source>
-        <translation>das Array hat keine solche Dimension</translation>
+        <source>the array has no such dimension; count them from 1</source>
+        <translation>das Array hat keine solche Dimension; zählen Sie ab 1</translation>
     </message>
     <message>
         <source>this has no value</source>
         <translation>das hat keinen Wert</translation>
     </message>
     <message>
-        <source>only standard functions can be called here</source>
-        <translation>hier können nur Standardfunktionen aufgerufen werden</translation>
+        <source>only standard functions can be called here; use a function of the library</source>
+        <translation>hier können nur Standardfunktionen aufgerufen werden; verwenden Sie eine Funktion der Bibliothek</translation>
     </message>
     <message>
-        <source>a cast to an interface cannot be watched</source>
-        <translation>eine Konvertierung in eine Schnittstelle kann nicht überwacht werden</translation>
+        <source>a cast to an interface cannot be watched; watch the instance itself</source>
+        <translation>eine Konvertierung in eine Schnittstelle kann nicht überwacht werden; überwachen Sie die Instanz selbst</translation>
     </message>
     <message>
-        <source>this cannot be evaluated</source>
-        <translation>das kann nicht ausgewertet werden</translation>
+        <source>this cannot be evaluated; use variables, operators and standard functions</source>
+        <translation>das kann nicht ausgewertet werden; verwenden Sie Variablen, Operatoren und Standardfunktionen</translation>
     </message>
     <message>
         <source>The code generator failed: {0}</source>
@@ -1232,24 +1224,24 @@
         <translation>das Programm konnte nicht optimiert werden: {0}</translation>
     </message>
     <message>
-        <source>the program has errors</source>
-        <translation>das Programm enthält Fehler</translation>
+        <source>the program has errors; correct them first</source>
+        <translation>das Programm enthält Fehler; beheben Sie sie zuerst</translation>
     </message>
     <message>
-        <source>the online change waits until the scan that is halted at a breakpoint has ended</source>
-        <translation>der Online-Change wartet, bis der am Haltepunkt angehaltene Zyklus beendet ist</translation>
+        <source>the online change waits until the scan that is halted at a breakpoint has ended; press F5 to continue</source>
+        <translation>der Online-Change wartet, bis der am Haltepunkt angehaltene Zyklus beendet ist; fahren Sie mit F5 fort</translation>
     </message>
     <message>
-        <source>This body is not an instruction list</source>
-        <translation>Dieser Rumpf ist keine Anweisungsliste</translation>
+        <source>This body is not an instruction list; choose a unit that is written in IL</source>
+        <translation>Dieser Rumpf ist keine Anweisungsliste; wählen Sie einen Baustein in AWL</translation>
     </message>
     <message>
-        <source>This body is not ST</source>
-        <translation>Dieser Rumpf ist kein ST</translation>
+        <source>This body is not ST; choose a unit that is written in ST</source>
+        <translation>Dieser Rumpf ist kein ST; wählen Sie einen Baustein in ST</translation>
     </message>
     <message>
-        <source>{0} has no equivalent in an instruction list</source>
-        <translation>{0} hat in einer Anweisungsliste keine Entsprechung</translation>
+        <source>{0} has no equivalent in an instruction list; write it with simpler statements first</source>
+        <translation>{0} hat in einer Anweisungsliste keine Entsprechung; schreiben Sie es zuerst mit einfacheren Anweisungen</translation>
     </message>
     <message>
         <source>{0} is already written in ST</source>
@@ -1292,8 +1284,8 @@
         <translation>project.json ist kein gültiges JSON; suchen Sie nach einem fehlenden Komma, Anführungszeichen oder einer Klammer</translation>
     </message>
     <message>
-        <source>project.json must contain one JSON object</source>
-        <translation>project.json muss ein JSON-Objekt enthalten</translation>
+        <source>project.json must contain one JSON object; put its contents in braces</source>
+        <translation>project.json muss ein JSON-Objekt enthalten; setzen Sie seinen Inhalt in geschweifte Klammern</translation>
     </message>
     <message>
         <source>There is no library &quot;{0}&quot;; available are {1}</source>
@@ -1312,8 +1304,8 @@
         <translation>Geben Sie einen Projektordner oder ST-Dateien an, nicht beides</translation>
     </message>
     <message>
-        <source>{0} belongs to a library and cannot be renamed</source>
-        <translation>{0} gehört zu einer Bibliothek und kann nicht umbenannt werden</translation>
+        <source>{0} belongs to a library and cannot be renamed; rename only names of the project</source>
+        <translation>{0} gehört zu einer Bibliothek und kann nicht umbenannt werden; benennen Sie nur Namen des Projekts um</translation>
     </message>
     <message>
         <source>{0} is not a valid name; use letters, digits and _, start with a letter and avoid keywords</source>
@@ -1336,16 +1328,16 @@
         <translation>Der Ordner ist bereits vorhanden und nicht leer; wählen Sie einen anderen Namen</translation>
     </message>
     <message>
-        <source>The page cannot be written</source>
-        <translation>Die Seite kann nicht geschrieben werden</translation>
+        <source>The page cannot be written; check the free space and the permissions of the folder</source>
+        <translation>Die Seite kann nicht geschrieben werden; prüfen Sie den Speicherplatz und die Rechte des Ordners</translation>
     </message>
     <message>
-        <source>There is no such file in the project</source>
-        <translation>Diese Datei ist im Projekt nicht vorhanden</translation>
+        <source>There is no such file in the project; choose one from the project tree</source>
+        <translation>Diese Datei ist im Projekt nicht vorhanden; wählen Sie eine aus dem Projektbaum</translation>
     </message>
     <message>
-        <source>The file&apos;s permissions cannot be changed</source>
-        <translation>Die Rechte der Datei können nicht geändert werden</translation>
+        <source>The file&apos;s permissions cannot be changed; change them as the file&apos;s owner</source>
+        <translation>Die Rechte der Datei können nicht geändert werden; ändern Sie sie als Eigentümer der Datei</translation>
     </message>
     <message>
         <source>The file cannot be removed; check the permissions of the folder</source>
@@ -1360,8 +1352,8 @@
         <translation>Öffnen Sie zuerst ein Projekt</translation>
     </message>
     <message>
-        <source>This statement is not possible in a TEST together with RUN or ASSERT around it</source>
-        <translation>Diese Anweisung ist in einem TEST mit RUN oder ASSERT darum nicht möglich</translation>
+        <source>This statement is not possible in a TEST together with RUN or ASSERT around it; move it out of RUN and ASSERT</source>
+        <translation>Diese Anweisung ist in einem TEST mit RUN oder ASSERT darum nicht möglich; verschieben Sie sie aus RUN und ASSERT heraus</translation>
     </message>
     <message>
         <source>The code of this statement is missing</source>
@@ -1372,8 +1364,8 @@
         <translation>Fehler im Test: {0}</translation>
     </message>
     <message>
-        <source>{0} is not a value for {1}</source>
-        <translation>{0} ist kein Wert für {1}</translation>
+        <source>{0} is not a value for {1}; write a value of its type</source>
+        <translation>{0} ist kein Wert für {1}; schreiben Sie einen Wert seines Typs</translation>
     </message>
     <message>
         <source>The simulation stopped: {0}</source>
@@ -1392,8 +1384,8 @@
         <translation>{0} hat keinen Wert: {1}</translation>
     </message>
     <message>
-        <source>{0} did not become true within {1}</source>
-        <translation>{0} wurde innerhalb von {1} nicht wahr</translation>
+        <source>{0} did not become true within {1}; check the condition or allow more time</source>
+        <translation>{0} wurde innerhalb von {1} nicht wahr; prüfen Sie die Bedingung oder geben Sie mehr Zeit</translation>
     </message>
     <message>
         <source>ASSERT failed: {0}</source>
@@ -1524,56 +1516,56 @@
         <translation>Die Aufzeichnung {0} hat {1} {1:Zyklus|Zyklen}, dieser Lauf {2}</translation>
     </message>
     <message>
-        <source>The run differs from the recording {0}</source>
-        <translation>Der Lauf weicht von der Aufzeichnung {0} ab</translation>
+        <source>The run differs from the recording {0}; delete it to record it again, if the new behaviour is right</source>
+        <translation>Der Lauf weicht von der Aufzeichnung {0} ab; löschen Sie sie, um neu aufzuzeichnen, wenn das neue Verhalten richtig ist</translation>
     </message>
     <message>
         <source>the condition cannot be evaluated</source>
         <translation>die Bedingung kann nicht ausgewertet werden</translation>
     </message>
     <message>
-        <source>There is no action {0}</source>
-        <translation>Es gibt keine Aktion {0}</translation>
+        <source>There is no action {0}; add it or correct the name</source>
+        <translation>Es gibt keine Aktion {0}; fügen Sie sie hinzu oder berichtigen Sie den Namen</translation>
     </message>
     <message>
         <source>{0} is not a valid name; use letters, digits and underscores</source>
         <translation>{0} ist kein gültiger Name; verwenden Sie Buchstaben, Ziffern und Unterstriche</translation>
     </message>
     <message>
-        <source>The initial step stays at the top</source>
-        <translation>Der Initialschritt bleibt oben</translation>
+        <source>The initial step stays at the top; make another step the initial step first</source>
+        <translation>Der Initialschritt bleibt oben; machen Sie zuerst einen anderen Schritt zum Initialschritt</translation>
     </message>
     <message>
-        <source>Only a step with a single transition of its own can be moved</source>
-        <translation>Nur ein Schritt mit einer einzelnen eigenen Transition kann verschoben werden</translation>
+        <source>Only a step with a single transition of its own can be moved; move it in the text</source>
+        <translation>Nur ein Schritt mit einer einzelnen eigenen Transition kann verschoben werden; verschieben Sie ihn im Text</translation>
     </message>
     <message>
-        <source>The step is already there</source>
-        <translation>Der Schritt ist schon dort</translation>
+        <source>The step is already there; choose another place</source>
+        <translation>Der Schritt ist schon dort; wählen Sie eine andere Stelle</translation>
     </message>
     <message>
-        <source>A step can be placed after a transition that leads to one step</source>
-        <translation>Ein Schritt kann nach einer Transition eingefügt werden, die zu einem einzigen Schritt führt</translation>
+        <source>A step can be placed after a transition that leads to one step; choose such a transition</source>
+        <translation>Ein Schritt kann nach einer Transition eingefügt werden, die zu einem einzigen Schritt führt; wählen Sie eine solche Transition</translation>
     </message>
     <message>
-        <source>This step only leads to itself</source>
-        <translation>Dieser Schritt führt nur zu sich selbst</translation>
+        <source>This step only leads to itself; connect it to another step first</source>
+        <translation>Dieser Schritt führt nur zu sich selbst; verbinden Sie ihn zuerst mit einem anderen Schritt</translation>
     </message>
     <message>
-        <source>A transition needs a condition</source>
-        <translation>Eine Transition braucht eine Bedingung</translation>
+        <source>A transition needs a condition; enter one, for example Main.done</source>
+        <translation>Eine Transition braucht eine Bedingung; geben Sie eine ein, zum Beispiel Main.done</translation>
     </message>
     <message>
-        <source>A priority must be a positive number</source>
-        <translation>Eine Priorität muss eine positive Zahl sein</translation>
+        <source>A priority must be a positive number; enter 1 or more</source>
+        <translation>Eine Priorität muss eine positive Zahl sein; geben Sie 1 oder mehr ein</translation>
     </message>
     <message>
         <source>Nothing follows this step yet; insert a step after it first</source>
         <translation>Auf diesen Schritt folgt noch nichts; fügen Sie zuerst einen Schritt danach ein</translation>
     </message>
     <message>
-        <source>There is no such action</source>
-        <translation>Diese Aktion ist nicht vorhanden</translation>
+        <source>There is no such action; select one that is in the chart</source>
+        <translation>Diese Aktion ist nicht vorhanden; wählen Sie eine aus der Schrittkette</translation>
     </message>
     <message>
         <source>The initial step cannot be deleted; make another step the initial step first</source>
@@ -1592,28 +1584,28 @@
         <translation>Die Zweige nach dieser Transition werden nicht zusammengeführt; verbinden Sie sie zuerst im Text</translation>
     </message>
     <message>
-        <source>A panel must be a JSON object</source>
-        <translation>Ein Panel muss ein JSON-Objekt sein</translation>
+        <source>A panel must be a JSON object; put its contents in braces</source>
+        <translation>Ein Panel muss ein JSON-Objekt sein; setzen Sie seinen Inhalt in geschweifte Klammern</translation>
     </message>
     <message>
-        <source>&quot;{0}&quot; must be a list</source>
-        <translation>„{0}“ muss eine Liste sein</translation>
+        <source>&quot;{0}&quot; must be a list; put it in square brackets</source>
+        <translation>„{0}“ muss eine Liste sein; setzen Sie es in eckige Klammern</translation>
     </message>
     <message>
-        <source>Element {0} is not an object</source>
-        <translation>Element {0} ist kein Objekt</translation>
+        <source>Element {0} is not an object; put it in braces</source>
+        <translation>Element {0} ist kein Objekt; setzen Sie es in geschweifte Klammern</translation>
     </message>
     <message>
-        <source>The kind of element {0} is not a text</source>
-        <translation>Die Art von Element {0} ist kein Text</translation>
+        <source>The kind of element {0} is not a text; write it in quotes</source>
+        <translation>Die Art von Element {0} ist kein Text; schreiben Sie sie in Anführungszeichen</translation>
     </message>
     <message>
         <source>Two elements have the id &quot;{0}&quot;; change one of them</source>
         <translation>Zwei Elemente haben die Kennung „{0}“; ändern Sie eine davon</translation>
     </message>
     <message>
-        <source>Every alarm and every alarm class must be a JSON object</source>
-        <translation>Jeder Alarm und jede Alarmklasse muss ein JSON-Objekt sein</translation>
+        <source>Every alarm and every alarm class must be a JSON object; put it in braces</source>
+        <translation>Jeder Alarm und jede Alarmklasse muss ein JSON-Objekt sein; setzen Sie ihn in geschweifte Klammern</translation>
     </message>
     <message>
         <source>This line is not valid UTF-8; save the file as UTF-8</source>
@@ -1628,8 +1620,8 @@
         <translation>Die erste Zeile muss {0} und ein Sprachkürzel je Spalte sein</translation>
     </message>
     <message>
-        <source>This line has {0} {0:field|fields}, the header has {1}</source>
-        <translation>Diese Zeile hat {0} {0:Feld|Felder}, die Kopfzeile hat {1}</translation>
+        <source>This line has {0} {0:field|fields}, the header has {1}; put texts with separators in quotes</source>
+        <translation>Diese Zeile hat {0} {0:Feld|Felder}, die Kopfzeile hat {1}; setzen Sie Texte mit Trennzeichen in Anführungszeichen</translation>
     </message>
     <message>
         <source>The alarm history cannot be opened: {0}</source>
@@ -1644,40 +1636,40 @@
         <translation>Die Alarmhistorie kann nicht geschrieben werden: {0}</translation>
     </message>
     <message>
-        <source>{0} does not fit into {1}</source>
-        <translation>{0} passt nicht in {1}</translation>
+        <source>{0} does not fit into {1}; use a larger type or a smaller limit</source>
+        <translation>{0} passt nicht in {1}; verwenden Sie einen größeren Typ oder einen kleineren Grenzwert</translation>
     </message>
     <message>
         <source>STRING contains Latin-1 only; declare the variable as WSTRING</source>
         <translation>STRING fasst nur Latin-1; deklarieren Sie die Variable als WSTRING</translation>
     </message>
     <message>
-        <source>A {0} cannot be written from a panel</source>
-        <translation>Ein {0} kann von einem Panel nicht geschrieben werden</translation>
+        <source>A {0} cannot be written from a panel; write its members one by one</source>
+        <translation>Ein {0} kann von einem Panel nicht geschrieben werden; schreiben Sie seine Elemente einzeln</translation>
     </message>
     <message>
-        <source>The folder for the pictures cannot be created</source>
-        <translation>Der Ordner für die Bilder kann nicht angelegt werden</translation>
+        <source>The folder for the pictures cannot be created; check the path and its permissions</source>
+        <translation>Der Ordner für die Bilder kann nicht angelegt werden; prüfen Sie den Pfad und seine Rechte</translation>
     </message>
     <message>
-        <source>The picture cannot be written</source>
-        <translation>Das Bild kann nicht geschrieben werden</translation>
+        <source>The picture cannot be written; check the free space and the permissions of the folder</source>
+        <translation>Das Bild kann nicht geschrieben werden; prüfen Sie den Speicherplatz und die Rechte des Ordners</translation>
     </message>
     <message>
-        <source>The project has no such panel</source>
-        <translation>Das Projekt hat kein solches Panel</translation>
+        <source>The project has no such panel; choose one from hmi/</source>
+        <translation>Das Projekt hat kein solches Panel; wählen Sie eines aus hmi/</translation>
     </message>
     <message>
-        <source>The text &quot;{0}&quot; has no key, so it cannot be translated</source>
-        <translation>Der Text „{0}“ hat keinen Schlüssel und kann deshalb nicht übersetzt werden</translation>
+        <source>The text &quot;{0}&quot; has no key, so it cannot be translated; move it into the text table</source>
+        <translation>Der Text „{0}“ hat keinen Schlüssel und kann deshalb nicht übersetzt werden; verschieben Sie ihn in die Texttabelle</translation>
     </message>
     <message>
         <source>The text needs a value for {0}; specify it in &quot;Values in texts&quot;</source>
         <translation>Der Text braucht einen Wert für {0}; geben Sie ihn unter „Werte in Texten“ an</translation>
     </message>
     <message>
-        <source>The text list {0} is empty: there is no key {1}</source>
-        <translation>Die Textliste {0} ist leer: Es gibt keinen Schlüssel {1}</translation>
+        <source>The text list {0} is empty: there is no key {1}; add it to the text table</source>
+        <translation>Die Textliste {0} ist leer: Es gibt keinen Schlüssel {1}; fügen Sie ihn in die Texttabelle ein</translation>
     </message>
     <message>
         <source>This version does not know the element kind &quot;{0}&quot;; it is kept as it is</source>
@@ -1688,20 +1680,20 @@
         <translation>Das Format {0} ist nicht bekannt; verwenden Sie zum Beispiel {1} oder {2}</translation>
     </message>
     <message>
-        <source>&quot;{0}&quot; does not fit: it needs {1} px, the maximum is {2}</source>
-        <translation>„{0}“ passt nicht: benötigt {1} px, verfügbar sind {2}</translation>
+        <source>&quot;{0}&quot; does not fit: it needs {1} px, the maximum is {2}; make the element wider or the text shorter</source>
+        <translation>„{0}“ passt nicht: benötigt {1} px, verfügbar sind {2}; machen Sie das Element breiter oder den Text kürzer</translation>
     </message>
     <message>
-        <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}</source>
-        <translation>„{0}“ passt nicht: benötigt eine Höhe von {1} px, verfügbar sind {2}</translation>
+        <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}; make the element higher or the text shorter</source>
+        <translation>„{0}“ passt nicht: benötigt eine Höhe von {1} px, verfügbar sind {2}; machen Sie das Element höher oder den Text kürzer</translation>
     </message>
     <message>
         <source>{0}; did you mean {1}?</source>
         <translation>{0}; meinten Sie {1}?</translation>
     </message>
     <message>
-        <source>{0} is not a variable, so it cannot be written</source>
-        <translation>{0} ist keine Variable und kann deshalb nicht geschrieben werden</translation>
+        <source>{0} is not a variable, so it cannot be written; name a variable</source>
+        <translation>{0} ist keine Variable und kann deshalb nicht geschrieben werden; geben Sie eine Variable an</translation>
     </message>
     <message>
         <source>{0} is {1}; a BOOL is needed here</source>
@@ -1728,12 +1720,12 @@
         <translation>Ein Platzhalter ist nicht mit {0} geschlossen</translation>
     </message>
     <message>
-        <source>The format {0} is not known</source>
-        <translation>Das Format {0} ist nicht bekannt</translation>
+        <source>The format {0} is not known; use one such as %.1f</source>
+        <translation>Das Format {0} ist nicht bekannt; verwenden Sie zum Beispiel %.1f</translation>
     </message>
     <message>
-        <source>A trace configuration must be a JSON object</source>
-        <translation>Eine Trace-Konfiguration muss ein JSON-Objekt sein</translation>
+        <source>A trace configuration must be a JSON object; put its contents in braces</source>
+        <translation>Eine Trace-Konfiguration muss ein JSON-Objekt sein; setzen Sie ihren Inhalt in geschweifte Klammern</translation>
     </message>
     <message>
         <source>The trace configuration is invalid: {0}</source>
@@ -1744,8 +1736,8 @@
         <translation>„{0}“ muss {1} sein</translation>
     </message>
     <message>
-        <source>&quot;{0}&quot; is missing</source>
-        <translation>„{0}“ fehlt</translation>
+        <source>&quot;{0}&quot; is missing; add it</source>
+        <translation>„{0}“ fehlt; ergänzen Sie es</translation>
     </message>
     <message>
         <source>A picture&apos;s name must end in one of {0}</source>
@@ -1768,8 +1760,8 @@
         <translation>Aufgezeichnete Werte können nicht geforct werden; setzen Sie zuerst ab hier fort oder kehren Sie zum Livebetrieb zurück</translation>
     </message>
     <message>
-        <source>A recording from a file cannot be resumed, only what the controller itself recorded</source>
-        <translation>Eine Aufzeichnung aus einer Datei kann nicht fortgesetzt werden, nur was die Steuerung selbst aufgezeichnet hat</translation>
+        <source>A recording from a file cannot be resumed, only what the controller itself recorded; press F5 to run the program</source>
+        <translation>Eine Aufzeichnung aus einer Datei kann nicht fortgesetzt werden, nur was die Steuerung selbst aufgezeichnet hat; starten Sie das Programm mit F5</translation>
     </message>
     <message>
         <source>A priority is a number; 0 removes it</source>
@@ -1784,40 +1776,40 @@
         <translation>Dieses XML ist weder PLCopen XML noch von TwinCAT oder CODESYS; exportieren Sie das Projekt als PLCopen XML und importieren Sie diese Datei</translation>
     </message>
     <message>
-        <source>It contains nothing that can be imported</source>
-        <translation>Darin ist nichts, das importiert werden kann</translation>
+        <source>It contains nothing that can be imported; export the project again with its units</source>
+        <translation>Darin ist nichts, das importiert werden kann; exportieren Sie das Projekt erneut mit seinen Bausteinen</translation>
     </message>
     <message>
         <source>The folder exists and is not empty; name a new one</source>
-        <translation>Der Ordner ist vorhanden und nicht leer; nennen Sie einen neuen</translation>
+        <translation>Der Ordner ist bereits vorhanden und nicht leer; geben Sie einen neuen an</translation>
     </message>
     <message>
-        <source>The sources have errors of syntax; stepwise check lists them</source>
+        <source>The sources have syntax errors; stepwise check lists them</source>
         <translation>Die Quelltexte haben Syntaxfehler; stepwise check listet sie auf</translation>
     </message>
     <message>
-        <source>The file is too large to be read</source>
-        <translation>Die Datei ist zu groß, um gelesen zu werden</translation>
+        <source>The file is too large to be read; export its parts one by one</source>
+        <translation>Die Datei ist zu groß, um gelesen zu werden; exportieren Sie die Teile einzeln</translation>
     </message>
     <message>
-        <source>The file is in the encoding {0}, which is not read; save it as UTF-8</source>
-        <translation>Die Datei hat die Kodierung {0}, die nicht gelesen wird; speichern Sie sie als UTF-8</translation>
+        <source>The file is in the encoding {0}, which is not supported; save it as UTF-8</source>
+        <translation>Die Datei hat die Kodierung {0}, die nicht unterstützt wird; speichern Sie sie als UTF-8</translation>
     </message>
     <message>
-        <source>The file declares a document type or entities of its own, which is not read; export it again without them</source>
-        <translation>Die Datei deklariert einen Dokumenttyp oder eigene Entitäten, was nicht gelesen wird; exportieren Sie sie ohne diese</translation>
+        <source>The file declares a document type or entities of its own, which is not supported; export it again without them</source>
+        <translation>Die Datei deklariert einen Dokumenttyp oder eigene Entitäten, was nicht unterstützt wird; exportieren Sie sie erneut ohne diese</translation>
     </message>
     <message>
-        <source>The elements of the file are nested too deeply</source>
-        <translation>Die Elemente der Datei sind zu tief verschachtelt</translation>
+        <source>The elements of the file are nested too deeply; export its parts one by one</source>
+        <translation>Die Elemente der Datei sind zu tief verschachtelt; exportieren Sie die Teile einzeln</translation>
     </message>
     <message>
-        <source>This is not well-formed XML: {0}</source>
-        <translation>Dies ist kein wohlgeformtes XML: {0}</translation>
+        <source>This is not well-formed XML: {0}; export the file again</source>
+        <translation>Dies ist kein wohlgeformtes XML: {0}; exportieren Sie die Datei erneut</translation>
     </message>
     <message>
-        <source>The file has no elements</source>
-        <translation>Die Datei hat keine Elemente</translation>
+        <source>The file has no elements; export it again</source>
+        <translation>Die Datei hat keine Elemente; exportieren Sie sie erneut</translation>
     </message>
     <message>
         <source>This is XML, not structured text; import it (stepwise import --help)</source>
@@ -1836,8 +1828,8 @@
         <translation>Geben Sie einen Namen und einen Baustein ein: T1 : TON</translation>
     </message>
     <message>
-        <source>the local variables of {0} and of what it calls need {1} bytes; the maximum is {2}</source>
-        <translation>die lokalen Variablen von {0} und allem, was es aufruft, brauchen {1} Bytes; möglich sind höchstens {2}</translation>
+        <source>the local variables of {0} and of what it calls need {1} bytes; the maximum is {2}; declare large arrays in a program or block</source>
+        <translation>die lokalen Variablen von {0} und allem, was es aufruft, brauchen {1} Bytes; möglich sind höchstens {2}; deklarieren Sie große Arrays in einem Programm oder Baustein</translation>
     </message>
     <message>
         <source>{0} is too large for the stack; divide it into several functions</source>
@@ -1845,7 +1837,7 @@
     </message>
     <message>
         <source>more than {0} units of work (loop passes, calls, copies) in one run of the task; check for an endless loop</source>
-        <translation>mehr als {0} Arbeitseinheiten (Schleifendurchläufe, Aufrufe, Kopien) in einem Lauf der Task; auf eine Endlosschleife prüfen</translation>
+        <translation>mehr als {0} Arbeitseinheiten (Schleifendurchläufe, Aufrufe, Kopien) in einem Lauf der Task; prüfen Sie auf eine Endlosschleife</translation>
     </message>
     <message>
         <source>{0} is not a name: use letters, digits and underscores.</source>
@@ -1856,12 +1848,12 @@
         <translation>Die XLIFF-Version {0} ist nicht bekannt; speichern Sie die Datei als 1.2 oder 2.0</translation>
     </message>
     <message>
-        <source>The file does not say into which language it is translated</source>
-        <translation>Die Datei gibt nicht an, in welche Sprache sie übersetzt ist</translation>
+        <source>The file does not say into which language it is translated; export it again with --language</source>
+        <translation>Die Datei gibt nicht an, in welche Sprache sie übersetzt ist; exportieren Sie sie erneut mit --language</translation>
     </message>
     <message>
-        <source>The XML is wrong: {0}</source>
-        <translation>Das XML ist fehlerhaft: {0}</translation>
+        <source>The XML is wrong: {0}; export the file again</source>
+        <translation>Das XML ist fehlerhaft: {0}; exportieren Sie die Datei erneut</translation>
     </message>
     <message>
         <source>The text of the key {0} in {1} has changed since the export; check the translation</source>
@@ -1876,32 +1868,32 @@
         <translation>Das Bild {0} liegt außerhalb des Projekts; kopieren Sie es in das Projekt, oder setzen Sie {1} unter {2} in project.json auf true</translation>
     </message>
     <message>
-        <source>The picture {0} unpacks to more than {1} MB</source>
-        <translation>Das Bild {0} wird entpackt größer als {1} MB</translation>
+        <source>The picture {0} unpacks to more than {1} MB; use a smaller one</source>
+        <translation>Das Bild {0} wird entpackt größer als {1} MB; verwenden Sie ein kleineres</translation>
     </message>
     <message>
         <source>The picture {0} is {1} x {2} pixels; more than {3} million are not drawn</source>
         <translation>Das Bild {0} hat {1} x {2} Pixel; mehr als {3} Millionen werden nicht gezeichnet</translation>
     </message>
     <message>
-        <source>{0} is not a picture in a known format such as PNG, JPEG or SVG</source>
-        <translation>{0} ist kein Bild in einem bekannten Format wie PNG, JPEG oder SVG</translation>
+        <source>{0} is not a picture in a known format such as PNG, JPEG or SVG; save it as one of them</source>
+        <translation>{0} ist kein Bild in einem bekannten Format wie PNG, JPEG oder SVG; speichern Sie es in einem davon</translation>
     </message>
     <message>
-        <source>The picture {0} draws more than {1} shapes</source>
-        <translation>Das Bild {0} enthält mehr als {1} Formen</translation>
+        <source>The picture {0} draws more than {1} shapes; simplify it or save it as PNG</source>
+        <translation>Das Bild {0} enthält mehr als {1} Formen; vereinfachen Sie es oder speichern Sie es als PNG</translation>
     </message>
     <message>
-        <source>The shapes of the picture {0} are nested more than {1} deep or contain themselves</source>
-        <translation>Die Formen des Bildes {0} sind mehr als {1} tief verschachtelt oder enthalten sich selbst</translation>
+        <source>The shapes of the picture {0} are nested more than {1} deep or contain themselves; simplify it or save it as PNG</source>
+        <translation>Die Formen des Bildes {0} sind mehr als {1} tief verschachtelt oder enthalten sich selbst; vereinfachen Sie es oder speichern Sie es als PNG</translation>
     </message>
     <message>
         <source>The picture {0} loads {1}; embed it in the picture as PNG or JPEG</source>
         <translation>Das Bild {0} lädt {1}; betten Sie es als PNG oder JPEG in das Bild ein</translation>
     </message>
     <message>
-        <source>The picture {0} has dashed lines of more than {1} dashes</source>
-        <translation>Das Bild {0} hat gestrichelte Linien mit mehr als {1} Strichen</translation>
+        <source>The picture {0} has dashed lines of more than {1} dashes; make the dashes longer or save it as PNG</source>
+        <translation>Das Bild {0} hat gestrichelte Linien mit mehr als {1} Strichen; machen Sie die Striche länger oder speichern Sie es als PNG</translation>
     </message>
     <message>
         <source>This version does not know the property {0}; it is kept as it is</source>
@@ -1960,8 +1952,8 @@
         <translation>{0} ist keine Farbe; meinten Sie {1}?</translation>
     </message>
     <message>
-        <source>{0} ({1}) must be greater than {2} ({3})</source>
-        <translation>{0} ({1}) muss größer als {2} ({3}) sein</translation>
+        <source>{0} ({1}) must be greater than {2} ({3}); exchange or correct the values</source>
+        <translation>{0} ({1}) muss größer als {2} ({3}) sein; vertauschen oder berichtigen Sie die Werte</translation>
     </message>
     <message>
         <source>{0} has no page {1}; its {2} {2:page is|pages are} numbered from 0</source>
@@ -1988,20 +1980,20 @@
         <translation>{0} liegt nicht zwischen {1} und {2}; verwendet wird {3}</translation>
     </message>
     <message>
-        <source>The panel {0} contains this one, so it cannot be placed in it</source>
-        <translation>Das Panel {0} enthält dieses hier und kann deshalb nicht darin platziert werden</translation>
+        <source>The panel {0} contains this one, so it cannot be placed in it; choose another one</source>
+        <translation>Das Panel {0} enthält dieses hier und kann deshalb nicht darin platziert werden; wählen Sie ein anderes</translation>
     </message>
     <message>
-        <source>The panel {0} has no parameter {1}</source>
-        <translation>Das Panel {0} hat keinen Parameter {1}</translation>
+        <source>The panel {0} has no parameter {1}; remove the argument or add the parameter</source>
+        <translation>Das Panel {0} hat keinen Parameter {1}; entfernen Sie das Argument oder fügen Sie den Parameter hinzu</translation>
     </message>
     <message>
         <source>The program has no type {0}; name a block or a structure, BOOL, REAL or the like, or text</source>
         <translation>Das Programm hat keinen Typ {0}; geben Sie einen Baustein oder eine Struktur an, BOOL, REAL oder dergleichen, oder text</translation>
     </message>
     <message>
-        <source>The parameter {0} needs an argument of type {1}</source>
-        <translation>Der Parameter {0} braucht ein Argument vom Typ {1}</translation>
+        <source>The parameter {0} needs an argument of type {1}; specify it in the faceplate</source>
+        <translation>Der Parameter {0} braucht ein Argument vom Typ {1}; geben Sie es im Faceplate an</translation>
     </message>
     <message>
         <source>{0} is {1}; the parameter {2} needs {3}</source>
@@ -2028,20 +2020,20 @@
         <translation>Der Zyklus davor ist nicht in der Aufzeichnung; die Werte, mit denen dieser Zyklus begann, sind daher nicht bekannt.</translation>
     </message>
     <message>
-        <source>There is no user {0}</source>
-        <translation>Den Benutzer {0} gibt es nicht</translation>
+        <source>There is no user {0}; create the user or check the name</source>
+        <translation>Den Benutzer {0} gibt es nicht; legen Sie ihn an oder prüfen Sie den Namen</translation>
     </message>
     <message>
         <source>The password cannot be kept: {0}</source>
         <translation>Das Passwort kann nicht abgelegt werden: {0}</translation>
     </message>
     <message>
-        <source>A password needs at least {0} characters</source>
-        <translation>Ein Passwort braucht mindestens {0} Zeichen</translation>
+        <source>A password needs at least {0} characters; choose a longer one</source>
+        <translation>Ein Passwort braucht mindestens {0} Zeichen; wählen Sie ein längeres</translation>
     </message>
     <message>
-        <source>The password must not be the name of the user</source>
-        <translation>Das Passwort darf nicht der Name des Benutzers sein</translation>
+        <source>The password must not be the name of the user; choose another one</source>
+        <translation>Das Passwort darf nicht der Name des Benutzers sein; wählen Sie ein anderes</translation>
     </message>
     <message>
         <source>The audit trail cannot be written: {0}</source>
@@ -2052,36 +2044,36 @@
         <translation>Das Audit-Protokoll kann nicht gelesen werden: {0}</translation>
     </message>
     <message>
-        <source>The frame {0} has no panel area, so no panel is seen in it</source>
-        <translation>Der Rahmen {0} hat keinen Panelbereich, darin ist also kein Panel zu sehen</translation>
+        <source>The frame {0} has no panel area, so no panel is seen in it; add one to it</source>
+        <translation>Der Rahmen {0} hat keinen Panelbereich, darin ist also kein Panel zu sehen; fügen Sie einen hinzu</translation>
     </message>
     <message>
         <source>Only for the roles {0}, but the project has no users; anybody may operate it</source>
         <translation>Nur für die Rollen {0}, aber das Projekt hat keine Benutzer; jeder darf es bedienen</translation>
     </message>
     <message>
-        <source>A row of a recipe names no variable</source>
-        <translation>Eine Zeile einer Rezeptur nennt keine Variable</translation>
+        <source>A row of a recipe names no variable; enter one or remove the row</source>
+        <translation>Eine Zeile einer Rezeptur nennt keine Variable; geben Sie eine an oder entfernen Sie die Zeile</translation>
     </message>
     <message>
         <source>The first column must be named variable, and each set has a column of its own</source>
         <translation>Die erste Spalte muss variable heißen, und jeder Datensatz hat eine eigene Spalte</translation>
     </message>
     <message>
-        <source>The recipe {0} has no variable {1}</source>
-        <translation>Die Rezeptur {0} hat keine Variable {1}</translation>
+        <source>The recipe {0} has no variable {1}; add it or correct the name</source>
+        <translation>Die Rezeptur {0} hat keine Variable {1}; fügen Sie sie hinzu oder berichtigen Sie den Namen</translation>
     </message>
     <message>
-        <source>There is no recipe {0}</source>
-        <translation>Die Rezeptur {0} gibt es nicht</translation>
+        <source>There is no recipe {0}; create it or check the name</source>
+        <translation>Die Rezeptur {0} gibt es nicht; legen Sie sie an oder prüfen Sie den Namen</translation>
     </message>
     <message>
-        <source>The recipe {0} has no set {1}</source>
-        <translation>Die Rezeptur {0} hat keinen Datensatz {1}</translation>
+        <source>The recipe {0} has no set {1}; create it or check the name</source>
+        <translation>Die Rezeptur {0} hat keinen Datensatz {1}; legen Sie ihn an oder prüfen Sie den Namen</translation>
     </message>
     <message>
-        <source>{0} is outside the limits of {1}, {2} to {3}</source>
-        <translation>{0} liegt außerhalb der Grenzen von {1}, {2} bis {3}</translation>
+        <source>{0} is outside the limits of {1}, {2} to {3}; enter a value within them</source>
+        <translation>{0} liegt außerhalb der Grenzen von {1}, {2} bis {3}; geben Sie einen Wert innerhalb davon ein</translation>
     </message>
     <message>
         <source>The list of shelved alarms cannot be read, so none is shelved: {0}</source>
@@ -2144,8 +2136,8 @@
         <translation>Es ist nicht erkennbar, was die Lampe bedeutet; geben Sie ihr eine Beschriftung oder stellen Sie einen Text daneben</translation>
     </message>
     <message>
-        <source>{0} on {1} has a contrast of {2} to 1 in the theme {3}; {4} to 1 is needed</source>
-        <translation>{0} auf {1} hat im Farbschema {3} einen Kontrast von {2} zu 1; nötig ist {4} zu 1</translation>
+        <source>{0} on {1} has a contrast of {2} to 1 in the theme {3}; {4} to 1 is needed; choose another colour</source>
+        <translation>{0} auf {1} hat im Farbschema {3} einen Kontrast von {2} zu 1; nötig ist {4} zu 1; wählen Sie eine andere Farbe</translation>
     </message>
     <message>
         <source>A font of {0} px cannot be read from {2} mm; use at least {1} px</source>
@@ -2164,20 +2156,20 @@
         <translation>{0} × {1} px sind neben den Nachbarn zu klein für einen Finger; nötig sind {2} px in beiden Richtungen</translation>
     </message>
     <message>
-        <source>The panel shows {0} things to read or press; at its size, {1} can be taken in</source>
-        <translation>Auf dem Panel werden {0} Dinge zum Lesen oder Drücken angezeigt; bei seiner Größe lassen sich {1} überblicken</translation>
+        <source>The panel shows {0} things to read or press; at its size, {1} can be taken in; move some to another panel</source>
+        <translation>Auf dem Panel werden {0} Dinge zum Lesen oder Drücken angezeigt; bei seiner Größe lassen sich {1} überblicken; verschieben Sie einige auf ein anderes Panel</translation>
     </message>
     <message>
         <source>The panel {0} is {1} presses away from the start panel; {2} should do</source>
-        <translation>Das Panel {0} ist {1} Tastendrücke vom Startpanel entfernt; {2} sollten reichen</translation>
+        <translation>Das Panel {0} ist {1} Berührungen vom Startpanel entfernt; {2} sollten reichen</translation>
     </message>
     <message>
         <source>Nothing on the panel {0} leads back; add a button with the action back or home, or a navigation bar</source>
         <translation>Nichts auf dem Panel {0} führt zurück; fügen Sie eine Schaltfläche mit der Aktion back oder home oder eine Navigationsleiste hinzu</translation>
     </message>
     <message>
-        <source>{0} is at another place on the panel {1}</source>
-        <translation>{0} ist auf dem Panel {1} an einer anderen Stelle</translation>
+        <source>{0} is at another place on the panel {1}; put it at the same place on both</source>
+        <translation>{0} ist auf dem Panel {1} an einer anderen Stelle; setzen Sie es auf beiden an dieselbe Stelle</translation>
     </message>
     <message>
         <source>What is normal is grey, so that the eye finds what is not (ISA-101). Use a role of the theme such as surface, off or running, and give colour only to conditions.</source>
@@ -2189,7 +2181,7 @@
     </message>
     <message>
         <source>Text needs a contrast of 4.5 to 1 against its ground, large text 3 to 1 (WCAG 2, ISO 9241-303). Roles of the theme keep it in every theme.</source>
-        <translation>Text braucht gegen seinen Grund einen Kontrast von 4,5 zu 1, großer Text 3 zu 1 (WCAG 2, ISO 9241-303). Rollen des Farbschemas wahren ihn in jedem Farbschema.</translation>
+        <translation>Text braucht gegen seinen Hintergrund einen Kontrast von 4,5 zu 1, großer Text 3 zu 1 (WCAG 2, ISO 9241-303). Rollen des Farbschemas wahren ihn in jedem Farbschema.</translation>
     </message>
     <message>
         <source>A capital letter must be seen at an angle of 16 minutes at least (ISO 9241-303). The distance and the size of a pixel are set in project.json.</source>
@@ -2201,7 +2193,7 @@
     </message>
     <message>
         <source>In an abnormal situation, every panel should be three presses away at most, and there should be a way back from it (ISA-101).</source>
-        <translation>Im Störfall sollte jedes Panel höchstens drei Tastendrücke entfernt sein, und es sollte einen Weg zurück geben (ISA-101).</translation>
+        <translation>Im Störfall sollte jedes Panel höchstens drei Berührungen entfernt sein, und es sollte einen Weg zurück geben (ISA-101).</translation>
     </message>
     <message>
         <source>What is on several panels is found without looking if it is always in the same place. Put it on the frame, or at the same place everywhere.</source>
@@ -2232,8 +2224,8 @@
         <translation>Wenn alles dringend ist, ist es nichts: etwa 5 % der Alarme sollten die höchste Priorität haben, 15 % die nächste (ISA-18.2).</translation>
     </message>
     <message>
-        <source>the value {0} is outside the subrange {1}..{2}</source>
-        <translation>der Wert {0} liegt außerhalb des Unterbereichs {1}..{2}</translation>
+        <source>the value {0} is outside the subrange {1}..{2}; limit it before the assignment or widen the subrange</source>
+        <translation>der Wert {0} liegt außerhalb des Unterbereichs {1}..{2}; begrenzen Sie ihn vor der Zuweisung oder erweitern Sie den Unterbereich</translation>
     </message>
     <message>
         <source>&quot;addressing&quot; in project.json is &quot;byte&quot; or &quot;word&quot;, not &quot;{0}&quot;</source>
@@ -2261,11 +2253,11 @@
     </message>
     <message>
         <source>What only some may do, or what project.json lists as critical, must not happen by an accidental touch. Set &quot;Writes are confirmed&quot;, or enter a question.</source>
-        <translation>Was nur einige dürfen oder was project.json als kritisch aufführt, darf nicht durch eine versehentliche Berührung geschehen. Setzen Sie „Schreiben wird bestätigt“ oder geben Sie eine Rückfrage ein.</translation>
+        <translation>Was nur einige dürfen oder was project.json als kritisch aufführt, darf nicht durch eine versehentliche Berührung geschehen. Aktivieren Sie „Schreiben wird bestätigt“ oder geben Sie eine Rückfrage ein.</translation>
     </message>
     <message>
         <source>Only {1} may write {0}, but no confirmation is asked; set &quot;Writes are confirmed&quot;</source>
-        <translation>Nur {1} darf {0} schreiben, aber es wird keine Bestätigung verlangt; setzen Sie „Schreiben wird bestätigt“</translation>
+        <translation>Nur {1} darf {0} schreiben, aber es wird keine Bestätigung verlangt; aktivieren Sie „Schreiben wird bestätigt“</translation>
     </message>
     <message>
         <source>The theme is not valid JSON with a base and colors</source>
@@ -2276,8 +2268,8 @@
         <translation>Es gibt kein eingebautes Farbschema „{0}“; die Basis muss light, dark oder contrast sein</translation>
     </message>
     <message>
-        <source>There is no colour role {0}</source>
-        <translation>Es gibt keine Farbrolle {0}</translation>
+        <source>There is no colour role {0}; check the spelling</source>
+        <translation>Es gibt keine Farbrolle {0}; prüfen Sie die Schreibweise</translation>
     </message>
     <message>
         <source>There is no colour role {0}; did you mean {1}?</source>
@@ -2405,19 +2397,19 @@
     </message>
     <message>
         <source>Two roles are named {0}; rename one</source>
-        <translation>Zwei Rollen heißen {0}; bitte eine umbenennen</translation>
+        <translation>Zwei Rollen heißen {0}; benennen Sie eine um</translation>
     </message>
     <message>
         <source>Two users are named {0}; rename one</source>
-        <translation>Zwei Benutzer heißen {0}; bitte einen umbenennen</translation>
+        <translation>Zwei Benutzer heißen {0}; benennen Sie einen um</translation>
     </message>
     <message>
         <source>Two recipes are named {0}; rename one</source>
-        <translation>Zwei Rezepturen heißen {0}; bitte eine umbenennen</translation>
+        <translation>Zwei Rezepturen heißen {0}; benennen Sie eine um</translation>
     </message>
     <message>
         <source>Two sets of the recipe are named {0}; rename one</source>
-        <translation>Zwei Datensätze der Rezeptur heißen {0}; bitte einen umbenennen</translation>
+        <translation>Zwei Datensätze der Rezeptur heißen {0}; benennen Sie einen um</translation>
     </message>
     <message>
         <source>The alarm has no condition; enter one</source>
@@ -2529,7 +2521,7 @@
     </message>
     <message>
         <source>The expression is nested too deeply; divide it into several</source>
-        <translation>Der Ausdruck ist zu tief geschachtelt; teilen Sie ihn in mehrere auf</translation>
+        <translation>Der Ausdruck ist zu tief verschachtelt; teilen Sie ihn in mehrere auf</translation>
     </message>
     <message>
         <source>this is not an expression; write for example Main.x &gt; 5</source>
@@ -2701,15 +2693,15 @@
     </message>
     <message>
         <source>The project has {0} {0:alarm|alarms}, but no panel has an alarm list or banner; add one</source>
-        <translation>Das Projekt hat {0} {0:Alarm|Alarme}, aber kein Panel hat eine Alarmliste oder eine Alarmzeile; fügen Sie eine hinzu</translation>
+        <translation>Das Projekt hat {0} {0:Alarm|Alarme}, aber kein Panel hat eine Alarmliste oder ein Alarmbanner; fügen Sie eines hinzu</translation>
     </message>
     <message>
         <source>{0} is critical after project.json, but one press writes it; set &quot;Writes are confirmed&quot;</source>
-        <translation>{0} ist laut project.json kritisch, doch ein Druck schreibt es; setzen Sie „Schreiben wird bestätigt“</translation>
+        <translation>{0} ist laut project.json kritisch, doch ein Druck schreibt es; aktivieren Sie „Schreiben wird bestätigt“</translation>
     </message>
     <message>
         <source>{0} suppresses alarms, but one press writes it; set &quot;Writes are confirmed&quot;</source>
-        <translation>{0} unterdrückt Alarme, doch ein Druck schreibt es; setzen Sie „Schreiben wird bestätigt“</translation>
+        <translation>{0} unterdrückt Alarme, doch ein Druck schreibt es; aktivieren Sie „Schreiben wird bestätigt“</translation>
     </message>
 </context>
 <context>
@@ -2723,8 +2715,8 @@
         <translation>Die Datei wurde nicht gelesen: {0}</translation>
     </message>
     <message>
-        <source>The element {0} was not read</source>
-        <translation>Das Element {0} wurde nicht gelesen</translation>
+        <source>The element {0} was not read; add it by hand if the program needs it</source>
+        <translation>Das Element {0} wurde nicht gelesen; ergänzen Sie es von Hand, falls das Programm es braucht</translation>
     </message>
     <message>
         <source>The vendor&apos;s data {0} is kept in exchange.json</source>
@@ -2739,12 +2731,12 @@
         <translation>Der Rumpf von {0} ist in einer Form gespeichert, die nur der eigene Editor liest; exportieren Sie ihn dort als PLCopen XML</translation>
     </message>
     <message>
-        <source>A jump leads to the step {0}, which does not exist</source>
-        <translation>Ein Sprung führt zum Schritt {0}, den es nicht gibt</translation>
+        <source>A jump leads to the step {0}, which does not exist; add the step or correct the jump</source>
+        <translation>Ein Sprung führt zum Schritt {0}, den es nicht gibt; fügen Sie den Schritt hinzu oder berichtigen Sie den Sprung</translation>
     </message>
     <message>
-        <source>The element {0} of the chart is not connected and was left out</source>
-        <translation>Das Element {0} der Schrittkette ist nicht verbunden und wurde ausgelassen</translation>
+        <source>The element {0} of the chart is not connected and was left out; connect it in the other tool and export again</source>
+        <translation>Das Element {0} der Schrittkette ist nicht verbunden und wurde ausgelassen; verbinden Sie es im anderen Werkzeug und exportieren Sie erneut</translation>
     </message>
     <message>
         <source>The transition from {0} has no condition; it is written as FALSE</source>
@@ -2755,12 +2747,12 @@
         <translation>Das Element {0} gehört zu einer Schleife ohne Baustein, der einen Wert speichert; sein letzter Wert bleibt nicht erhalten</translation>
     </message>
     <message>
-        <source>The element {0} is not connected and was left out</source>
-        <translation>Das Element {0} ist nicht verbunden und wurde ausgelassen</translation>
+        <source>The element {0} is not connected and was left out; connect it in the other tool and export again</source>
+        <translation>Das Element {0} ist nicht verbunden und wurde ausgelassen; verbinden Sie es im anderen Werkzeug und exportieren Sie erneut</translation>
     </message>
     <message>
-        <source>An edge in a function needs the value of the last call, which a function does not store</source>
-        <translation>Eine Flanke in einer Funktion braucht den Wert des letzten Aufrufs, den eine Funktion nicht speichert</translation>
+        <source>An edge in a function needs the value of the last call, which a function does not store; make it a FUNCTION_BLOCK</source>
+        <translation>Eine Flanke in einer Funktion braucht den Wert des letzten Aufrufs, den eine Funktion nicht speichert; machen Sie daraus einen FUNCTION_BLOCK</translation>
     </message>
     <message>
         <source>The result of {0} is used in several places and is computed in each</source>
@@ -2775,8 +2767,8 @@
         <translation>Die Bibliothek {0} gehört nicht zu Stepwise; die Prüfung meldet ihre Verwendungen</translation>
     </message>
     <message>
-        <source>Code in C is kept as a comment and is not executed</source>
-        <translation>Code in C bleibt als Kommentar erhalten und wird nicht ausgeführt</translation>
+        <source>Code in C is kept as a comment and is not executed; write it in ST</source>
+        <translation>Code in C bleibt als Kommentar erhalten und wird nicht ausgeführt; schreiben Sie ihn in ST</translation>
     </message>
     <message>
         <source>There are two units named {0}; the second is in {1}</source>
@@ -2795,16 +2787,16 @@
         <translation>Ein Kommentar außerhalb der Elemente wurde ausgelassen: {0}</translation>
     </message>
     <message>
-        <source>The diagram in {0} was not read: an expression repeats itself without end</source>
-        <translation>Das Diagramm in {0} wurde nicht gelesen: Ein Ausdruck wiederholt sich endlos</translation>
+        <source>The diagram in {0} was not read: an expression repeats itself without end; write its body in ST</source>
+        <translation>Das Diagramm in {0} wurde nicht gelesen: Ein Ausdruck wiederholt sich endlos; schreiben Sie seinen Rumpf in ST</translation>
     </message>
     <message>
-        <source>A condition in {0} needs the call of a block, which a condition cannot make</source>
-        <translation>Eine Bedingung in {0} braucht den Aufruf eines Bausteins, den eine Bedingung nicht ausführen kann</translation>
+        <source>A condition in {0} needs the call of a block, which a condition cannot make; call the block before and use its output</source>
+        <translation>Eine Bedingung in {0} braucht den Aufruf eines Bausteins, den eine Bedingung nicht ausführen kann; rufen Sie den Baustein vorher auf und verwenden Sie seinen Ausgang</translation>
     </message>
     <message>
-        <source>The transition {0} is not a single expression and was not read</source>
-        <translation>Die Transition {0} ist kein einzelner Ausdruck und wurde nicht gelesen</translation>
+        <source>The transition {0} is not a single expression and was not read; write its condition in the text</source>
+        <translation>Die Transition {0} ist kein einzelner Ausdruck und wurde nicht gelesen; schreiben Sie ihre Bedingung im Text</translation>
     </message>
     <message>
         <source>PLCopen XML has no place for panels; they were left out</source>
@@ -2879,8 +2871,8 @@
         <translation>Version 0201 unterstützt Bibliotheken nicht; {0} wurde ausgelassen</translation>
     </message>
     <message>
-        <source>The file is no program source and was left out</source>
-        <translation>Die Datei ist kein Programmquelltext und wurde ausgelassen</translation>
+        <source>The file is no program source and was left out; import it alone if it is one</source>
+        <translation>Die Datei ist kein Programmquelltext und wurde ausgelassen; importieren Sie sie einzeln, falls sie doch eine ist</translation>
     </message>
     <message>
         <source>The network &apos;{0}&apos; is commented out in the diagram and was left out of the text</source>
@@ -3782,7 +3774,7 @@
     </message>
     <message>
         <source>Alarm banner</source>
-        <translation>Alarmzeile</translation>
+        <translation>Alarmbanner</translation>
     </message>
     <message>
         <source>Language selector</source>
@@ -4561,7 +4553,7 @@
     </message>
     <message>
         <source>Filler</source>
-        <translation>Füller</translation>
+        <translation>Abfüllmaschine</translation>
     </message>
     <message>
         <source>Carton</source>
@@ -4776,7 +4768,7 @@
     </message>
     <message>
         <source>time passed.</source>
-        <translation>Zeit verging.</translation>
+        <translation>Zeit vergangen ist.</translation>
     </message>
     <message>
         <source>it was the first scan.</source>
@@ -4965,12 +4957,12 @@
         <translation>Es gibt keinen eindeutigen Regelkreis {0}; das Programm hat {1}</translation>
     </message>
     <message>
-        <source>The recording contains no program that knows it</source>
-        <translation>Die Aufzeichnung enthält kein Programm, das sie kennt</translation>
+        <source>The recording contains no program that knows it; choose a loop of the open program</source>
+        <translation>Die Aufzeichnung enthält kein Programm, das sie kennt; wählen Sie einen Regelkreis des geöffneten Programms</translation>
     </message>
     <message>
-        <source>It is not a number and cannot be a signal of a loop</source>
-        <translation>Das ist keine Zahl und kann kein Signal eines Regelkreises sein</translation>
+        <source>It is not a number and cannot be a signal of a loop; name a variable of type REAL or INT</source>
+        <translation>Das ist keine Zahl und kann kein Signal eines Regelkreises sein; geben Sie eine Variable vom Typ REAL oder INT an</translation>
     </message>
     <message>
         <source>This range is no longer recorded, or the program was changed in it; choose another one</source>
@@ -5083,7 +5075,7 @@
     </message>
     <message>
         <source>comments nest: the next *) closes the one that begins here</source>
-        <translation>Kommentare sind geschachtelt: das nächste *) schließt den, der hier beginnt</translation>
+        <translation>Kommentare sind verschachtelt: Das nächste *) schließt den, der hier beginnt</translation>
     </message>
 </context>
 <context>
@@ -5503,7 +5495,7 @@
     <name>Tuning</name>
     <message>
         <source>The table has no column of times; name one time_s (seconds) or time_ms</source>
-        <translation>Die Tabelle hat keine Zeitspalte; nennen Sie eine time_s (Sekunden) oder time_ms</translation>
+        <translation>Die Tabelle hat keine Zeitspalte; benennen Sie eine Spalte time_s (Sekunden) oder time_ms</translation>
     </message>
     <message>
         <source>The table has no column {0}; it has {1}</source>
@@ -5514,16 +5506,16 @@
         <translation>Die Tabelle hat keine Spalte {0}; meinten Sie {1}?</translation>
     </message>
     <message>
-        <source>Line {0} has no number in column {1}</source>
-        <translation>Zeile {0} hat keine Zahl in Spalte {1}</translation>
+        <source>Line {0} has no number in column {1}; correct or remove the line</source>
+        <translation>Zeile {0} hat keine Zahl in Spalte {1}; berichtigen oder entfernen Sie die Zeile</translation>
     </message>
     <message>
-        <source>The time in line {0} is before that of the line above</source>
-        <translation>Die Zeit in Zeile {0} liegt vor der Zeit in der Zeile darüber</translation>
+        <source>The time in line {0} is before that of the line above; sort the lines by time</source>
+        <translation>Die Zeit in Zeile {0} liegt vor der Zeit in der Zeile darüber; sortieren Sie die Zeilen nach der Zeit</translation>
     </message>
     <message>
         <source>{0} {0:sample is|samples are} too few for a model; record for longer</source>
-        <translation>{0} {0:Messwert ist|Messwerte sind} zu wenig für ein Modell; länger aufzeichnen</translation>
+        <translation>{0} {0:Messwert ist|Messwerte sind} zu wenig für ein Modell; zeichnen Sie länger auf</translation>
     </message>
     <message>
         <source>usable</source>
@@ -5562,8 +5554,8 @@
         <translation>Kein Modell erklärt den Verlauf des Ausgangs; etwas anderes bewegt ihn</translation>
     </message>
     <message>
-        <source>The rule {0} has no answer for this process</source>
-        <translation>Die Regel {0} hat für diese Strecke keine Lösung</translation>
+        <source>The rule {0} has no answer for this process; choose another one</source>
+        <translation>Die Regel {0} hat für diese Strecke keine Lösung; wählen Sie eine andere</translation>
     </message>
     <message>
         <source>Unstable: the loop would swing up. Do not use this.</source>
@@ -5571,7 +5563,7 @@
     </message>
     <message>
         <source>Fragile: a small change of the process makes it swing.</source>
-        <translation>Empfindlich: Eine kleine Änderung der Strecke bringt sie zum Schwingen.</translation>
+        <translation>Empfindlich: Schon eine kleine Änderung der Strecke bringt den Regelkreis zum Schwingen.</translation>
     </message>
     <message>
         <source>Brisk: quick, and it swings a little; the process should not change much.</source>
@@ -5579,11 +5571,11 @@
     </message>
     <message>
         <source>Good: quick enough, and it tolerates the usual changes of a process.</source>
-        <translation>Gut: schnell genug, und es verträgt die üblichen Änderungen einer Strecke.</translation>
+        <translation>Gut: schnell genug, verträgt die üblichen Änderungen der Strecke.</translation>
     </message>
     <message>
         <source>Calm: slow, and it tolerates a process that changes a lot.</source>
-        <translation>Ruhig: langsam, und es verträgt eine Strecke, die sich stark ändert.</translation>
+        <translation>Ruhig: langsam, verträgt auch starke Änderungen der Strecke.</translation>
     </message>
     <message>
         <source>A step of the set point does not overshoot.</source>
@@ -5599,7 +5591,7 @@
     </message>
     <message>
         <source>The rule looks at one lag only; check the margins.</source>
-        <translation>Die Regel berücksichtigt nur ein Verzögerungsglied; die Reserven prüfen.</translation>
+        <translation>Die Regel berücksichtigt nur ein Verzögerungsglied; prüfen Sie die Reserven.</translation>
     </message>
     <message>
         <source>gain and dead time</source>
@@ -5778,8 +5770,8 @@
         <translation>Die Aufzeichnung enthält {0} {0:Störung|Störungen}, aber keinen Sprung, aus dem sich ein Modell bilden lässt; ändern Sie einmal den Sollwert oder von Hand den Ausgang, und zeichnen Sie das auf</translation>
     </message>
     <message>
-        <source>Change {0} is a disturbance: what caused it is not known, so it makes no model</source>
-        <translation>Änderung {0} ist eine Störung: Ihre Ursache ist unbekannt, daher ergibt sie kein Modell</translation>
+        <source>Change {0} is a disturbance: what caused it is not known, so it makes no model; choose a change of the set point or of the output</source>
+        <translation>Änderung {0} ist eine Störung: Ihre Ursache ist unbekannt, daher ergibt sie kein Modell; wählen Sie eine Änderung des Sollwerts oder des Ausgangs</translation>
     </message>
 </context>
 <context>
@@ -5829,7 +5821,7 @@
     </message>
     <message>
         <source>connecting</source>
-        <translation>verbindet</translation>
+        <translation>wird verbunden</translation>
     </message>
     <message>
         <source>online</source>
@@ -5837,7 +5829,7 @@
     </message>
     <message>
         <source>lost</source>
-        <translation>verloren</translation>
+        <translation>unterbrochen</translation>
     </message>
     <message>
         <source>good</source>
@@ -6023,8 +6015,8 @@
         <translation>%1 wurde nicht gespeichert</translation>
     </message>
     <message>
-        <source>%1 is no variable of the running program</source>
-        <translation>%1 ist keine Variable des laufenden Programms</translation>
+        <source>%1 is not a variable of the running program; check the name, or press F5 to build the program</source>
+        <translation>%1 ist keine Variable des laufenden Programms; prüfen Sie den Namen oder übersetzen Sie das Programm mit F5</translation>
     </message>
     <message>
         <source>Force</source>
@@ -6063,8 +6055,8 @@
         <translation>Setzen Sie den Cursor auf ein Problem oder wählen Sie eines in der Liste und drücken Sie F1 erneut</translation>
     </message>
     <message>
-        <source>There is no page for %1</source>
-        <translation>Zu %1 gibt es keine Seite</translation>
+        <source>There is no page for %1; choose a code from the list</source>
+        <translation>Zu %1 gibt es keine Seite; wählen Sie einen Code aus der Liste</translation>
     </message>
 </context>
 <context>
@@ -6278,8 +6270,8 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
 <context>
     <name>plc::app::MainWindow</name>
     <message>
-        <source>A panel&apos;s name cannot contain / or \</source>
-        <translation>Der Name eines Panels ist ein Dateiname: ohne / und ohne \</translation>
+        <source>A panel&apos;s name cannot contain / or \; choose another name</source>
+        <translation>Der Name eines Panels darf weder / noch \ enthalten; wählen Sie einen anderen Namen</translation>
     </message>
     <message>
         <source>Name of the panel:</source>
@@ -6438,12 +6430,12 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Zeile (1 bis %1)</translation>
     </message>
     <message>
-        <source>Nothing is declared under this name</source>
-        <translation>Unter diesem Namen ist nichts deklariert</translation>
+        <source>Nothing is declared under this name; declare it or check the name</source>
+        <translation>Unter diesem Namen ist nichts deklariert; deklarieren Sie ihn oder prüfen Sie ihn</translation>
     </message>
     <message>
-        <source>There is no name at the cursor</source>
-        <translation>Am Cursor steht kein Name</translation>
+        <source>There is no name at the cursor; put the cursor on one</source>
+        <translation>Am Cursor steht kein Name; setzen Sie den Cursor auf einen</translation>
     </message>
     <message>
         <source>Rename</source>
@@ -6714,7 +6706,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Toggle Comment (Ctrl+/)</source>
-        <translation>Ein- oder auskommentieren (Strg+/)</translation>
+        <translation>Ein- oder auskommentieren (Strg+#)</translation>
     </message>
     <message>
         <source>Duplicate</source>
@@ -6964,20 +6956,20 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>trace</translation>
     </message>
     <message>
-        <source>A file name cannot contain / or \</source>
-        <translation>Ein Dateiname enthält weder / noch \</translation>
+        <source>A file name cannot contain / or \; choose another name</source>
+        <translation>Ein Dateiname darf weder / noch \ enthalten; wählen Sie einen anderen Namen</translation>
     </message>
     <message>
-        <source>A trace %1 already exists</source>
-        <translation>Ein Trace %1 ist bereits vorhanden</translation>
+        <source>A trace %1 already exists; choose another name</source>
+        <translation>Ein Trace %1 ist bereits vorhanden; wählen Sie einen anderen Namen</translation>
     </message>
     <message>
         <source>New name of %1:</source>
         <translation>Neuer Name von %1:</translation>
     </message>
     <message>
-        <source>A file %1 already exists</source>
-        <translation>Eine Datei %1 ist bereits vorhanden</translation>
+        <source>A file %1 already exists; choose another name</source>
+        <translation>Eine Datei %1 ist bereits vorhanden; wählen Sie einen anderen Namen</translation>
     </message>
     <message>
         <source>The file cannot be renamed; check the permissions of the folder</source>
@@ -7005,7 +6997,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Cancelled: nothing was saved</source>
-        <translation>Abgebrochen: nichts wurde gespeichert</translation>
+        <translation>Abgebrochen: Nichts wurde gespeichert</translation>
     </message>
     <message>
         <source>%1 is written in %2 and is saved as it was found</source>
@@ -7152,8 +7144,8 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Reglereinstellung</translation>
     </message>
     <message>
-        <source>%1 is not a source of this project</source>
-        <translation>%1 ist keine Quelldatei dieses Projekts</translation>
+        <source>%1 is not a source of this project; open the project that contains it</source>
+        <translation>%1 ist keine Quelldatei dieses Projekts; öffnen Sie das Projekt, das sie enthält</translation>
     </message>
     <message>
         <source>Walk Through the Scan</source>
@@ -7204,8 +7196,8 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Zeitlupe des Zyklus</translation>
     </message>
     <message>
-        <source>What if? needs a running controller: a recording from a file cannot be resumed</source>
-        <translation>„Was wäre, wenn“ braucht eine laufende Steuerung: Eine Aufzeichnung aus einer Datei kann nicht fortgesetzt werden</translation>
+        <source>What if? needs a running controller: a recording from a file cannot be resumed; press F5 to run the program</source>
+        <translation>„Was wäre, wenn“ braucht eine laufende Steuerung: Eine Aufzeichnung aus einer Datei kann nicht fortgesetzt werden; starten Sie das Programm mit F5</translation>
     </message>
     <message>
         <source>Explain the Problem</source>
@@ -7366,8 +7358,8 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Das Projekt braucht einen Namen</translation>
     </message>
     <message>
-        <source>%1 already exists and is not empty</source>
-        <translation>%1 ist bereits vorhanden und nicht leer</translation>
+        <source>%1 already exists and is not empty; choose another name</source>
+        <translation>%1 ist bereits vorhanden und nicht leer; wählen Sie einen anderen Namen</translation>
     </message>
     <message>
         <source>Will be created in %1</source>
@@ -7449,8 +7441,8 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Ein Name besteht aus Buchstaben, Ziffern und _, beginnt mit einem Buchstaben und ist kein Schlüsselwort</translation>
     </message>
     <message>
-        <source>%1 already exists in the project</source>
-        <translation>%1 ist im Projekt bereits vorhanden</translation>
+        <source>%1 already exists in the project; choose another name</source>
+        <translation>%1 ist im Projekt bereits vorhanden; wählen Sie einen anderen Namen</translation>
     </message>
     <message>
         <source>A file %1 already exists: choose it, or another name</source>
@@ -7708,7 +7700,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>No run has ended yet</source>
-        <translation>Noch kein Lauf ist zu Ende</translation>
+        <translation>Noch kein Lauf beendet</translation>
     </message>
 </context>
 <context>
@@ -7935,7 +7927,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Disk space for the recordings of earlier runs, per project</source>
-        <translation>Plattenplatz für die Aufzeichnungen früherer Läufe, je Projekt</translation>
+        <translation>Speicherplatz für die Aufzeichnungen früherer Läufe, je Projekt</translation>
     </message>
     <message>
         <source> MB</source>
@@ -8159,12 +8151,12 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Ab hier ausführen</translation>
     </message>
     <message>
-        <source>%1 has no value in this scan</source>
-        <translation>%1 hat in diesem Zyklus keinen Wert</translation>
+        <source>%1 has no value in this scan; choose another variable</source>
+        <translation>%1 hat in diesem Zyklus keinen Wert; wählen Sie eine andere Variable</translation>
     </message>
     <message>
         <source>Give at least one variable another value</source>
-        <translation>Geben Sie mindestens einer Variable einen anderen Wert</translation>
+        <translation>Geben Sie mindestens einer Variablen einen anderen Wert</translation>
     </message>
 </context>
 <context>
@@ -8198,8 +8190,8 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Alle entfernen</translation>
     </message>
     <message>
-        <source>The program that runs has no code at this line or below it</source>
-        <translation>Das laufende Programm hat in dieser Zeile und darunter keinen Code</translation>
+        <source>The program that runs has no code at this line or below it; choose a line with a statement</source>
+        <translation>Das laufende Programm hat in dieser Zeile und darunter keinen Code; wählen Sie eine Zeile mit einer Anweisung</translation>
     </message>
 </context>
 <context>
@@ -8268,8 +8260,8 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Löschen (Entf)</translation>
     </message>
     <message>
-        <source>The unit %1 is no longer in the text</source>
-        <translation>Der Baustein %1 ist im Text nicht mehr vorhanden</translation>
+        <source>The unit %1 is no longer in the text; undo the change or close this view</source>
+        <translation>Der Baustein %1 ist im Text nicht mehr vorhanden; machen Sie die Änderung rückgängig oder schließen Sie diese Ansicht</translation>
     </message>
     <message>
         <source>The text has errors: this is the last good drawing</source>
@@ -8364,8 +8356,8 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>%1 in Schritt %2</translation>
     </message>
     <message>
-        <source>A condition is a BOOL</source>
-        <translation>Eine Bedingung ist ein BOOL</translation>
+        <source>A condition is a BOOL; add a comparison</source>
+        <translation>Eine Bedingung ist ein BOOL; ergänzen Sie einen Vergleich</translation>
     </message>
     <message>
         <source>qualifier</source>
@@ -8432,8 +8424,8 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Wählen Sie aus, was ausgeschnitten werden soll</translation>
     </message>
     <message>
-        <source>The clipboard contains no step, action or transition</source>
-        <translation>Die Zwischenablage enthält keinen Schritt, keine Aktion und keine Transition</translation>
+        <source>The clipboard contains no step, action or transition; copy one first</source>
+        <translation>Die Zwischenablage enthält keinen Schritt, keine Aktion und keine Transition; kopieren Sie zuerst etwas davon</translation>
     </message>
     <message>
         <source>Select the step or transition to paste after</source>
@@ -8690,8 +8682,8 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
     </message>
     <message>
-        <source>%1 cannot be written</source>
-        <translation>%1 kann nicht geschrieben werden</translation>
+        <source>%1 cannot be written; choose a variable of the program</source>
+        <translation>%1 kann nicht geschrieben werden; wählen Sie eine Variable des Programms</translation>
     </message>
     <message>
         <source>Print…</source>
@@ -8753,16 +8745,16 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Als Kontaktplan anzeigen</translation>
     </message>
     <message>
-        <source>%1 is no longer in the text</source>
-        <translation>%1 steht nicht mehr im Text</translation>
+        <source>%1 is no longer in the text; undo the change or close this view</source>
+        <translation>%1 steht nicht mehr im Text; machen Sie die Änderung rückgängig oder schließen Sie diese Ansicht</translation>
     </message>
     <message>
         <source>The text has errors: this is the last good drawing</source>
-        <translation>Der Text hat Fehler: dies ist die letzte gültige Zeichnung</translation>
+        <translation>Der Text hat Fehler: Dies ist die letzte gültige Zeichnung</translation>
     </message>
     <message>
         <source>Fix the text first: this is the last good drawing</source>
-        <translation>Zuerst den Text berichtigen: Dies ist die letzte gültige Zeichnung</translation>
+        <translation>Beheben Sie zuerst die Fehler im Text: Dies ist die letzte gültige Zeichnung</translation>
     </message>
     <message>
         <source>Select a rung</source>
@@ -8830,7 +8822,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Edit what is selected (or Enter)</source>
-        <translation>Auswahl bearbeiten (oder Eingabe)</translation>
+        <translation>Auswahl bearbeiten (oder Enter)</translation>
     </message>
     <message>
         <source>Delete what is selected</source>
@@ -8850,7 +8842,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Select the next part; Up and Down also the next rung</source>
-        <translation>Nächstes Teil wählen; Auf und Ab auch das nächste Netzwerk</translation>
+        <translation>Nächsten Teil auswählen; Auf und Ab auch das nächste Netzwerk</translation>
     </message>
     <message>
         <source>Move the rung up; with Down, down</source>
@@ -8982,7 +8974,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>References to the variable</source>
-        <translation>Referenzen der Variable</translation>
+        <translation>Referenzen der Variablen</translation>
     </message>
     <message>
         <source>Quick fix</source>
@@ -9082,8 +9074,8 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Optimieren</translation>
     </message>
     <message>
-        <source>There is no code at or below line %1 of %2</source>
-        <translation>In %2 gibt es in und unter Zeile %1 keinen Code</translation>
+        <source>There is no code at or below line %1 of %2; choose an earlier line</source>
+        <translation>In %2 gibt es in und unter Zeile %1 keinen Code; wählen Sie eine frühere Zeile</translation>
     </message>
     <message>
         <source>The condition of the breakpoint: %1</source>
@@ -9201,8 +9193,8 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>%1 deklarieren</translation>
     </message>
     <message>
-        <source>There is no fix for this line</source>
-        <translation>Für diese Zeile gibt es keine Korrektur</translation>
+        <source>There is no fix for this line; press F1 for an explanation</source>
+        <translation>Für diese Zeile gibt es keine Korrektur; F1 zeigt eine Erklärung</translation>
     </message>
     <message>
         <source>Go to Definition</source>
@@ -9334,11 +9326,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Response to the set point</source>
-        <translation>Antwort auf den Sollwert</translation>
+        <translation>Führungsverhalten</translation>
     </message>
     <message>
         <source>Response to a disturbance</source>
-        <translation>Antwort auf eine Störung</translation>
+        <translation>Störverhalten</translation>
     </message>
     <message>
         <source>Trial with the block itself</source>
@@ -9422,7 +9414,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Disturbance to set point</source>
-        <translation>Störung bis Sollwert</translation>
+        <translation>Störverhalten bis Führungsverhalten</translation>
     </message>
     <message>
         <source>Now</source>
@@ -9469,8 +9461,8 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Starten Sie die Steuerung; untersucht wird ihre Aufzeichnung.</translation>
     </message>
     <message>
-        <source>The program has no controller block.</source>
-        <translation>Das Programm hat keinen Reglerbaustein.</translation>
+        <source>The program has no controller block; call one, for example PID.</source>
+        <translation>Das Programm hat keinen Reglerbaustein; rufen Sie einen auf, zum Beispiel PID.</translation>
     </message>
     <message>
         <source>Searching…</source>
@@ -9500,8 +9492,8 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Wählen Sie mindestens einen Sprung.</translation>
     </message>
     <message>
-        <source>The rule has no answer for this process.</source>
-        <translation>Die Regel hat für diese Strecke keine Lösung.</translation>
+        <source>The rule has no answer for this process; choose another rule.</source>
+        <translation>Die Regel hat für diese Strecke keine Lösung; wählen Sie eine andere Regel.</translation>
     </message>
     <message>
         <source>any</source>
@@ -9613,7 +9605,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>What the model leaves</source>
-        <translation>Rest neben dem Modell</translation>
+        <translation>Was das Modell nicht erklärt</translation>
     </message>
     <message>
         <source>recorded less model</source>
@@ -9673,7 +9665,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Responses</source>
-        <translation>Antworten</translation>
+        <translation>Sprungantworten</translation>
     </message>
     <message>
         <source>Start the controller or open a recording; it is looked at for steps.</source>
@@ -9914,7 +9906,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Cancelled: there is no answer.</source>
-        <translation>Abgebrochen: es gibt keine Antwort.</translation>
+        <translation>Abgebrochen: Es gibt keine Antwort.</translation>
     </message>
 </context>
 <context>
@@ -10310,15 +10302,15 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Fix All Issues</source>
-        <translation>Alle Befunde beheben</translation>
+        <translation>Alle Probleme beheben</translation>
     </message>
     <message>
         <source>Fix Issue</source>
-        <translation>Befund beheben</translation>
+        <translation>Problem beheben</translation>
     </message>
     <message>
         <source>Explain Issue</source>
-        <translation>Befund erklären</translation>
+        <translation>Problem erklären</translation>
     </message>
     <message>
         <source>Outline</source>
@@ -10569,16 +10561,16 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Eine Rezeptur braucht einen Namen.</translation>
     </message>
     <message>
-        <source>There is a recipe &quot;%1&quot; already.</source>
-        <translation>Eine Rezeptur „%1“ ist bereits vorhanden.</translation>
+        <source>The recipe &quot;%1&quot; already exists; choose another name.</source>
+        <translation>Eine Rezeptur „%1“ ist bereits vorhanden; wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
         <source>A set needs a name.</source>
         <translation>Ein Datensatz braucht einen Namen.</translation>
     </message>
     <message>
-        <source>There is a set &quot;%1&quot; already.</source>
-        <translation>Ein Datensatz „%1“ ist bereits vorhanden.</translation>
+        <source>The set &quot;%1&quot; already exists; choose another name.</source>
+        <translation>Ein Datensatz „%1“ ist bereits vorhanden; wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a number; a limit is written like 12.5.</source>
@@ -10589,8 +10581,8 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Eine Zeile braucht eine Variable; „Zeile oder Datensatz entfernen“ löscht die Zeile.</translation>
     </message>
     <message>
-        <source>%1 is in the recipe already.</source>
-        <translation>%1 ist in der Rezeptur bereits enthalten.</translation>
+        <source>%1 is already in the recipe; choose another variable.</source>
+        <translation>%1 ist in der Rezeptur bereits enthalten; wählen Sie eine andere Variable.</translation>
     </message>
 </context>
 <context>
@@ -12068,7 +12060,7 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
     <name>Waveform</name>
     <message>
         <source>The table has no column of times; name one time_s (seconds) or time_ms</source>
-        <translation>Die Tabelle hat keine Zeitspalte; nennen Sie eine time_s (Sekunden) oder time_ms</translation>
+        <translation>Die Tabelle hat keine Zeitspalte; benennen Sie eine Spalte time_s (Sekunden) oder time_ms</translation>
     </message>
     <message>
         <source>The table has no column {0}; it has {1}</source>
@@ -12079,36 +12071,36 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
         <translation>Die Tabelle hat keine Spalte {0}; meinten Sie {1}?</translation>
     </message>
     <message>
-        <source>Line {0} has no number in column {1}</source>
-        <translation>Zeile {0} hat keine Zahl in Spalte {1}</translation>
+        <source>Line {0} has no number in column {1}; correct or remove the line</source>
+        <translation>Zeile {0} hat keine Zahl in Spalte {1}; berichtigen oder entfernen Sie die Zeile</translation>
     </message>
     <message>
-        <source>The time in line {0} is before that of the line above</source>
-        <translation>Die Zeit in Zeile {0} liegt vor der Zeit in der Zeile darüber</translation>
+        <source>The time in line {0} is before that of the line above; sort the lines by time</source>
+        <translation>Die Zeit in Zeile {0} liegt vor der Zeit in der Zeile darüber; sortieren Sie die Zeilen nach der Zeit</translation>
     </message>
     <message>
-        <source>The table has no column of numbers besides the time</source>
-        <translation>Die Tabelle hat außer der Zeit keine Spalte mit Zahlen</translation>
+        <source>The table has no column of numbers besides the time; add one with a heading</source>
+        <translation>Die Tabelle hat außer der Zeit keine Spalte mit Zahlen; fügen Sie eine mit Überschrift hinzu</translation>
     </message>
     <message>
-        <source>The table has no rows under its headings</source>
-        <translation>Die Tabelle hat unter den Überschriften keine Zeilen</translation>
+        <source>The table has no rows under its headings; write one row per sample</source>
+        <translation>Die Tabelle hat unter den Überschriften keine Zeilen; schreiben Sie eine Zeile je Abtastwert</translation>
     </message>
     <message>
         <source>The table cannot be shown as a recording: {0}</source>
         <translation>Die Tabelle kann nicht als Aufzeichnung angezeigt werden: {0}</translation>
     </message>
     <message>
-        <source>the names of its columns cannot be variables</source>
-        <translation>die Namen ihrer Spalten sind als Variablen nicht möglich</translation>
+        <source>the names of its columns cannot be variables; use letters, digits and underscores</source>
+        <translation>die Namen ihrer Spalten sind als Variablen nicht möglich; verwenden Sie Buchstaben, Ziffern und Unterstriche</translation>
     </message>
     <message>
         <source>{0} {0:sample is|samples are} too few for a spectrum; show a longer stretch</source>
-        <translation>{0} {0:Abtastwert ist|Abtastwerte sind} zu wenig für ein Spektrum; einen längeren Bereich anzeigen</translation>
+        <translation>{0} {0:Abtastwert ist|Abtastwerte sind} zu wenig für ein Spektrum; zeigen Sie einen längeren Bereich an</translation>
     </message>
     <message>
         <source>{0} {0:sample is|samples are} too few for a frequency response; show a longer stretch</source>
-        <translation>{0} {0:Abtastwert ist|Abtastwerte sind} zu wenig für einen Frequenzgang; einen längeren Bereich anzeigen</translation>
+        <translation>{0} {0:Abtastwert ist|Abtastwerte sind} zu wenig für einen Frequenzgang; zeigen Sie einen längeren Bereich an</translation>
     </message>
     <message>
         <source>The input does not move here; there is nothing to answer to</source>
@@ -12123,8 +12115,8 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
         <translation>{0} braucht als zweites Argument eine Zeit über 0, zum Beispiel {1}</translation>
     </message>
     <message>
-        <source>{0} takes one expression</source>
-        <translation>{0} nimmt genau einen Ausdruck</translation>
+        <source>{0} takes one expression; remove the others</source>
+        <translation>{0} nimmt genau einen Ausdruck; entfernen Sie die anderen</translation>
     </message>
 </context>
 <context>
@@ -12184,7 +12176,7 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
     </message>
     <message>
         <source>Horizontal value</source>
-        <translation>Waagerechter Wert</translation>
+        <translation>Waagrechter Wert</translation>
     </message>
     <message>
         <source>Window of the spectrum</source>
@@ -12200,7 +12192,7 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
     </message>
     <message>
         <source>Horizontal:</source>
-        <translation>Waagerecht:</translation>
+        <translation>Waagrecht:</translation>
     </message>
     <message>
         <source>Input</source>
@@ -12301,7 +12293,7 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
     </message>
     <message>
         <source>Build</source>
-        <translation>Übersetzen</translation>
+        <translation>Erzeugen</translation>
     </message>
     <message>
         <source>Build a Native Program</source>
@@ -12359,7 +12351,7 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
         <translation>{0} ist nicht geforct</translation>
     </message>
     <message>
-        <source>Another program is being built for this controller; try again when it is in</source>
+        <source>Another program is being built for this controller; try again when it is loaded</source>
         <translation>Für diese Steuerung wird gerade ein anderes Programm übersetzt; versuchen Sie es erneut, wenn es geladen ist</translation>
     </message>
     <message>
@@ -12367,16 +12359,16 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
         <translation>Das Programm hat {0} Fehler; die Steuerung läuft mit dem alten weiter</translation>
     </message>
     <message>
-        <source>The controller&apos;s program has no file {0}</source>
-        <translation>Das Programm der Steuerung hat keine Datei {0}</translation>
+        <source>The controller&apos;s program has no file {0}; load its program again</source>
+        <translation>Das Programm der Steuerung hat keine Datei {0}; laden Sie sein Programm erneut</translation>
     </message>
     <message>
-        <source>A recording is being fetched already; wait until it has come</source>
+        <source>A recording is already being fetched; wait until it has arrived</source>
         <translation>Es wird bereits eine Aufzeichnung abgeholt; warten Sie, bis sie angekommen ist</translation>
     </message>
     <message>
-        <source>A controller that serves others is not put back in time; fetch its recording and go on from there</source>
-        <translation>Eine Steuerung, die andere bedient, wird nicht in der Zeit zurückgesetzt; holen Sie ihre Aufzeichnung ab und fahren Sie von dort fort</translation>
+        <source>A controller that serves others cannot be put back in time; fetch its recording and go on from there</source>
+        <translation>Eine Steuerung, die andere bedient, kann nicht in der Zeit zurückgesetzt werden; holen Sie ihre Aufzeichnung ab und fahren Sie von dort fort</translation>
     </message>
     <message>
         <source>{0} is not the address of a controller; write for example https://plant:8443/</source>
@@ -12411,12 +12403,12 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
         <translation>Das Zertifikat kann nicht aus {0} gelesen werden; es muss eine PEM-Datei sein</translation>
     </message>
     <message>
-        <source>The connection to {0} is lost</source>
-        <translation>Die Verbindung zu {0} ist unterbrochen</translation>
+        <source>The connection to {0} is lost; check the network and the controller</source>
+        <translation>Die Verbindung zu {0} ist unterbrochen; prüfen Sie das Netz und die Steuerung</translation>
     </message>
     <message>
-        <source>{0} does not answer</source>
-        <translation>{0} antwortet nicht</translation>
+        <source>{0} does not answer; check the address and whether the controller runs</source>
+        <translation>{0} antwortet nicht; prüfen Sie die Adresse und ob die Steuerung läuft</translation>
     </message>
     <message>
         <source>The controller&apos;s program cannot be built here as it is there; use the same version of Stepwise on both sides</source>

@@ -16,8 +16,8 @@
         <translation>Cada elemento de «{0}» debe ser un objeto entre llaves</translation>
     </message>
     <message>
-        <source>&quot;{0}&quot; is missing</source>
-        <translation>Falta «{0}»</translation>
+        <source>&quot;{0}&quot; is missing; add it</source>
+        <translation>Falta «{0}»; añádalo</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; must be a text in quotes</source>
@@ -61,7 +61,7 @@
     </message>
     <message>
         <source>{0} is not a name; use letters, digits and underscores, and begin with a letter</source>
-        <translation>{0} no es un nombre; use letras, cifras y guiones bajos, y empiece por una letra</translation>
+        <translation>{0} no es un nombre válido; use letras, cifras y guiones bajos, y empiece por una letra</translation>
     </message>
     <message>
         <source>{0} is neither a host name nor an address, for example plc1.local or 192.168.0.10</source>
@@ -100,8 +100,8 @@
         <translation>Los clientes no pueden escribir en la tabla «{0}» de un servidor; use «coil» o «holding», o la dirección «out»</translation>
     </message>
     <message>
-        <source>{0} needs {1} {1:register|registers} from {2}, but 65535 is the last</source>
-        <translation>{0} necesita {1} {1:registro|registros} desde {2}, pero 65535 es el último</translation>
+        <source>{0} needs {1} {1:register|registers} from {2}, but 65535 is the last; choose a lower address</source>
+        <translation>{0} necesita {1} {1:registro|registros} desde {2}, pero 65535 es el último; elija una dirección más baja</translation>
     </message>
     <message>
         <source>&quot;bit&quot; selects one bit of a register; the type must then be BOOL</source>
@@ -116,16 +116,16 @@
         <translation>Un BOOL en un registro necesita «bit», de 0 a 15</translation>
     </message>
     <message>
-        <source>Only an MQTT channel can be of type STRING</source>
-        <translation>Solo un canal MQTT puede ser de tipo STRING</translation>
+        <source>Only an MQTT channel can be of type STRING; use a number or BOOL</source>
+        <translation>Solo un canal MQTT puede ser de tipo STRING; use un número o BOOL</translation>
     </message>
     <message>
-        <source>&quot;scale&quot; must not be 0</source>
-        <translation>«scale» no debe ser 0</translation>
+        <source>&quot;scale&quot; must not be 0; leave it out for 1</source>
+        <translation>«scale» no debe ser 0; omítalo para 1</translation>
     </message>
     <message>
-        <source>A {0} has no &quot;scale&quot; and &quot;offset&quot;</source>
-        <translation>{0} no tiene «scale» ni «offset»</translation>
+        <source>A {0} has no &quot;scale&quot; and &quot;offset&quot;; remove them</source>
+        <translation>{0} no tiene «scale» ni «offset»; quítelos</translation>
     </message>
     <message>
         <source>{0}: {1}</source>
@@ -136,8 +136,8 @@
         <translation>{0} aún no tiene variable; indique una o haga que se propongan las direcciones (stepwise devices PROJECT --propose)</translation>
     </message>
     <message>
-        <source>{0} is of type {1} and cannot hold a {2}</source>
-        <translation>{0} es de tipo {1} y no puede contener un {2}</translation>
+        <source>{0} is of type {1} and cannot hold a {2}; use a variable of that type</source>
+        <translation>{0} es de tipo {1} y no puede contener un {2}; use una variable de ese tipo</translation>
     </message>
     <message>
         <source>A {0} may not fit into {1} of type {2}; a value that does not fit leaves the variable as it is and makes the channel bad</source>
@@ -152,8 +152,8 @@
         <translation>{0} es una entrada del programa; un canal de salida necesita %Q o una variable</translation>
     </message>
     <message>
-        <source>{0} is a constant and cannot be written</source>
-        <translation>{0} es una constante y no se puede escribir</translation>
+        <source>{0} is a constant and cannot be written; choose a variable</source>
+        <translation>{0} es una constante y no se puede escribir; elija una variable</translation>
     </message>
     <message>
         <source>{0} says whether the channel is good and must be a BOOL or an integer</source>
@@ -176,64 +176,64 @@
         <translation>{0} no se puede leer; contiene los certificados de la autoridad (PEM)</translation>
     </message>
     <message>
-        <source>no answer within {0} ms</source>
-        <translation>sin respuesta en {0}&#xa0;ms</translation>
+        <source>no answer within {0} ms; check the cable, the address and the unit number</source>
+        <translation>sin respuesta en {0}&#xa0;ms; compruebe el cable, la dirección y el número de unidad</translation>
     </message>
     <message>
         <source>the connection ended: {0}</source>
         <translation>la conexión terminó: {0}</translation>
     </message>
     <message>
-        <source>the answer does not match the request</source>
-        <translation>la respuesta no corresponde a la petición</translation>
+        <source>the answer does not match the request; check baud rate, parity and unit number</source>
+        <translation>la respuesta no corresponde a la petición; compruebe la velocidad, la paridad y el número de unidad</translation>
     </message>
     <message>
         <source>the device refuses {0} {1}: {2}</source>
         <translation>el dispositivo rechaza {0} {1}: {2}</translation>
     </message>
     <message>
-        <source>it does not know the function</source>
-        <translation>no conoce la función</translation>
+        <source>it does not know the function; choose another table</source>
+        <translation>no conoce la función; elija otra tabla</translation>
     </message>
     <message>
-        <source>it has no such address</source>
-        <translation>no tiene esa dirección</translation>
+        <source>it has no such address; check the address in its manual</source>
+        <translation>no tiene esa dirección; compruebe la dirección en su manual</translation>
     </message>
     <message>
-        <source>it does not take the value</source>
-        <translation>no acepta el valor</translation>
+        <source>it does not take the value; check the range in its manual</source>
+        <translation>no acepta el valor; compruebe el rango en su manual</translation>
     </message>
     <message>
-        <source>it failed</source>
-        <translation>ha fallado</translation>
+        <source>it failed; look at the device</source>
+        <translation>ha fallado; revise el dispositivo</translation>
     </message>
     <message>
-        <source>it is busy</source>
-        <translation>está ocupado</translation>
+        <source>it is busy; it is asked again</source>
+        <translation>está ocupado; se le preguntará de nuevo</translation>
     </message>
     <message>
-        <source>the gateway does not reach it</source>
-        <translation>la pasarela no lo alcanza</translation>
+        <source>the gateway does not reach it; check the unit number and the cable behind it</source>
+        <translation>la pasarela no lo alcanza; compruebe el número de unidad y el cable detrás de ella</translation>
     </message>
     <message>
-        <source>cannot listen at {0}: {1}</source>
-        <translation>no se puede escuchar en {0}: {1}</translation>
+        <source>cannot listen at {0}: {1}; choose another address or port</source>
+        <translation>no se puede escuchar en {0}: {1}; elija otra dirección u otro puerto</translation>
     </message>
     <message>
-        <source>{0}: the message holds no value that can be read</source>
-        <translation>{0}: el mensaje no contiene ningún valor legible</translation>
+        <source>{0}: the message holds no value that can be read; check what the device publishes</source>
+        <translation>{0}: el mensaje no contiene ningún valor legible; compruebe lo que publica el dispositivo</translation>
     </message>
     <message>
-        <source>{0}: a value does not fit into the variable</source>
-        <translation>{0}: un valor no cabe en la variable</translation>
+        <source>{0}: a value does not fit into the variable; use a larger type or a scale</source>
+        <translation>{0}: un valor no cabe en la variable; use un tipo mayor o un factor de escala</translation>
     </message>
     <message>
-        <source>no client wrote for {0} ms</source>
-        <translation>ningún cliente ha escrito en {0}&#xa0;ms</translation>
+        <source>no client wrote for {0} ms; check the client and its address</source>
+        <translation>ningún cliente ha escrito en {0}&#xa0;ms; compruebe el cliente y su dirección</translation>
     </message>
     <message>
-        <source>the broker refuses the connection: {0}</source>
-        <translation>el bróker rechaza la conexión: {0}</translation>
+        <source>the broker refuses the connection: {0}; check the user and the password</source>
+        <translation>el bróker rechaza la conexión: {0}; compruebe el usuario y la contraseña</translation>
     </message>
     <message>
         <source>the input {0} of the device {1} was lost</source>
@@ -260,8 +260,8 @@
         <translation>Ajuste primero la velocidad a tiempo real; los dispositivos no pueden seguir otra</translation>
     </message>
     <message>
-        <source>The devices of an attached controller are connected there</source>
-        <translation>Los dispositivos de un controlador remoto están conectados allí</translation>
+        <source>The devices of an attached controller are connected there; detach to connect them here</source>
+        <translation>Los dispositivos de un controlador remoto están conectados allí; desconéctese para conectarlos aquí</translation>
     </message>
     <message>
         <source>{0} and {1} write the same bytes: {2}; change an address</source>
@@ -311,12 +311,12 @@
         <translation>Se esperaba {0} antes de {1}</translation>
     </message>
     <message>
-        <source>A semicolon is missing here</source>
-        <translation>Falta un punto y coma aquí</translation>
+        <source>A semicolon is missing here; add it</source>
+        <translation>Falta un punto y coma aquí; añádalo</translation>
     </message>
     <message>
-        <source>{0} is missing for this {1}</source>
-        <translation>Falta {0} para este {1}</translation>
+        <source>{0} is missing for this {1}; add it</source>
+        <translation>Falta {0} para este {1}; añádalo</translation>
     </message>
     <message>
         <source>This comparison has no effect; use := to assign</source>
@@ -327,8 +327,8 @@
         <translation>Una asignación no es una condición; use = para comparar</translation>
     </message>
     <message>
-        <source>A colon is missing between the name and its type</source>
-        <translation>Faltan dos puntos entre el nombre y su tipo</translation>
+        <source>A colon is missing between the name and its type; add it</source>
+        <translation>Faltan dos puntos entre el nombre y su tipo; añádalos</translation>
     </message>
     <message>
         <source>Decimal numbers use a point: {0}</source>
@@ -340,7 +340,7 @@
     </message>
     <message>
         <source>{0} is missing; the program unit ends here</source>
-        <translation>Falta {0}; el POU termina aquí</translation>
+        <translation>Falta {0}; la POU termina aquí</translation>
     </message>
     <message>
         <source>A semicolon is missing here; the statement ends here</source>
@@ -355,8 +355,8 @@
         <translation>{0} es un parámetro IN_OUT y necesita una variable de tipo {1}</translation>
     </message>
     <message>
-        <source>{0} has only the bits 0 to {1}</source>
-        <translation>{0} solo tiene los bits 0 a {1}</translation>
+        <source>{0} has only the bits 0 to {1}; use one of them</source>
+        <translation>{0} solo tiene los bits 0 a {1}; use uno de ellos</translation>
     </message>
     <message>
         <source>{0} is ambiguous: {1}; write the namespace before it</source>
@@ -391,24 +391,24 @@
         <translation>Hay varios programas y ninguna CONFIGURATION; llame Main a uno de ellos o escriba una CONFIGURATION</translation>
     </message>
     <message>
-        <source>The range {0}..{1} is not valid: the lower bound is above the upper bound or there are too many elements</source>
-        <translation>El rango {0}..{1} no es válido: el límite inferior supera al superior o hay demasiados elementos</translation>
+        <source>The range {0}..{1} is not valid: the lower bound is above the upper bound or there are too many elements; correct the bounds</source>
+        <translation>El rango {0}..{1} no es válido: el límite inferior supera al superior o hay demasiados elementos; corrija los límites</translation>
     </message>
     <message>
         <source>{0} has an incomplete address; complete it in a VAR_CONFIG</source>
         <translation>{0} tiene una dirección incompleta; complétela en un VAR_CONFIG</translation>
     </message>
     <message>
-        <source>{0} may call itself; the depth of recursion is limited at run time</source>
-        <translation>{0} puede llamarse a sí mismo; la profundidad de recursión está limitada en ejecución</translation>
+        <source>{0} may call itself; the depth of recursion is limited at run time; a loop is safer</source>
+        <translation>{0} puede llamarse a sí mismo; la profundidad de recursión está limitada en ejecución; un bucle es más seguro</translation>
     </message>
     <message>
         <source>The steps before this transition cannot be active together; start them from one simultaneous branch</source>
         <translation>Las etapas anteriores a esta transición no pueden estar activas a la vez; inícielas desde una misma rama simultánea</translation>
     </message>
     <message>
-        <source>This transition is always true; the step before it lasts one scan</source>
-        <translation>Esta transición es siempre verdadera; la etapa anterior dura un ciclo</translation>
+        <source>This transition is always true; the step before it lasts one scan; write the condition to wait for</source>
+        <translation>Esta transición es siempre verdadera; la etapa anterior dura un ciclo; escriba la condición que se debe esperar</translation>
     </message>
     <message>
         <source>The qualifier {0} needs a time, for example T#2s</source>
@@ -459,20 +459,20 @@
         <translation>Aquí una etapa enumera sus acciones; escriba las instrucciones en una ACTION</translation>
     </message>
     <message>
-        <source>No transition leads away from step {0}; the chart ends here</source>
-        <translation>Ninguna transición sale de la etapa {0}; la secuencia termina aquí</translation>
+        <source>No transition leads away from step {0}; the chart ends here; add a TRANSITION if it should go on</source>
+        <translation>Ninguna transición sale de la etapa {0}; la secuencia termina aquí; añada una TRANSITION si debe continuar</translation>
     </message>
     <message>
-        <source>{0} is also a variable; steps and calls mean the ACTION</source>
-        <translation>{0} también es una variable; las etapas y las llamadas se refieren a la ACTION</translation>
+        <source>{0} is also a variable; steps and calls mean the ACTION; rename one of the two</source>
+        <translation>{0} también es una variable; las etapas y las llamadas se refieren a la ACTION; cambie el nombre de uno de los dos</translation>
     </message>
     <message>
         <source>Use {1} instead of {0} in Structured Text</source>
         <translation>En texto estructurado, use {1} en lugar de {0}</translation>
     </message>
     <message>
-        <source>The task {0} has no INTERVAL above zero and no SINGLE; it runs in every scan</source>
-        <translation>La tarea {0} no tiene INTERVAL mayor que cero ni SINGLE; se ejecuta en cada ciclo</translation>
+        <source>The task {0} has no INTERVAL above zero and no SINGLE; it runs in every scan; give it an INTERVAL to slow it down</source>
+        <translation>La tarea {0} no tiene INTERVAL mayor que cero ni SINGLE; se ejecuta en cada ciclo; indique un INTERVAL para espaciarla</translation>
     </message>
     <message>
         <source>{0} is read as {1}; write a time with its unit</source>
@@ -491,8 +491,8 @@
         <translation>La condición {0} no es una de defined, hasvalue, hasattribute, hastype con NOT, AND, OR</translation>
     </message>
     <message>
-        <source>The pragma {0} is missing for this {1}</source>
-        <translation>Falta el pragma {0} para este {1}</translation>
+        <source>The pragma {0} is missing for this {1}; add it</source>
+        <translation>Falta el pragma {0} para este {1}; añádalo</translation>
     </message>
     <message>
         <source>The character {0} has no meaning here; remove it</source>
@@ -856,32 +856,32 @@
 <context>
     <name>Errors</name>
     <message>
-        <source>division by zero</source>
-        <translation>división por cero</translation>
+        <source>division by zero; check the divisor first</source>
+        <translation>división por cero; compruebe antes el divisor</translation>
     </message>
     <message>
-        <source>index {0} is used on an empty array</source>
-        <translation>acceso al índice {0} de un array vacío</translation>
+        <source>index {0} is used on an empty array; check its bounds first</source>
+        <translation>acceso al índice {0} de un array vacío; compruebe antes sus límites</translation>
     </message>
     <message>
-        <source>index {0} is outside {1}..{2}</source>
-        <translation>el índice {0} está fuera de {1}..{2}</translation>
+        <source>index {0} is outside {1}..{2}; use an index in this range or enlarge the array</source>
+        <translation>el índice {0} está fuera de {1}..{2}; use un índice de este rango o amplíe el array</translation>
     </message>
     <message>
-        <source>character {0} is read from an empty string</source>
-        <translation>lectura del carácter {0} de una cadena vacía</translation>
+        <source>character {0} is read from an empty string; check LEN first</source>
+        <translation>lectura del carácter {0} de una cadena vacía; compruebe antes LEN</translation>
     </message>
     <message>
-        <source>character {0} is outside {1}..{2} of the string</source>
-        <translation>el carácter {0} está fuera de {1}..{2} de la cadena</translation>
+        <source>character {0} is outside {1}..{2} of the string; use an index in this range</source>
+        <translation>el carácter {0} está fuera de {1}..{2} de la cadena; use un índice de este rango</translation>
     </message>
     <message>
         <source>calls are nested too deeply; check for endless recursion</source>
         <translation>las llamadas están anidadas demasiado profundamente; busque una recursión infinita</translation>
     </message>
     <message>
-        <source>the called method has no body</source>
-        <translation>el método llamado no tiene cuerpo</translation>
+        <source>the called method has no body; override it in the block that is called</source>
+        <translation>el método llamado no tiene cuerpo; sobrescríbalo en el bloque al que se llama</translation>
     </message>
     <message>
         <source>the scan was aborted</source>
@@ -932,44 +932,36 @@
         <translation>{0} := {1}</translation>
     </message>
     <message>
-        <source>no such file or folder</source>
-        <translation>no se encuentra el archivo o la carpeta</translation>
+        <source>no such file or folder; check the path</source>
+        <translation>no se encuentra el archivo o la carpeta; compruebe la ruta</translation>
     </message>
     <message>
-        <source>permission denied</source>
-        <translation>permiso denegado</translation>
+        <source>permission denied; check the permissions of the file and its folder</source>
+        <translation>permiso denegado; compruebe los permisos del archivo y de su carpeta</translation>
     </message>
     <message>
-        <source>no space left on the device</source>
-        <translation>no queda espacio en el dispositivo</translation>
+        <source>no space left on the device; free some space and try again</source>
+        <translation>no queda espacio en el dispositivo; libere espacio e inténtelo de nuevo</translation>
     </message>
     <message>
-        <source>it is a folder</source>
-        <translation>es una carpeta</translation>
+        <source>it is a folder; choose a file</source>
+        <translation>es una carpeta; elija un archivo</translation>
     </message>
     <message>
-        <source>it is not a folder</source>
-        <translation>no es una carpeta</translation>
+        <source>it is not a folder; choose a folder</source>
+        <translation>no es una carpeta; elija una carpeta</translation>
     </message>
     <message>
-        <source>the device reports a read or write error</source>
-        <translation>el dispositivo notifica un error de lectura o escritura</translation>
+        <source>the device reports a read or write error; check the drive or the cable</source>
+        <translation>el dispositivo notifica un error de lectura o escritura; compruebe la unidad o el cable</translation>
     </message>
     <message>
-        <source>it already exists</source>
-        <translation>ya existe</translation>
+        <source>it already exists; choose another name</source>
+        <translation>ya existe; elija otro nombre</translation>
     </message>
     <message>
-        <source>the file is too large</source>
-        <translation>el archivo es demasiado grande</translation>
-    </message>
-    <message>
-        <source>{0}; free some space and save again</source>
-        <translation>{0}; libere espacio y vuelva a guardar</translation>
-    </message>
-    <message>
-        <source>{0}; check the permissions of the folder</source>
-        <translation>{0}; compruebe los permisos de la carpeta</translation>
+        <source>the file is too large; choose a smaller one</source>
+        <translation>el archivo es demasiado grande; elija uno más pequeño</translation>
     </message>
     <message>
         <source>cancelled</source>
@@ -996,20 +988,20 @@
         <translation>No se puede abrir la grabación: {0}</translation>
     </message>
     <message>
-        <source>its program has errors</source>
-        <translation>su programa tiene errores</translation>
+        <source>its program has errors; open the recording with the version of Stepwise that made it</source>
+        <translation>su programa tiene errores; abra la grabación con la versión de Stepwise que la creó</translation>
     </message>
     <message>
-        <source>The recording contains no program</source>
-        <translation>La grabación no contiene ningún programa</translation>
+        <source>The recording contains no program; record the run again with this version</source>
+        <translation>La grabación no contiene ningún programa; vuelva a grabar la ejecución con esta versión</translation>
     </message>
     <message>
-        <source>This scan is no longer in the recording</source>
-        <translation>Este ciclo ya no está en la grabación</translation>
+        <source>This scan is no longer in the recording; choose a later one</source>
+        <translation>Este ciclo ya no está en la grabación; elija uno posterior</translation>
     </message>
     <message>
-        <source>The program that recorded this scan is no longer available</source>
-        <translation>El programa que grabó este ciclo ya no está disponible</translation>
+        <source>The program that recorded this scan is no longer available; choose a scan after the last change of the program</source>
+        <translation>El programa que grabó este ciclo ya no está disponible; elija un ciclo posterior al último cambio del programa</translation>
     </message>
     <message>
         <source>&apos;{0}&apos; is ambiguous; write one of {1}</source>
@@ -1020,44 +1012,44 @@
         <translation>«{0}» no tiene ninguna variable «{1}»; ¿quería decir «{2}»?</translation>
     </message>
     <message>
-        <source>&apos;{0}&apos; has no variable &apos;{1}&apos;</source>
-        <translation>«{0}» no tiene ninguna variable «{1}»</translation>
+        <source>&apos;{0}&apos; has no variable &apos;{1}&apos;; check the name</source>
+        <translation>«{0}» no tiene ninguna variable «{1}»; compruebe el nombre</translation>
     </message>
     <message>
         <source>there is no variable &apos;{0}&apos;; did you mean &apos;{1}&apos;?</source>
         <translation>no existe la variable «{0}»; ¿quería decir «{1}»?</translation>
     </message>
     <message>
-        <source>there is no variable &apos;{0}&apos;</source>
-        <translation>no existe la variable «{0}»</translation>
+        <source>there is no variable &apos;{0}&apos;; check the name or declare it</source>
+        <translation>no existe la variable «{0}»; compruebe el nombre o declárela</translation>
     </message>
     <message>
-        <source>a variable of type {1} has no member &apos;{0}&apos;</source>
-        <translation>una variable de tipo {1} no tiene ningún miembro «{0}»</translation>
+        <source>a variable of type {1} has no member &apos;{0}&apos;; check the name</source>
+        <translation>una variable de tipo {1} no tiene ningún miembro «{0}»; compruebe el nombre</translation>
     </message>
     <message>
         <source>&apos;{0}&apos; is a VAR_IN_OUT; write the variable that is connected to it</source>
         <translation>«{0}» es un VAR_IN_OUT; escriba la variable conectada</translation>
     </message>
     <message>
-        <source>{0} needs {1} {1:index|indices}, not {2}</source>
-        <translation>{0} necesita {1} {1:índice|índices}, no {2}</translation>
+        <source>{0} needs {1} {1:index|indices}, not {2}; write one for each dimension</source>
+        <translation>{0} necesita {1} {1:índice|índices}, no {2}; escriba uno por dimensión</translation>
     </message>
     <message>
-        <source>bit {0} is outside 0..{1}</source>
-        <translation>el bit {0} está fuera de 0..{1}</translation>
+        <source>bit {0} is outside 0..{1}; use a bit in this range</source>
+        <translation>el bit {0} está fuera de 0..{1}; use un bit de este rango</translation>
     </message>
     <message>
-        <source>part {0} is outside 0..{1}</source>
-        <translation>la parte {0} está fuera de 0..{1}</translation>
+        <source>part {0} is outside 0..{1}; use a part in this range</source>
+        <translation>la parte {0} está fuera de 0..{1}; use una parte de este rango</translation>
     </message>
     <message>
         <source>&apos;{0}&apos; is not an address; write for example %IX0.0, %QB4 or %MW2</source>
         <translation>«{0}» no es una dirección; escriba por ejemplo %IX0.0, %QB4 o %MW2</translation>
     </message>
     <message>
-        <source>the path cannot be read from &apos;{0}&apos; on</source>
-        <translation>la ruta no se puede leer a partir de «{0}»</translation>
+        <source>the path cannot be read from &apos;{0}&apos; on; write for example Main.a[2].x</source>
+        <translation>la ruta no se puede leer a partir de «{0}»; escriba por ejemplo Main.a[2].x</translation>
     </message>
     <message>
         <source>{0} is forced; release the force before writing</source>
@@ -1076,8 +1068,8 @@
         <translation>No se puede escribir el archivo de valores remanentes: {0}</translation>
     </message>
     <message>
-        <source>The retain file cannot be read: {0}</source>
-        <translation>No se puede leer el archivo de valores remanentes: {0}</translation>
+        <source>The retain file cannot be read: {0}; the program starts with its initial values</source>
+        <translation>No se puede leer el archivo de valores remanentes: {0}; el programa arranca con sus valores iniciales</translation>
     </message>
     <message>
         <source>The retain file is damaged; the program starts with its initial values</source>
@@ -1088,28 +1080,28 @@
         <translation>{0}; se conserva como {1}</translation>
     </message>
     <message>
-        <source>{0} retained {0:value does|values do} not fit the program: {1}</source>
-        <translation>{0} {0:valor remanente no corresponde|valores remanentes no corresponden} al programa: {1}</translation>
+        <source>{0} retained {0:value does|values do} not fit the program: {1}; they start with their initial values</source>
+        <translation>{0} {0:valor remanente no corresponde|valores remanentes no corresponden} al programa: {1}; arrancan con sus valores iniciales</translation>
     </message>
     <message>
-        <source>{0} does not fit into a variable of type {1}</source>
-        <translation>{0} no cabe en una variable de tipo {1}</translation>
+        <source>{0} does not fit into a variable of type {1}; enter a value in its range</source>
+        <translation>{0} no cabe en una variable de tipo {1}; introduzca un valor de su rango</translation>
     </message>
     <message>
-        <source>the value does not fit into a variable of type {0}</source>
-        <translation>el valor no cabe en una variable de tipo {0}</translation>
+        <source>the value does not fit into a variable of type {0}; enter one in its range</source>
+        <translation>el valor no cabe en una variable de tipo {0}; introduzca uno de su rango</translation>
     </message>
     <message>
-        <source>{0} is outside {1}..{2}</source>
-        <translation>{0} está fuera de {1}..{2}</translation>
+        <source>{0} is outside {1}..{2}; enter a value in this range</source>
+        <translation>{0} está fuera de {1}..{2}; introduzca un valor de este rango</translation>
     </message>
     <message>
         <source>a character of the text does not fit into a STRING; use a WSTRING</source>
         <translation>un carácter del texto no existe en STRING; use una WSTRING</translation>
     </message>
     <message>
-        <source>a reference can only be set to NULL from outside</source>
-        <translation>desde fuera, una referencia solo se puede poner a NULL</translation>
+        <source>a reference can only be set to NULL from outside; assign a variable to it in the program</source>
+        <translation>desde fuera, una referencia solo se puede poner a NULL; asígnele una variable en el programa</translation>
     </message>
     <message>
         <source>{0} is not a value for {1}, which is {2}</source>
@@ -1168,48 +1160,48 @@
         <translation>escriba un entero, por ejemplo {0}</translation>
     </message>
     <message>
-        <source>There is no program to optimise</source>
-        <translation>No hay ningún programa que optimizar</translation>
+        <source>There is no program to optimise; declare a PROGRAM</source>
+        <translation>No hay ningún programa que optimizar; declare un PROGRAM</translation>
     </message>
     <message>
-        <source>this is local to a running call and has no address of its own</source>
-        <translation>esto es local de una llamada en curso y no tiene dirección propia</translation>
+        <source>this is local to a running call and has no address of its own; pause in the call to see it</source>
+        <translation>esto es local de una llamada en curso y no tiene dirección propia; pause dentro de la llamada para verlo</translation>
     </message>
     <message>
-        <source>this part of a computed value cannot be shown</source>
-        <translation>esta parte de un valor calculado no se puede mostrar</translation>
+        <source>this part of a computed value cannot be shown; assign the value to a variable first</source>
+        <translation>esta parte de un valor calculado no se puede mostrar; asigne antes el valor a una variable</translation>
     </message>
     <message>
-        <source>a character of a string has no address of its own</source>
-        <translation>un carácter de una cadena no tiene dirección propia</translation>
+        <source>a character of a string has no address of its own; use the whole string</source>
+        <translation>un carácter de una cadena no tiene dirección propia; use toda la cadena</translation>
     </message>
     <message>
-        <source>this variable cannot be shown</source>
-        <translation>esta variable no se puede mostrar</translation>
+        <source>this variable cannot be shown; assign it to another variable and watch that one</source>
+        <translation>esta variable no se puede mostrar; asígnela a otra variable y supervise esa</translation>
     </message>
     <message>
-        <source>this array of variable length has no address here</source>
-        <translation>este array de longitud variable no tiene dirección aquí</translation>
+        <source>this array of variable length has no address here; watch the array that is passed to it</source>
+        <translation>este array de longitud variable no tiene dirección aquí; supervise el array que se le pasa</translation>
     </message>
     <message>
-        <source>the array has no such dimension</source>
-        <translation>el array no tiene esa dimensión</translation>
+        <source>the array has no such dimension; count them from 1</source>
+        <translation>el array no tiene esa dimensión; cuéntelas desde 1</translation>
     </message>
     <message>
         <source>this has no value</source>
         <translation>esto no tiene valor</translation>
     </message>
     <message>
-        <source>only standard functions can be called here</source>
-        <translation>aquí solo se pueden llamar funciones estándar</translation>
+        <source>only standard functions can be called here; use a function of the library</source>
+        <translation>aquí solo se pueden llamar funciones estándar; use una función de la biblioteca</translation>
     </message>
     <message>
-        <source>a cast to an interface cannot be watched</source>
-        <translation>una conversión a una interfaz no se puede supervisar</translation>
+        <source>a cast to an interface cannot be watched; watch the instance itself</source>
+        <translation>una conversión a una interfaz no se puede supervisar; supervise la propia instancia</translation>
     </message>
     <message>
-        <source>this cannot be evaluated</source>
-        <translation>esto no se puede evaluar</translation>
+        <source>this cannot be evaluated; use variables, operators and standard functions</source>
+        <translation>esto no se puede evaluar; use variables, operadores y funciones estándar</translation>
     </message>
     <message>
         <source>The code generator failed: {0}</source>
@@ -1232,24 +1224,24 @@
         <translation>no se ha podido optimizar el programa: {0}</translation>
     </message>
     <message>
-        <source>the program has errors</source>
-        <translation>el programa tiene errores</translation>
+        <source>the program has errors; correct them first</source>
+        <translation>el programa tiene errores; corríjalos antes</translation>
     </message>
     <message>
-        <source>the online change waits until the scan that is halted at a breakpoint has ended</source>
-        <translation>el cambio online espera a que termine el ciclo detenido en un punto de interrupción</translation>
+        <source>the online change waits until the scan that is halted at a breakpoint has ended; press F5 to continue</source>
+        <translation>el cambio online espera a que termine el ciclo detenido en un punto de interrupción; pulse F5 para continuar</translation>
     </message>
     <message>
-        <source>This body is not an instruction list</source>
-        <translation>Este cuerpo no es una lista de instrucciones</translation>
+        <source>This body is not an instruction list; choose a unit that is written in IL</source>
+        <translation>Este cuerpo no es una lista de instrucciones; elija una POU escrita en IL</translation>
     </message>
     <message>
-        <source>This body is not ST</source>
-        <translation>Este cuerpo no es ST</translation>
+        <source>This body is not ST; choose a unit that is written in ST</source>
+        <translation>Este cuerpo no es ST; elija una POU escrita en ST</translation>
     </message>
     <message>
-        <source>{0} has no equivalent in an instruction list</source>
-        <translation>{0} no tiene equivalente en una lista de instrucciones</translation>
+        <source>{0} has no equivalent in an instruction list; write it with simpler statements first</source>
+        <translation>{0} no tiene equivalente en una lista de instrucciones; escríbalo antes con instrucciones más sencillas</translation>
     </message>
     <message>
         <source>{0} is already written in ST</source>
@@ -1292,8 +1284,8 @@
         <translation>project.json no es JSON válido; busque una coma, una comilla o un corchete que falte</translation>
     </message>
     <message>
-        <source>project.json must contain one JSON object</source>
-        <translation>project.json debe contener un objeto JSON</translation>
+        <source>project.json must contain one JSON object; put its contents in braces</source>
+        <translation>project.json debe contener un objeto JSON; ponga su contenido entre llaves</translation>
     </message>
     <message>
         <source>There is no library &quot;{0}&quot;; available are {1}</source>
@@ -1312,8 +1304,8 @@
         <translation>Indique una carpeta de proyecto o archivos ST, no ambos</translation>
     </message>
     <message>
-        <source>{0} belongs to a library and cannot be renamed</source>
-        <translation>{0} pertenece a una biblioteca y no se puede renombrar</translation>
+        <source>{0} belongs to a library and cannot be renamed; rename only names of the project</source>
+        <translation>{0} pertenece a una biblioteca y no se puede renombrar; renombre solo los nombres del proyecto</translation>
     </message>
     <message>
         <source>{0} is not a valid name; use letters, digits and _, start with a letter and avoid keywords</source>
@@ -1336,16 +1328,16 @@
         <translation>La carpeta ya existe y no está vacía; elija otro nombre</translation>
     </message>
     <message>
-        <source>The page cannot be written</source>
-        <translation>No se puede escribir la página</translation>
+        <source>The page cannot be written; check the free space and the permissions of the folder</source>
+        <translation>No se puede escribir la página; compruebe el espacio libre y los permisos de la carpeta</translation>
     </message>
     <message>
-        <source>There is no such file in the project</source>
-        <translation>El proyecto no contiene ese archivo</translation>
+        <source>There is no such file in the project; choose one from the project tree</source>
+        <translation>El proyecto no contiene ese archivo; elija uno del árbol del proyecto</translation>
     </message>
     <message>
-        <source>The file&apos;s permissions cannot be changed</source>
-        <translation>No se pueden cambiar los permisos del archivo</translation>
+        <source>The file&apos;s permissions cannot be changed; change them as the file&apos;s owner</source>
+        <translation>No se pueden cambiar los permisos del archivo; cámbielos como propietario del archivo</translation>
     </message>
     <message>
         <source>The file cannot be removed; check the permissions of the folder</source>
@@ -1360,8 +1352,8 @@
         <translation>Abra primero un proyecto</translation>
     </message>
     <message>
-        <source>This statement is not possible in a TEST together with RUN or ASSERT around it</source>
-        <translation>Esta instrucción no es posible en un TEST cuando la rodea RUN o ASSERT</translation>
+        <source>This statement is not possible in a TEST together with RUN or ASSERT around it; move it out of RUN and ASSERT</source>
+        <translation>Esta instrucción no es posible en un TEST cuando la rodea RUN o ASSERT; sáquela de RUN y ASSERT</translation>
     </message>
     <message>
         <source>The code of this statement is missing</source>
@@ -1372,8 +1364,8 @@
         <translation>Error en la prueba: {0}</translation>
     </message>
     <message>
-        <source>{0} is not a value for {1}</source>
-        <translation>{0} no es un valor para {1}</translation>
+        <source>{0} is not a value for {1}; write a value of its type</source>
+        <translation>{0} no es un valor para {1}; escriba un valor de su tipo</translation>
     </message>
     <message>
         <source>The simulation stopped: {0}</source>
@@ -1392,8 +1384,8 @@
         <translation>{0} no tiene valor: {1}</translation>
     </message>
     <message>
-        <source>{0} did not become true within {1}</source>
-        <translation>{0} no se ha hecho verdadero en {1}</translation>
+        <source>{0} did not become true within {1}; check the condition or allow more time</source>
+        <translation>{0} no se ha hecho verdadero en {1}; compruebe la condición o deje más tiempo</translation>
     </message>
     <message>
         <source>ASSERT failed: {0}</source>
@@ -1524,56 +1516,56 @@
         <translation>La grabación {0} tiene {1} {1:ciclo|ciclos}, esta ejecución {2}</translation>
     </message>
     <message>
-        <source>The run differs from the recording {0}</source>
-        <translation>La ejecución difiere de la grabación {0}</translation>
+        <source>The run differs from the recording {0}; delete it to record it again, if the new behaviour is right</source>
+        <translation>La ejecución difiere de la grabación {0}; elimínela para volver a grabarla si el nuevo comportamiento es correcto</translation>
     </message>
     <message>
         <source>the condition cannot be evaluated</source>
         <translation>la condición no se puede evaluar</translation>
     </message>
     <message>
-        <source>There is no action {0}</source>
-        <translation>No existe la acción {0}</translation>
+        <source>There is no action {0}; add it or correct the name</source>
+        <translation>No existe la acción {0}; añádala o corrija el nombre</translation>
     </message>
     <message>
         <source>{0} is not a valid name; use letters, digits and underscores</source>
         <translation>{0} no es un nombre válido; use letras, cifras y guiones bajos</translation>
     </message>
     <message>
-        <source>The initial step stays at the top</source>
-        <translation>La etapa inicial se queda arriba</translation>
+        <source>The initial step stays at the top; make another step the initial step first</source>
+        <translation>La etapa inicial se queda arriba; convierta antes otra etapa en la etapa inicial</translation>
     </message>
     <message>
-        <source>Only a step with a single transition of its own can be moved</source>
-        <translation>Solo se puede mover una etapa con una única transición propia</translation>
+        <source>Only a step with a single transition of its own can be moved; move it in the text</source>
+        <translation>Solo se puede mover una etapa con una única transición propia; muévala en el texto</translation>
     </message>
     <message>
-        <source>The step is already there</source>
-        <translation>La etapa ya está ahí</translation>
+        <source>The step is already there; choose another place</source>
+        <translation>La etapa ya está ahí; elija otro lugar</translation>
     </message>
     <message>
-        <source>A step can be placed after a transition that leads to one step</source>
-        <translation>Una etapa se puede colocar tras una transición que lleve a una sola etapa</translation>
+        <source>A step can be placed after a transition that leads to one step; choose such a transition</source>
+        <translation>Una etapa se puede colocar tras una transición que lleve a una sola etapa; elija una transición así</translation>
     </message>
     <message>
-        <source>This step only leads to itself</source>
-        <translation>Esta etapa solo lleva a sí misma</translation>
+        <source>This step only leads to itself; connect it to another step first</source>
+        <translation>Esta etapa solo lleva a sí misma; conéctela antes a otra etapa</translation>
     </message>
     <message>
-        <source>A transition needs a condition</source>
-        <translation>Una transición necesita una condición</translation>
+        <source>A transition needs a condition; enter one, for example Main.done</source>
+        <translation>Una transición necesita una condición; introduzca una, por ejemplo Main.done</translation>
     </message>
     <message>
-        <source>A priority must be a positive number</source>
-        <translation>Una prioridad debe ser un número positivo</translation>
+        <source>A priority must be a positive number; enter 1 or more</source>
+        <translation>Una prioridad debe ser un número positivo; introduzca 1 o más</translation>
     </message>
     <message>
         <source>Nothing follows this step yet; insert a step after it first</source>
         <translation>Aún no sigue nada a esta etapa; inserte primero una etapa detrás</translation>
     </message>
     <message>
-        <source>There is no such action</source>
-        <translation>No existe esa acción</translation>
+        <source>There is no such action; select one that is in the chart</source>
+        <translation>No existe esa acción; seleccione una de la secuencia</translation>
     </message>
     <message>
         <source>The initial step cannot be deleted; make another step the initial step first</source>
@@ -1592,28 +1584,28 @@
         <translation>Las ramas tras esta transición no convergen; conéctelas primero en el texto</translation>
     </message>
     <message>
-        <source>A panel must be a JSON object</source>
-        <translation>Un panel debe ser un objeto JSON</translation>
+        <source>A panel must be a JSON object; put its contents in braces</source>
+        <translation>Un panel debe ser un objeto JSON; ponga su contenido entre llaves</translation>
     </message>
     <message>
-        <source>&quot;{0}&quot; must be a list</source>
-        <translation>«{0}» debe ser una lista</translation>
+        <source>&quot;{0}&quot; must be a list; put it in square brackets</source>
+        <translation>«{0}» debe ser una lista; póngala entre corchetes</translation>
     </message>
     <message>
-        <source>Element {0} is not an object</source>
-        <translation>El elemento {0} no es un objeto</translation>
+        <source>Element {0} is not an object; put it in braces</source>
+        <translation>El elemento {0} no es un objeto; póngalo entre llaves</translation>
     </message>
     <message>
-        <source>The kind of element {0} is not a text</source>
-        <translation>La clase del elemento {0} no es un texto</translation>
+        <source>The kind of element {0} is not a text; write it in quotes</source>
+        <translation>La clase del elemento {0} no es un texto; escríbala entre comillas</translation>
     </message>
     <message>
         <source>Two elements have the id &quot;{0}&quot;; change one of them</source>
         <translation>Dos elementos tienen el identificador «{0}»; cambie uno de ellos</translation>
     </message>
     <message>
-        <source>Every alarm and every alarm class must be a JSON object</source>
-        <translation>Cada alarma y cada clase de alarma debe ser un objeto JSON</translation>
+        <source>Every alarm and every alarm class must be a JSON object; put it in braces</source>
+        <translation>Cada alarma y cada clase de alarma debe ser un objeto JSON; póngala entre llaves</translation>
     </message>
     <message>
         <source>This line is not valid UTF-8; save the file as UTF-8</source>
@@ -1628,8 +1620,8 @@
         <translation>La primera línea debe ser {0} y una etiqueta de idioma por columna</translation>
     </message>
     <message>
-        <source>This line has {0} {0:field|fields}, the header has {1}</source>
-        <translation>Esta línea tiene {0} {0:campo|campos}, la cabecera tiene {1}</translation>
+        <source>This line has {0} {0:field|fields}, the header has {1}; put texts with separators in quotes</source>
+        <translation>Esta línea tiene {0} {0:campo|campos}, la cabecera tiene {1}; ponga entre comillas los textos con separadores</translation>
     </message>
     <message>
         <source>The alarm history cannot be opened: {0}</source>
@@ -1644,40 +1636,40 @@
         <translation>No se puede escribir el historial de alarmas: {0}</translation>
     </message>
     <message>
-        <source>{0} does not fit into {1}</source>
-        <translation>{0} no cabe en {1}</translation>
+        <source>{0} does not fit into {1}; use a larger type or a smaller limit</source>
+        <translation>{0} no cabe en {1}; use un tipo mayor o un límite menor</translation>
     </message>
     <message>
         <source>STRING contains Latin-1 only; declare the variable as WSTRING</source>
         <translation>STRING solo contiene Latin-1; declare la variable como WSTRING</translation>
     </message>
     <message>
-        <source>A {0} cannot be written from a panel</source>
-        <translation>Un {0} no se puede escribir desde un panel</translation>
+        <source>A {0} cannot be written from a panel; write its members one by one</source>
+        <translation>Un {0} no se puede escribir desde un panel; escriba sus miembros uno a uno</translation>
     </message>
     <message>
-        <source>The folder for the pictures cannot be created</source>
-        <translation>No se puede crear la carpeta de las imágenes</translation>
+        <source>The folder for the pictures cannot be created; check the path and its permissions</source>
+        <translation>No se puede crear la carpeta de las imágenes; compruebe la ruta y sus permisos</translation>
     </message>
     <message>
-        <source>The picture cannot be written</source>
-        <translation>No se puede escribir la imagen</translation>
+        <source>The picture cannot be written; check the free space and the permissions of the folder</source>
+        <translation>No se puede escribir la imagen; compruebe el espacio libre y los permisos de la carpeta</translation>
     </message>
     <message>
-        <source>The project has no such panel</source>
-        <translation>El proyecto no tiene ese panel</translation>
+        <source>The project has no such panel; choose one from hmi/</source>
+        <translation>El proyecto no tiene ese panel; elija uno de hmi/</translation>
     </message>
     <message>
-        <source>The text &quot;{0}&quot; has no key, so it cannot be translated</source>
-        <translation>El texto «{0}» no tiene clave y por eso no se puede traducir</translation>
+        <source>The text &quot;{0}&quot; has no key, so it cannot be translated; move it into the text table</source>
+        <translation>El texto «{0}» no tiene clave y por eso no se puede traducir; páselo a la tabla de textos</translation>
     </message>
     <message>
         <source>The text needs a value for {0}; specify it in &quot;Values in texts&quot;</source>
         <translation>El texto necesita un valor para {0}; indíquelo en «Valores en textos»</translation>
     </message>
     <message>
-        <source>The text list {0} is empty: there is no key {1}</source>
-        <translation>La lista de textos {0} está vacía: no existe la clave {1}</translation>
+        <source>The text list {0} is empty: there is no key {1}; add it to the text table</source>
+        <translation>La lista de textos {0} está vacía: no existe la clave {1}; añádala a la tabla de textos</translation>
     </message>
     <message>
         <source>This version does not know the element kind &quot;{0}&quot;; it is kept as it is</source>
@@ -1688,20 +1680,20 @@
         <translation>El formato {0} no se conoce; use por ejemplo {1} o {2}</translation>
     </message>
     <message>
-        <source>&quot;{0}&quot; does not fit: it needs {1} px, the maximum is {2}</source>
-        <translation>«{0}» no cabe: necesita {1}&#xa0;px, el máximo es {2}</translation>
+        <source>&quot;{0}&quot; does not fit: it needs {1} px, the maximum is {2}; make the element wider or the text shorter</source>
+        <translation>«{0}» no cabe: necesita {1}&#xa0;px, el máximo es {2}; ensanche el elemento o acorte el texto</translation>
     </message>
     <message>
-        <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}</source>
-        <translation>«{0}» no cabe: necesita una altura de {1}&#xa0;px, el máximo es {2}</translation>
+        <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}; make the element higher or the text shorter</source>
+        <translation>«{0}» no cabe: necesita una altura de {1}&#xa0;px, el máximo es {2}; haga más alto el elemento o acorte el texto</translation>
     </message>
     <message>
         <source>{0}; did you mean {1}?</source>
         <translation>{0}; ¿quería decir {1}?</translation>
     </message>
     <message>
-        <source>{0} is not a variable, so it cannot be written</source>
-        <translation>{0} no es una variable y por eso no se puede escribir</translation>
+        <source>{0} is not a variable, so it cannot be written; name a variable</source>
+        <translation>{0} no es una variable y por eso no se puede escribir; indique una variable</translation>
     </message>
     <message>
         <source>{0} is {1}; a BOOL is needed here</source>
@@ -1728,12 +1720,12 @@
         <translation>Un marcador no se cierra con {0}</translation>
     </message>
     <message>
-        <source>The format {0} is not known</source>
-        <translation>El formato {0} no se conoce</translation>
+        <source>The format {0} is not known; use one such as %.1f</source>
+        <translation>El formato {0} no se conoce; use por ejemplo %.1f</translation>
     </message>
     <message>
-        <source>A trace configuration must be a JSON object</source>
-        <translation>Una configuración de traza debe ser un objeto JSON</translation>
+        <source>A trace configuration must be a JSON object; put its contents in braces</source>
+        <translation>Una configuración de traza debe ser un objeto JSON; ponga su contenido entre llaves</translation>
     </message>
     <message>
         <source>The trace configuration is invalid: {0}</source>
@@ -1744,8 +1736,8 @@
         <translation>«{0}» debe ser {1}</translation>
     </message>
     <message>
-        <source>&quot;{0}&quot; is missing</source>
-        <translation>falta «{0}»</translation>
+        <source>&quot;{0}&quot; is missing; add it</source>
+        <translation>falta «{0}»; añádalo</translation>
     </message>
     <message>
         <source>A picture&apos;s name must end in one of {0}</source>
@@ -1768,8 +1760,8 @@
         <translation>Los valores grabados no se pueden forzar; reanude desde aquí o vuelva primero al directo</translation>
     </message>
     <message>
-        <source>A recording from a file cannot be resumed, only what the controller itself recorded</source>
-        <translation>Una grabación de un archivo no se puede reanudar, solo lo que grabó el propio controlador</translation>
+        <source>A recording from a file cannot be resumed, only what the controller itself recorded; press F5 to run the program</source>
+        <translation>Una grabación de un archivo no se puede reanudar, solo lo que grabó el propio controlador; pulse F5 para ejecutar el programa</translation>
     </message>
     <message>
         <source>A priority is a number; 0 removes it</source>
@@ -1784,40 +1776,40 @@
         <translation>Este XML no es PLCopen XML ni de TwinCAT o CODESYS; exporte el proyecto como PLCopen XML e importe ese archivo</translation>
     </message>
     <message>
-        <source>It contains nothing that can be imported</source>
-        <translation>No contiene nada que se pueda importar</translation>
+        <source>It contains nothing that can be imported; export the project again with its units</source>
+        <translation>No contiene nada que se pueda importar; exporte de nuevo el proyecto con sus POU</translation>
     </message>
     <message>
         <source>The folder exists and is not empty; name a new one</source>
         <translation>La carpeta existe y no está vacía; indique una nueva</translation>
     </message>
     <message>
-        <source>The sources have errors of syntax; stepwise check lists them</source>
+        <source>The sources have syntax errors; stepwise check lists them</source>
         <translation>Las fuentes tienen errores de sintaxis; stepwise check los enumera</translation>
     </message>
     <message>
-        <source>The file is too large to be read</source>
-        <translation>El archivo es demasiado grande para leerlo</translation>
+        <source>The file is too large to be read; export its parts one by one</source>
+        <translation>El archivo es demasiado grande para leerlo; exporte sus partes una a una</translation>
     </message>
     <message>
-        <source>The file is in the encoding {0}, which is not read; save it as UTF-8</source>
+        <source>The file is in the encoding {0}, which is not supported; save it as UTF-8</source>
         <translation>El archivo tiene la codificación {0}, que no se admite; guárdelo como UTF-8</translation>
     </message>
     <message>
-        <source>The file declares a document type or entities of its own, which is not read; export it again without them</source>
+        <source>The file declares a document type or entities of its own, which is not supported; export it again without them</source>
         <translation>El archivo declara un tipo de documento o entidades propias, que no se leen; expórtelo de nuevo sin ellos</translation>
     </message>
     <message>
-        <source>The elements of the file are nested too deeply</source>
-        <translation>Los elementos del archivo están anidados demasiado profundamente</translation>
+        <source>The elements of the file are nested too deeply; export its parts one by one</source>
+        <translation>Los elementos del archivo están anidados demasiado profundamente; exporte sus partes una a una</translation>
     </message>
     <message>
-        <source>This is not well-formed XML: {0}</source>
-        <translation>Este XML no está bien formado: {0}</translation>
+        <source>This is not well-formed XML: {0}; export the file again</source>
+        <translation>Este XML no está bien formado: {0}; exporte de nuevo el archivo</translation>
     </message>
     <message>
-        <source>The file has no elements</source>
-        <translation>El archivo no tiene elementos</translation>
+        <source>The file has no elements; export it again</source>
+        <translation>El archivo no tiene elementos; expórtelo de nuevo</translation>
     </message>
     <message>
         <source>This is XML, not structured text; import it (stepwise import --help)</source>
@@ -1836,8 +1828,8 @@
         <translation>Escriba un nombre y un bloque: T1 : TON</translation>
     </message>
     <message>
-        <source>the local variables of {0} and of what it calls need {1} bytes; the maximum is {2}</source>
-        <translation>las variables locales de {0} y de lo que llama necesitan {1} bytes; el máximo es {2}</translation>
+        <source>the local variables of {0} and of what it calls need {1} bytes; the maximum is {2}; declare large arrays in a program or block</source>
+        <translation>las variables locales de {0} y de lo que llama necesitan {1} bytes; el máximo es {2}; declare los arrays grandes en un programa o bloque</translation>
     </message>
     <message>
         <source>{0} is too large for the stack; divide it into several functions</source>
@@ -1849,19 +1841,19 @@
     </message>
     <message>
         <source>{0} is not a name: use letters, digits and underscores.</source>
-        <translation>{0} no es un nombre: use letras, cifras y guiones bajos.</translation>
+        <translation>{0} no es un nombre válido; use letras, cifras y guiones bajos.</translation>
     </message>
     <message>
         <source>The XLIFF version {0} is not known; save the file as 1.2 or 2.0</source>
         <translation>La versión de XLIFF {0} no se conoce; guarde el archivo como 1.2 o 2.0</translation>
     </message>
     <message>
-        <source>The file does not say into which language it is translated</source>
-        <translation>El archivo no indica a qué idioma está traducido</translation>
+        <source>The file does not say into which language it is translated; export it again with --language</source>
+        <translation>El archivo no indica a qué idioma está traducido; expórtelo de nuevo con --language</translation>
     </message>
     <message>
-        <source>The XML is wrong: {0}</source>
-        <translation>El XML es incorrecto: {0}</translation>
+        <source>The XML is wrong: {0}; export the file again</source>
+        <translation>El XML es incorrecto: {0}; exporte de nuevo el archivo</translation>
     </message>
     <message>
         <source>The text of the key {0} in {1} has changed since the export; check the translation</source>
@@ -1876,32 +1868,32 @@
         <translation>La imagen {0} está fuera del proyecto; cópiela en el proyecto o ponga {1} a true bajo {2} en project.json</translation>
     </message>
     <message>
-        <source>The picture {0} unpacks to more than {1} MB</source>
-        <translation>La imagen {0} supera {1}&#xa0;MB al descomprimirse</translation>
+        <source>The picture {0} unpacks to more than {1} MB; use a smaller one</source>
+        <translation>La imagen {0} supera {1}&#xa0;MB al descomprimirse; use una más pequeña</translation>
     </message>
     <message>
         <source>The picture {0} is {1} x {2} pixels; more than {3} million are not drawn</source>
         <translation>La imagen {0} tiene {1} x {2} píxeles; no se dibujan más de {3} millones</translation>
     </message>
     <message>
-        <source>{0} is not a picture in a known format such as PNG, JPEG or SVG</source>
-        <translation>{0} no es una imagen en un formato conocido como PNG, JPEG o SVG</translation>
+        <source>{0} is not a picture in a known format such as PNG, JPEG or SVG; save it as one of them</source>
+        <translation>{0} no es una imagen en un formato conocido como PNG, JPEG o SVG; guárdela en uno de ellos</translation>
     </message>
     <message>
-        <source>The picture {0} draws more than {1} shapes</source>
-        <translation>La imagen {0} contiene más de {1} formas</translation>
+        <source>The picture {0} draws more than {1} shapes; simplify it or save it as PNG</source>
+        <translation>La imagen {0} contiene más de {1} formas; simplifíquela o guárdela como PNG</translation>
     </message>
     <message>
-        <source>The shapes of the picture {0} are nested more than {1} deep or contain themselves</source>
-        <translation>Las formas de la imagen {0} están anidadas a más de {1} niveles o se contienen a sí mismas</translation>
+        <source>The shapes of the picture {0} are nested more than {1} deep or contain themselves; simplify it or save it as PNG</source>
+        <translation>Las formas de la imagen {0} están anidadas a más de {1} niveles o se contienen a sí mismas; simplifíquela o guárdela como PNG</translation>
     </message>
     <message>
         <source>The picture {0} loads {1}; embed it in the picture as PNG or JPEG</source>
         <translation>La imagen {0} carga {1}; incrústelo en la imagen como PNG o JPEG</translation>
     </message>
     <message>
-        <source>The picture {0} has dashed lines of more than {1} dashes</source>
-        <translation>La imagen {0} tiene líneas discontinuas de más de {1} trazos</translation>
+        <source>The picture {0} has dashed lines of more than {1} dashes; make the dashes longer or save it as PNG</source>
+        <translation>La imagen {0} tiene líneas discontinuas de más de {1} trazos; alargue los trazos o guárdela como PNG</translation>
     </message>
     <message>
         <source>This version does not know the property {0}; it is kept as it is</source>
@@ -1960,8 +1952,8 @@
         <translation>{0} no es un color; ¿quería decir {1}?</translation>
     </message>
     <message>
-        <source>{0} ({1}) must be greater than {2} ({3})</source>
-        <translation>{0} ({1}) debe ser mayor que {2} ({3})</translation>
+        <source>{0} ({1}) must be greater than {2} ({3}); exchange or correct the values</source>
+        <translation>{0} ({1}) debe ser mayor que {2} ({3}); intercambie o corrija los valores</translation>
     </message>
     <message>
         <source>{0} has no page {1}; its {2} {2:page is|pages are} numbered from 0</source>
@@ -1988,20 +1980,20 @@
         <translation>{0} no está entre {1} y {2}; se usa {3}</translation>
     </message>
     <message>
-        <source>The panel {0} contains this one, so it cannot be placed in it</source>
-        <translation>El panel {0} contiene a este, por lo que no se puede colocar en él</translation>
+        <source>The panel {0} contains this one, so it cannot be placed in it; choose another one</source>
+        <translation>El panel {0} contiene a este, por lo que no se puede colocar en él; elija otro</translation>
     </message>
     <message>
-        <source>The panel {0} has no parameter {1}</source>
-        <translation>El panel {0} no tiene ningún parámetro {1}</translation>
+        <source>The panel {0} has no parameter {1}; remove the argument or add the parameter</source>
+        <translation>El panel {0} no tiene ningún parámetro {1}; quite el argumento o añada el parámetro</translation>
     </message>
     <message>
         <source>The program has no type {0}; name a block or a structure, BOOL, REAL or the like, or text</source>
         <translation>El programa no tiene ningún tipo {0}; indique un bloque o una estructura, BOOL, REAL o similar, o text</translation>
     </message>
     <message>
-        <source>The parameter {0} needs an argument of type {1}</source>
-        <translation>El parámetro {0} necesita un argumento de tipo {1}</translation>
+        <source>The parameter {0} needs an argument of type {1}; specify it in the faceplate</source>
+        <translation>El parámetro {0} necesita un argumento de tipo {1}; indíquelo en el faceplate</translation>
     </message>
     <message>
         <source>{0} is {1}; the parameter {2} needs {3}</source>
@@ -2028,20 +2020,20 @@
         <translation>El ciclo anterior no está en la grabación, por lo que no se conocen los valores con los que empezó este ciclo.</translation>
     </message>
     <message>
-        <source>There is no user {0}</source>
-        <translation>No existe el usuario {0}</translation>
+        <source>There is no user {0}; create the user or check the name</source>
+        <translation>No existe el usuario {0}; créelo o compruebe el nombre</translation>
     </message>
     <message>
         <source>The password cannot be kept: {0}</source>
         <translation>No se puede conservar la contraseña: {0}</translation>
     </message>
     <message>
-        <source>A password needs at least {0} characters</source>
-        <translation>Una contraseña debe tener al menos {0} caracteres</translation>
+        <source>A password needs at least {0} characters; choose a longer one</source>
+        <translation>Una contraseña debe tener al menos {0} caracteres; elija una más larga</translation>
     </message>
     <message>
-        <source>The password must not be the name of the user</source>
-        <translation>La contraseña no debe ser el nombre del usuario</translation>
+        <source>The password must not be the name of the user; choose another one</source>
+        <translation>La contraseña no debe ser el nombre del usuario; elija otra</translation>
     </message>
     <message>
         <source>The audit trail cannot be written: {0}</source>
@@ -2052,36 +2044,36 @@
         <translation>No se puede leer el registro de auditoría: {0}</translation>
     </message>
     <message>
-        <source>The frame {0} has no panel area, so no panel is seen in it</source>
-        <translation>El marco {0} no tiene área de panel, por lo que no se ve ningún panel en él</translation>
+        <source>The frame {0} has no panel area, so no panel is seen in it; add one to it</source>
+        <translation>El marco {0} no tiene área de panel, por lo que no se ve ningún panel en él; añada una</translation>
     </message>
     <message>
         <source>Only for the roles {0}, but the project has no users; anybody may operate it</source>
-        <translation>Solo para las funciones {0}, pero el proyecto no tiene usuarios; cualquiera puede operarlo</translation>
+        <translation>Solo para los roles {0}, pero el proyecto no tiene usuarios; cualquiera puede operarlo</translation>
     </message>
     <message>
-        <source>A row of a recipe names no variable</source>
-        <translation>Una fila de una receta no indica ninguna variable</translation>
+        <source>A row of a recipe names no variable; enter one or remove the row</source>
+        <translation>Una fila de una receta no indica ninguna variable; indique una o quite la fila</translation>
     </message>
     <message>
         <source>The first column must be named variable, and each set has a column of its own</source>
         <translation>La primera columna debe llamarse variable, y cada juego de valores tiene su propia columna</translation>
     </message>
     <message>
-        <source>The recipe {0} has no variable {1}</source>
-        <translation>La receta {0} no tiene ninguna variable {1}</translation>
+        <source>The recipe {0} has no variable {1}; add it or correct the name</source>
+        <translation>La receta {0} no tiene ninguna variable {1}; añádala o corrija el nombre</translation>
     </message>
     <message>
-        <source>There is no recipe {0}</source>
-        <translation>No existe la receta {0}</translation>
+        <source>There is no recipe {0}; create it or check the name</source>
+        <translation>No existe la receta {0}; créela o compruebe el nombre</translation>
     </message>
     <message>
-        <source>The recipe {0} has no set {1}</source>
-        <translation>La receta {0} no tiene ningún juego de valores {1}</translation>
+        <source>The recipe {0} has no set {1}; create it or check the name</source>
+        <translation>La receta {0} no tiene ningún juego de valores {1}; créelo o compruebe el nombre</translation>
     </message>
     <message>
-        <source>{0} is outside the limits of {1}, {2} to {3}</source>
-        <translation>{0} está fuera de los límites de {1}, de {2} a {3}</translation>
+        <source>{0} is outside the limits of {1}, {2} to {3}; enter a value within them</source>
+        <translation>{0} está fuera de los límites de {1}, de {2} a {3}; introduzca un valor dentro de ellos</translation>
     </message>
     <message>
         <source>The list of shelved alarms cannot be read, so none is shelved: {0}</source>
@@ -2144,8 +2136,8 @@
         <translation>Nada indica qué significa el piloto; póngale un rótulo o coloque un texto al lado</translation>
     </message>
     <message>
-        <source>{0} on {1} has a contrast of {2} to 1 in the theme {3}; {4} to 1 is needed</source>
-        <translation>{0} sobre {1} tiene un contraste de {2} a 1 en el tema {3}; se necesita {4} a 1</translation>
+        <source>{0} on {1} has a contrast of {2} to 1 in the theme {3}; {4} to 1 is needed; choose another colour</source>
+        <translation>{0} sobre {1} tiene un contraste de {2} a 1 en el tema {3}; se necesita {4} a 1; elija otro color</translation>
     </message>
     <message>
         <source>A font of {0} px cannot be read from {2} mm; use at least {1} px</source>
@@ -2164,8 +2156,8 @@
         <translation>{0} × {1}&#xa0;px son demasiado pequeños para un dedo junto a sus vecinos; se necesitan {2}&#xa0;px en ambas direcciones</translation>
     </message>
     <message>
-        <source>The panel shows {0} things to read or press; at its size, {1} can be taken in</source>
-        <translation>El panel muestra {0} cosas que leer o pulsar; con su tamaño se abarcan {1}</translation>
+        <source>The panel shows {0} things to read or press; at its size, {1} can be taken in; move some to another panel</source>
+        <translation>El panel muestra {0} cosas que leer o pulsar; con su tamaño se abarcan {1}; pase algunas a otro panel</translation>
     </message>
     <message>
         <source>The panel {0} is {1} presses away from the start panel; {2} should do</source>
@@ -2176,12 +2168,12 @@
         <translation>Nada en el panel {0} lleva atrás; añada un botón con la acción back o home, o una barra de navegación</translation>
     </message>
     <message>
-        <source>{0} is at another place on the panel {1}</source>
-        <translation>{0} está en otro lugar en el panel {1}</translation>
+        <source>{0} is at another place on the panel {1}; put it at the same place on both</source>
+        <translation>{0} está en otro lugar en el panel {1}; póngalo en el mismo lugar en los dos</translation>
     </message>
     <message>
         <source>What is normal is grey, so that the eye finds what is not (ISA-101). Use a role of the theme such as surface, off or running, and give colour only to conditions.</source>
-        <translation>Lo normal es gris, para que el ojo encuentre lo que no lo es (ISA-101). Use un papel del tema como surface, off o running, y dé color solo a los estados.</translation>
+        <translation>Lo normal es gris, para que el ojo encuentre lo que no lo es (ISA-101). Use un rol del tema como surface, off o running, y dé color solo a los estados.</translation>
     </message>
     <message>
         <source>Red, orange and yellow are kept for alarms. An operator who sees them all day long no longer sees them when they matter (ISA-101, ISA-18.2).</source>
@@ -2232,8 +2224,8 @@
         <translation>Si todo es urgente, nada lo es: alrededor del 5&#xa0;% de las alarmas debería tener la prioridad más alta, y el 15&#xa0;% la siguiente (ISA-18.2).</translation>
     </message>
     <message>
-        <source>the value {0} is outside the subrange {1}..{2}</source>
-        <translation>el valor {0} está fuera del subrango {1}..{2}</translation>
+        <source>the value {0} is outside the subrange {1}..{2}; limit it before the assignment or widen the subrange</source>
+        <translation>el valor {0} está fuera del subrango {1}..{2}; limítelo antes de la asignación o amplíe el subrango</translation>
     </message>
     <message>
         <source>&quot;addressing&quot; in project.json is &quot;byte&quot; or &quot;word&quot;, not &quot;{0}&quot;</source>
@@ -2276,8 +2268,8 @@
         <translation>No existe el tema integrado «{0}»; la base debe ser light, dark o contrast</translation>
     </message>
     <message>
-        <source>There is no colour role {0}</source>
-        <translation>No existe el rol de color {0}</translation>
+        <source>There is no colour role {0}; check the spelling</source>
+        <translation>No existe el rol de color {0}; compruebe la ortografía</translation>
     </message>
     <message>
         <source>There is no colour role {0}; did you mean {1}?</source>
@@ -2381,7 +2373,7 @@
     </message>
     <message>
         <source>The users and roles are not valid JSON; look for a missing comma, quote or bracket</source>
-        <translation>Los usuarios y las funciones no son JSON válido; busque una coma, una comilla o un corchete que falte</translation>
+        <translation>Los usuarios y los roles no son JSON válido; busque una coma, una comilla o un corchete que falte</translation>
     </message>
     <message>
         <source>The trace configuration is not valid JSON (see line {0}); look for a missing comma, quote or bracket</source>
@@ -2405,7 +2397,7 @@
     </message>
     <message>
         <source>Two roles are named {0}; rename one</source>
-        <translation>Dos funciones se llaman {0}; renombre uno</translation>
+        <translation>Dos roles se llaman {0}; renombre uno</translation>
     </message>
     <message>
         <source>Two users are named {0}; rename one</source>
@@ -2641,7 +2633,7 @@
     </message>
     <message>
         <source>A role has no name; give it one</source>
-        <translation>Una función no tiene nombre; dele uno</translation>
+        <translation>Un rol no tiene nombre; dele uno</translation>
     </message>
     <message>
         <source>A user has no name; give it one</source>
@@ -2649,7 +2641,7 @@
     </message>
     <message>
         <source>There is no role {0}; create it or choose another one</source>
-        <translation>No existe la función {0}; créelo o elija otro</translation>
+        <translation>No existe el rol {0}; créelo o elija otro</translation>
     </message>
     <message>
         <source>A recipe has no name; give it one</source>
@@ -2723,8 +2715,8 @@
         <translation>El archivo no se ha leído: {0}</translation>
     </message>
     <message>
-        <source>The element {0} was not read</source>
-        <translation>El elemento {0} no se ha leído</translation>
+        <source>The element {0} was not read; add it by hand if the program needs it</source>
+        <translation>El elemento {0} no se ha leído; añádalo a mano si el programa lo necesita</translation>
     </message>
     <message>
         <source>The vendor&apos;s data {0} is kept in exchange.json</source>
@@ -2739,12 +2731,12 @@
         <translation>El cuerpo de {0} está guardado en un formato que solo lee su propio editor; expórtelo allí como PLCopen XML</translation>
     </message>
     <message>
-        <source>A jump leads to the step {0}, which does not exist</source>
-        <translation>Un salto lleva a la etapa {0}, que no existe</translation>
+        <source>A jump leads to the step {0}, which does not exist; add the step or correct the jump</source>
+        <translation>Un salto lleva a la etapa {0}, que no existe; añada la etapa o corrija el salto</translation>
     </message>
     <message>
-        <source>The element {0} of the chart is not connected and was left out</source>
-        <translation>El elemento {0} de la secuencia (SFC) no está conectado y se ha omitido</translation>
+        <source>The element {0} of the chart is not connected and was left out; connect it in the other tool and export again</source>
+        <translation>El elemento {0} de la secuencia (SFC) no está conectado y se ha omitido; conéctelo en la otra herramienta y exporte de nuevo</translation>
     </message>
     <message>
         <source>The transition from {0} has no condition; it is written as FALSE</source>
@@ -2755,12 +2747,12 @@
         <translation>El elemento {0} forma parte de un bucle sin bloque que almacene un valor; su último valor no se conserva</translation>
     </message>
     <message>
-        <source>The element {0} is not connected and was left out</source>
-        <translation>El elemento {0} no está conectado y se ha omitido</translation>
+        <source>The element {0} is not connected and was left out; connect it in the other tool and export again</source>
+        <translation>El elemento {0} no está conectado y se ha omitido; conéctelo en la otra herramienta y exporte de nuevo</translation>
     </message>
     <message>
-        <source>An edge in a function needs the value of the last call, which a function does not store</source>
-        <translation>Un flanco en una función necesita el valor de la última llamada, que una función no almacena</translation>
+        <source>An edge in a function needs the value of the last call, which a function does not store; make it a FUNCTION_BLOCK</source>
+        <translation>Un flanco en una función necesita el valor de la última llamada, que una función no almacena; conviértala en un FUNCTION_BLOCK</translation>
     </message>
     <message>
         <source>The result of {0} is used in several places and is computed in each</source>
@@ -2775,12 +2767,12 @@
         <translation>La biblioteca {0} no forma parte de Stepwise; la comprobación notifica sus usos</translation>
     </message>
     <message>
-        <source>Code in C is kept as a comment and is not executed</source>
-        <translation>El código en C se conserva como comentario y no se ejecuta</translation>
+        <source>Code in C is kept as a comment and is not executed; write it in ST</source>
+        <translation>El código en C se conserva como comentario y no se ejecuta; escríbalo en ST</translation>
     </message>
     <message>
         <source>There are two units named {0}; the second is in {1}</source>
-        <translation>Hay dos POU llamados {0}; el segundo está en {1}</translation>
+        <translation>Hay dos POU llamadas {0}; la segunda está en {1}</translation>
     </message>
     <message>
         <source>The configuration of the devices was not read; assign the inputs and outputs again</source>
@@ -2795,16 +2787,16 @@
         <translation>Se ha omitido un comentario fuera de los elementos: {0}</translation>
     </message>
     <message>
-        <source>The diagram in {0} was not read: an expression repeats itself without end</source>
-        <translation>El diagrama en {0} no se ha leído: una expresión se repite sin fin</translation>
+        <source>The diagram in {0} was not read: an expression repeats itself without end; write its body in ST</source>
+        <translation>El diagrama en {0} no se ha leído: una expresión se repite sin fin; escriba su cuerpo en ST</translation>
     </message>
     <message>
-        <source>A condition in {0} needs the call of a block, which a condition cannot make</source>
-        <translation>Una condición en {0} necesita llamar a un bloque, lo que una condición no puede hacer</translation>
+        <source>A condition in {0} needs the call of a block, which a condition cannot make; call the block before and use its output</source>
+        <translation>Una condición en {0} necesita llamar a un bloque, lo que una condición no puede hacer; llame antes al bloque y use su salida</translation>
     </message>
     <message>
-        <source>The transition {0} is not a single expression and was not read</source>
-        <translation>La transición {0} no es una única expresión y no se ha leído</translation>
+        <source>The transition {0} is not a single expression and was not read; write its condition in the text</source>
+        <translation>La transición {0} no es una única expresión y no se ha leído; escriba su condición en el texto</translation>
     </message>
     <message>
         <source>PLCopen XML has no place for panels; they were left out</source>
@@ -2879,8 +2871,8 @@
         <translation>La versión 0201 no admite bibliotecas; {0} se ha omitido</translation>
     </message>
     <message>
-        <source>The file is no program source and was left out</source>
-        <translation>El archivo no es código fuente y se ha omitido</translation>
+        <source>The file is no program source and was left out; import it alone if it is one</source>
+        <translation>El archivo no es código fuente y se ha omitido; impórtelo solo si lo es</translation>
     </message>
     <message>
         <source>The network &apos;{0}&apos; is commented out in the diagram and was left out of the text</source>
@@ -3782,7 +3774,7 @@
     </message>
     <message>
         <source>Alarm banner</source>
-        <translation>Barra de alarmas</translation>
+        <translation>Banner de alarmas</translation>
     </message>
     <message>
         <source>Language selector</source>
@@ -3910,7 +3902,7 @@
     </message>
     <message>
         <source>Only for the roles</source>
-        <translation>Solo para las funciones</translation>
+        <translation>Solo para los roles</translation>
     </message>
     <message>
         <source>For all others</source>
@@ -4768,7 +4760,7 @@
     </message>
     <message>
         <source>Step by step</source>
-        <translation>Etapa por etapa</translation>
+        <translation>Paso a paso</translation>
     </message>
     <message>
         <source>because</source>
@@ -4958,19 +4950,19 @@
     <name>Loops</name>
     <message>
         <source>The program has no controller block; name the signals with --input and --output</source>
-        <translation>El programa no tiene ningún bloque controlador; indique las señales con --input y --output</translation>
+        <translation>El programa no tiene ningún bloque regulador; indique las señales con --input y --output</translation>
     </message>
     <message>
         <source>There is no single loop {0}; the program has {1}</source>
         <translation>No hay un único lazo {0}; el programa tiene {1}</translation>
     </message>
     <message>
-        <source>The recording contains no program that knows it</source>
-        <translation>La grabación no contiene ningún programa que la conozca</translation>
+        <source>The recording contains no program that knows it; choose a loop of the open program</source>
+        <translation>La grabación no contiene ningún programa que la conozca; elija un lazo del programa abierto</translation>
     </message>
     <message>
-        <source>It is not a number and cannot be a signal of a loop</source>
-        <translation>No es un número y no puede ser una señal de un lazo</translation>
+        <source>It is not a number and cannot be a signal of a loop; name a variable of type REAL or INT</source>
+        <translation>No es un número y no puede ser una señal de un lazo; indique una variable de tipo REAL o INT</translation>
     </message>
     <message>
         <source>This range is no longer recorded, or the program was changed in it; choose another one</source>
@@ -5514,12 +5506,12 @@
         <translation>La tabla no tiene columna {0}; ¿quería decir {1}?</translation>
     </message>
     <message>
-        <source>Line {0} has no number in column {1}</source>
-        <translation>La línea {0} no tiene ningún número en la columna {1}</translation>
+        <source>Line {0} has no number in column {1}; correct or remove the line</source>
+        <translation>La línea {0} no tiene ningún número en la columna {1}; corrija o quite la línea</translation>
     </message>
     <message>
-        <source>The time in line {0} is before that of the line above</source>
-        <translation>El tiempo de la línea {0} es anterior al de la línea de arriba</translation>
+        <source>The time in line {0} is before that of the line above; sort the lines by time</source>
+        <translation>El tiempo de la línea {0} es anterior al de la línea de arriba; ordene las líneas por tiempo</translation>
     </message>
     <message>
         <source>{0} {0:sample is|samples are} too few for a model; record for longer</source>
@@ -5562,8 +5554,8 @@
         <translation>Ningún modelo explica lo que hace la salida; otra cosa la mueve</translation>
     </message>
     <message>
-        <source>The rule {0} has no answer for this process</source>
-        <translation>La regla {0} no tiene respuesta para este proceso</translation>
+        <source>The rule {0} has no answer for this process; choose another one</source>
+        <translation>La regla {0} no tiene respuesta para este proceso; elija otra</translation>
     </message>
     <message>
         <source>Unstable: the loop would swing up. Do not use this.</source>
@@ -5571,7 +5563,7 @@
     </message>
     <message>
         <source>Fragile: a small change of the process makes it swing.</source>
-        <translation>Frágil: un pequeño cambio del proceso la hace oscilar.</translation>
+        <translation>Frágil: un pequeño cambio del proceso lo hace oscilar.</translation>
     </message>
     <message>
         <source>Brisk: quick, and it swings a little; the process should not change much.</source>
@@ -5778,19 +5770,19 @@
         <translation>La grabación tiene {0} {0:perturbación|perturbaciones}, pero ningún escalón del que obtener un modelo; cambie una vez la consigna o la salida a mano y grábelo</translation>
     </message>
     <message>
-        <source>Change {0} is a disturbance: what caused it is not known, so it makes no model</source>
-        <translation>El cambio {0} es una perturbación: su causa es desconocida, por lo que no da un modelo</translation>
+        <source>Change {0} is a disturbance: what caused it is not known, so it makes no model; choose a change of the set point or of the output</source>
+        <translation>El cambio {0} es una perturbación: su causa es desconocida, por lo que no da un modelo; elija un cambio de la consigna o de la salida</translation>
     </message>
 </context>
 <context>
     <name>plc::app::ConversionDialog</name>
     <message>
         <source>%1 as ST</source>
-        <translation>%1 como ST</translation>
+        <translation>%1 en ST</translation>
     </message>
     <message>
         <source>%1 as an Instruction List</source>
-        <translation>%1 como lista de instrucciones</translation>
+        <translation>%1 en lista de instrucciones</translation>
     </message>
     <message>
         <source>Instruction list (current text)</source>
@@ -5802,11 +5794,11 @@
     </message>
     <message>
         <source>The same as ST</source>
-        <translation>Lo mismo como ST</translation>
+        <translation>Lo mismo en ST</translation>
     </message>
     <message>
         <source>The same as an instruction list</source>
-        <translation>Lo mismo como lista de instrucciones</translation>
+        <translation>Lo mismo en lista de instrucciones</translation>
     </message>
     <message>
         <source>Both give the same results. Replacing is one step of undo; comments stay, each above its statement.</source>
@@ -6023,8 +6015,8 @@
         <translation>%1 no se ha guardado</translation>
     </message>
     <message>
-        <source>%1 is no variable of the running program</source>
-        <translation>%1 no es una variable del programa en marcha</translation>
+        <source>%1 is not a variable of the running program; check the name, or press F5 to build the program</source>
+        <translation>%1 no es una variable del programa en marcha; compruebe el nombre o compile el programa con F5</translation>
     </message>
     <message>
         <source>Force</source>
@@ -6063,8 +6055,8 @@
         <translation>Coloque el cursor sobre un problema o elija uno en la lista y vuelva a pulsar F1</translation>
     </message>
     <message>
-        <source>There is no page for %1</source>
-        <translation>No hay ninguna página para %1</translation>
+        <source>There is no page for %1; choose a code from the list</source>
+        <translation>No hay ninguna página para %1; elija un código de la lista</translation>
     </message>
 </context>
 <context>
@@ -6278,8 +6270,8 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
 <context>
     <name>plc::app::MainWindow</name>
     <message>
-        <source>A panel&apos;s name cannot contain / or \</source>
-        <translation>El nombre de un panel es un nombre de archivo: sin / ni \</translation>
+        <source>A panel&apos;s name cannot contain / or \; choose another name</source>
+        <translation>El nombre de un panel no puede contener / ni \; elija otro nombre</translation>
     </message>
     <message>
         <source>Name of the panel:</source>
@@ -6438,12 +6430,12 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Línea (1 a %1)</translation>
     </message>
     <message>
-        <source>Nothing is declared under this name</source>
-        <translation>No hay nada declarado con este nombre</translation>
+        <source>Nothing is declared under this name; declare it or check the name</source>
+        <translation>No hay nada declarado con este nombre; declárelo o compruébelo</translation>
     </message>
     <message>
-        <source>There is no name at the cursor</source>
-        <translation>No hay ningún nombre en el cursor</translation>
+        <source>There is no name at the cursor; put the cursor on one</source>
+        <translation>No hay ningún nombre en el cursor; ponga el cursor sobre uno</translation>
     </message>
     <message>
         <source>Rename</source>
@@ -6926,7 +6918,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Put the cursor into a unit that is written in ST or IL</source>
-        <translation>Ponga el cursor en un POU escrito en ST o IL</translation>
+        <translation>Ponga el cursor en una POU escrita en ST o IL</translation>
     </message>
     <message>
         <source>The text has changed meanwhile</source>
@@ -6964,20 +6956,20 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>traza</translation>
     </message>
     <message>
-        <source>A file name cannot contain / or \</source>
-        <translation>Un nombre de archivo no contiene / ni \</translation>
+        <source>A file name cannot contain / or \; choose another name</source>
+        <translation>Un nombre de archivo no puede contener / ni \; elija otro nombre</translation>
     </message>
     <message>
-        <source>A trace %1 already exists</source>
-        <translation>Ya existe una traza %1</translation>
+        <source>A trace %1 already exists; choose another name</source>
+        <translation>Ya existe una traza %1; elija otro nombre</translation>
     </message>
     <message>
         <source>New name of %1:</source>
         <translation>Nombre nuevo de %1:</translation>
     </message>
     <message>
-        <source>A file %1 already exists</source>
-        <translation>Ya existe un archivo %1</translation>
+        <source>A file %1 already exists; choose another name</source>
+        <translation>Ya existe un archivo %1; elija otro nombre</translation>
     </message>
     <message>
         <source>The file cannot be renamed; check the permissions of the folder</source>
@@ -7053,7 +7045,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>The speed is a factor from 0.001 to 10000</source>
-        <translation>La velocidad es un factor de 0.001 a 10000</translation>
+        <translation>La velocidad es un factor de 0,001 a 10000</translation>
     </message>
     <message>
         <source>Import…</source>
@@ -7152,8 +7144,8 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Sintonización</translation>
     </message>
     <message>
-        <source>%1 is not a source of this project</source>
-        <translation>%1 no es un archivo fuente de este proyecto</translation>
+        <source>%1 is not a source of this project; open the project that contains it</source>
+        <translation>%1 no es un archivo fuente de este proyecto; abra el proyecto que lo contiene</translation>
     </message>
     <message>
         <source>Walk Through the Scan</source>
@@ -7204,8 +7196,8 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Ciclo a cámara lenta</translation>
     </message>
     <message>
-        <source>What if? needs a running controller: a recording from a file cannot be resumed</source>
-        <translation>«Y si» necesita un controlador en marcha: una grabación de un archivo no se puede reanudar</translation>
+        <source>What if? needs a running controller: a recording from a file cannot be resumed; press F5 to run the program</source>
+        <translation>«Y si» necesita un controlador en marcha: una grabación de un archivo no se puede reanudar; pulse F5 para ejecutar el programa</translation>
     </message>
     <message>
         <source>Explain the Problem</source>
@@ -7366,8 +7358,8 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Escriba un nombre de proyecto</translation>
     </message>
     <message>
-        <source>%1 already exists and is not empty</source>
-        <translation>%1 ya existe y no está vacía</translation>
+        <source>%1 already exists and is not empty; choose another name</source>
+        <translation>%1 ya existe y no está vacía; elija otro nombre</translation>
     </message>
     <message>
         <source>Will be created in %1</source>
@@ -7449,8 +7441,8 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Un nombre tiene letras, cifras y _, empieza por una letra y no es una palabra clave</translation>
     </message>
     <message>
-        <source>%1 already exists in the project</source>
-        <translation>%1 ya existe en el proyecto</translation>
+        <source>%1 already exists in the project; choose another name</source>
+        <translation>%1 ya existe en el proyecto; elija otro nombre</translation>
     </message>
     <message>
         <source>A file %1 already exists: choose it, or another name</source>
@@ -7988,7 +7980,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <name>plc::app::StartPage</name>
     <message>
         <source>Write, run and watch PLC programs. Every scan is recorded; time runs backwards, too.</source>
-        <translation>Escriba, ejecute y observe programas PLC. Cada ciclo queda grabado; el tiempo también corre hacia atrás.</translation>
+        <translation>Escriba, ejecute y supervise programas PLC. Cada ciclo queda grabado; el tiempo también corre hacia atrás.</translation>
     </message>
     <message>
         <source>Recent projects</source>
@@ -8159,8 +8151,8 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Ejecutar desde aquí</translation>
     </message>
     <message>
-        <source>%1 has no value in this scan</source>
-        <translation>%1 no tiene valor en este ciclo</translation>
+        <source>%1 has no value in this scan; choose another variable</source>
+        <translation>%1 no tiene valor en este ciclo; elija otra variable</translation>
     </message>
     <message>
         <source>Give at least one variable another value</source>
@@ -8198,8 +8190,8 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Quitar todos</translation>
     </message>
     <message>
-        <source>The program that runs has no code at this line or below it</source>
-        <translation>El programa en marcha no tiene código en esta línea ni más abajo</translation>
+        <source>The program that runs has no code at this line or below it; choose a line with a statement</source>
+        <translation>El programa en marcha no tiene código en esta línea ni más abajo; elija una línea con una instrucción</translation>
     </message>
 </context>
 <context>
@@ -8268,8 +8260,8 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Eliminar (Supr)</translation>
     </message>
     <message>
-        <source>The unit %1 is no longer in the text</source>
-        <translation>El POU %1 ya no está en el texto</translation>
+        <source>The unit %1 is no longer in the text; undo the change or close this view</source>
+        <translation>La POU %1 ya no está en el texto; deshaga el cambio o cierre esta vista</translation>
     </message>
     <message>
         <source>The text has errors: this is the last good drawing</source>
@@ -8321,7 +8313,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Edit</source>
-        <translation>Edición</translation>
+        <translation>Editar</translation>
     </message>
     <message>
         <source>Move Left</source>
@@ -8364,8 +8356,8 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>%1 en la etapa %2</translation>
     </message>
     <message>
-        <source>A condition is a BOOL</source>
-        <translation>Una condición es un BOOL</translation>
+        <source>A condition is a BOOL; add a comparison</source>
+        <translation>Una condición es un BOOL; añada una comparación</translation>
     </message>
     <message>
         <source>qualifier</source>
@@ -8432,8 +8424,8 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Seleccione lo que se va a cortar</translation>
     </message>
     <message>
-        <source>The clipboard contains no step, action or transition</source>
-        <translation>El portapapeles no contiene ninguna etapa, acción ni transición</translation>
+        <source>The clipboard contains no step, action or transition; copy one first</source>
+        <translation>El portapapeles no contiene ninguna etapa, acción ni transición; copie antes una</translation>
     </message>
     <message>
         <source>Select the step or transition to paste after</source>
@@ -8690,8 +8682,8 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
     </message>
     <message>
-        <source>%1 cannot be written</source>
-        <translation>No se puede escribir %1</translation>
+        <source>%1 cannot be written; choose a variable of the program</source>
+        <translation>No se puede escribir %1; elija una variable del programa</translation>
     </message>
     <message>
         <source>Print…</source>
@@ -8753,8 +8745,8 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Mostrar como esquema de contactos</translation>
     </message>
     <message>
-        <source>%1 is no longer in the text</source>
-        <translation>%1 ya no está en el texto</translation>
+        <source>%1 is no longer in the text; undo the change or close this view</source>
+        <translation>%1 ya no está en el texto; deshaga el cambio o cierre esta vista</translation>
     </message>
     <message>
         <source>The text has errors: this is the last good drawing</source>
@@ -8890,7 +8882,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Edit</source>
-        <translation>Edición</translation>
+        <translation>Editar</translation>
     </message>
     <message>
         <source>Comment…</source>
@@ -9082,8 +9074,8 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Optimización</translation>
     </message>
     <message>
-        <source>There is no code at or below line %1 of %2</source>
-        <translation>No hay código en la línea %1 de %2 ni más abajo</translation>
+        <source>There is no code at or below line %1 of %2; choose an earlier line</source>
+        <translation>No hay código en la línea %1 de %2 ni más abajo; elija una línea anterior</translation>
     </message>
     <message>
         <source>The condition of the breakpoint: %1</source>
@@ -9201,8 +9193,8 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Declarar %1</translation>
     </message>
     <message>
-        <source>There is no fix for this line</source>
-        <translation>No hay ninguna corrección para esta línea</translation>
+        <source>There is no fix for this line; press F1 for an explanation</source>
+        <translation>No hay ninguna corrección para esta línea; pulse F1 para ver una explicación</translation>
     </message>
     <message>
         <source>Go to Definition</source>
@@ -9330,7 +9322,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Recording and model</source>
-        <translation>Registro y modelo</translation>
+        <translation>Grabación y modelo</translation>
     </message>
     <message>
         <source>Response to the set point</source>
@@ -9469,8 +9461,8 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Arranque el controlador; lo que se examina es su grabación.</translation>
     </message>
     <message>
-        <source>The program has no controller block.</source>
-        <translation>El programa no tiene ningún bloque regulador.</translation>
+        <source>The program has no controller block; call one, for example PID.</source>
+        <translation>El programa no tiene ningún bloque regulador; llame a uno, por ejemplo PID.</translation>
     </message>
     <message>
         <source>Searching…</source>
@@ -9500,8 +9492,8 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Elija al menos un escalón.</translation>
     </message>
     <message>
-        <source>The rule has no answer for this process.</source>
-        <translation>La regla no tiene respuesta para este proceso.</translation>
+        <source>The rule has no answer for this process; choose another rule.</source>
+        <translation>La regla no tiene respuesta para este proceso; elija otra regla.</translation>
     </message>
     <message>
         <source>any</source>
@@ -9837,7 +9829,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>What is asked about</source>
-        <translation>Por qué se pregunta</translation>
+        <translation>Sobre qué se pregunta</translation>
     </message>
     <message>
         <source>Why?</source>
@@ -10310,15 +10302,15 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Fix All Issues</source>
-        <translation>Corregir todos los avisos</translation>
+        <translation>Corregir todos los problemas</translation>
     </message>
     <message>
         <source>Fix Issue</source>
-        <translation>Corregir el aviso</translation>
+        <translation>Corregir el problema</translation>
     </message>
     <message>
         <source>Explain Issue</source>
-        <translation>Explicar el aviso</translation>
+        <translation>Explicar el problema</translation>
     </message>
     <message>
         <source>Outline</source>
@@ -10569,16 +10561,16 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Una receta necesita un nombre.</translation>
     </message>
     <message>
-        <source>There is a recipe &quot;%1&quot; already.</source>
-        <translation>Ya existe una receta «%1».</translation>
+        <source>The recipe &quot;%1&quot; already exists; choose another name.</source>
+        <translation>Ya existe una receta «%1»; elija otro nombre.</translation>
     </message>
     <message>
         <source>A set needs a name.</source>
         <translation>Un juego de valores necesita un nombre.</translation>
     </message>
     <message>
-        <source>There is a set &quot;%1&quot; already.</source>
-        <translation>Ya existe un juego de valores «%1».</translation>
+        <source>The set &quot;%1&quot; already exists; choose another name.</source>
+        <translation>Ya existe un juego de valores «%1»; elija otro nombre.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a number; a limit is written like 12.5.</source>
@@ -10589,8 +10581,8 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Una fila necesita una variable; «Quitar fila o juego» la elimina.</translation>
     </message>
     <message>
-        <source>%1 is in the recipe already.</source>
-        <translation>%1 ya está en la receta.</translation>
+        <source>%1 is already in the recipe; choose another variable.</source>
+        <translation>%1 ya está en la receta; elija otra variable.</translation>
     </message>
 </context>
 <context>
@@ -11655,7 +11647,7 @@ Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
     </message>
     <message>
         <source>Light tower</source>
-        <translation>Torre de señalización</translation>
+        <translation>Columna luminosa</translation>
     </message>
     <message>
         <source>Tuning a control loop</source>
@@ -11827,11 +11819,11 @@ Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
     </message>
     <message>
         <source>A level sensor of 4 to 20 mA, three lamps and the detection of a wire break</source>
-        <translation>Un sensor de nivel de 4 a 20 mA, tres lámparas y detección de rotura de cable</translation>
+        <translation>Un sensor de nivel de 4 a 20 mA, tres pilotos y detección de rotura de cable</translation>
     </message>
     <message>
         <source>Three signals of a machine on three lamps that flash or stay on</source>
-        <translation>Tres señales de una máquina en tres lámparas, fijas o intermitentes</translation>
+        <translation>Tres señales de una máquina en tres pilotos, fijos o intermitentes</translation>
     </message>
     <message>
         <source>A heat exchanger that oscillates; an experiment and its recording give better settings</source>
@@ -11851,7 +11843,7 @@ Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
     </message>
     <message>
         <source>The same process with and without a PID controller, side by side in one trace</source>
-        <translation>El mismo proceso con y sin regulador PID, juntos en un trazado</translation>
+        <translation>El mismo proceso con y sin regulador PID, juntos en una traza</translation>
     </message>
     <message>
         <source>One filter, two sines: the slow one passes, the fast one is damped and lags behind</source>
@@ -12079,28 +12071,28 @@ Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
         <translation>La tabla no tiene columna {0}; ¿quería decir {1}?</translation>
     </message>
     <message>
-        <source>Line {0} has no number in column {1}</source>
-        <translation>La línea {0} no tiene ningún número en la columna {1}</translation>
+        <source>Line {0} has no number in column {1}; correct or remove the line</source>
+        <translation>La línea {0} no tiene ningún número en la columna {1}; corrija o quite la línea</translation>
     </message>
     <message>
-        <source>The time in line {0} is before that of the line above</source>
-        <translation>El tiempo de la línea {0} es anterior al de la línea de arriba</translation>
+        <source>The time in line {0} is before that of the line above; sort the lines by time</source>
+        <translation>El tiempo de la línea {0} es anterior al de la línea de arriba; ordene las líneas por tiempo</translation>
     </message>
     <message>
-        <source>The table has no column of numbers besides the time</source>
-        <translation>La tabla no tiene ninguna columna de números aparte del tiempo</translation>
+        <source>The table has no column of numbers besides the time; add one with a heading</source>
+        <translation>La tabla no tiene ninguna columna de números aparte del tiempo; añada una con encabezado</translation>
     </message>
     <message>
-        <source>The table has no rows under its headings</source>
-        <translation>La tabla no tiene filas bajo sus encabezados</translation>
+        <source>The table has no rows under its headings; write one row per sample</source>
+        <translation>La tabla no tiene filas bajo sus encabezados; escriba una fila por muestra</translation>
     </message>
     <message>
         <source>The table cannot be shown as a recording: {0}</source>
         <translation>La tabla no se puede mostrar como grabación: {0}</translation>
     </message>
     <message>
-        <source>the names of its columns cannot be variables</source>
-        <translation>los nombres de sus columnas no pueden ser variables</translation>
+        <source>the names of its columns cannot be variables; use letters, digits and underscores</source>
+        <translation>los nombres de sus columnas no pueden ser variables; use letras, cifras y guiones bajos</translation>
     </message>
     <message>
         <source>{0} {0:sample is|samples are} too few for a spectrum; show a longer stretch</source>
@@ -12123,8 +12115,8 @@ Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
         <translation>{0} necesita un tiempo mayor que 0 como segundo argumento, por ejemplo {1}</translation>
     </message>
     <message>
-        <source>{0} takes one expression</source>
-        <translation>{0} admite una sola expresión</translation>
+        <source>{0} takes one expression; remove the others</source>
+        <translation>{0} admite una sola expresión; quite las demás</translation>
     </message>
 </context>
 <context>
@@ -12301,7 +12293,7 @@ Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
     </message>
     <message>
         <source>Build</source>
-        <translation>Compilar</translation>
+        <translation>Crear</translation>
     </message>
     <message>
         <source>Build a Native Program</source>
@@ -12359,7 +12351,7 @@ Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
         <translation>{0} no está forzada</translation>
     </message>
     <message>
-        <source>Another program is being built for this controller; try again when it is in</source>
+        <source>Another program is being built for this controller; try again when it is loaded</source>
         <translation>Se está compilando otro programa para este controlador; inténtelo de nuevo cuando esté cargado</translation>
     </message>
     <message>
@@ -12367,16 +12359,16 @@ Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
         <translation>El programa tiene {0} {0:error|errores}; el controlador sigue con el anterior</translation>
     </message>
     <message>
-        <source>The controller&apos;s program has no file {0}</source>
-        <translation>El programa del controlador no tiene el archivo {0}</translation>
+        <source>The controller&apos;s program has no file {0}; load its program again</source>
+        <translation>El programa del controlador no tiene el archivo {0}; vuelva a cargar su programa</translation>
     </message>
     <message>
-        <source>A recording is being fetched already; wait until it has come</source>
+        <source>A recording is already being fetched; wait until it has arrived</source>
         <translation>Ya se está obteniendo una grabación; espere hasta que llegue</translation>
     </message>
     <message>
-        <source>A controller that serves others is not put back in time; fetch its recording and go on from there</source>
-        <translation>Un controlador que sirve a otros no se lleva atrás en el tiempo; obtenga su grabación y siga desde ahí</translation>
+        <source>A controller that serves others cannot be put back in time; fetch its recording and go on from there</source>
+        <translation>Un controlador que sirve a otros no se puede llevar atrás en el tiempo; obtenga su grabación y siga desde ahí</translation>
     </message>
     <message>
         <source>{0} is not the address of a controller; write for example https://plant:8443/</source>
@@ -12411,12 +12403,12 @@ Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
         <translation>No se puede leer el certificado de {0}; debe ser un archivo PEM</translation>
     </message>
     <message>
-        <source>The connection to {0} is lost</source>
-        <translation>Se ha perdido la conexión con {0}</translation>
+        <source>The connection to {0} is lost; check the network and the controller</source>
+        <translation>Se ha perdido la conexión con {0}; compruebe la red y el controlador</translation>
     </message>
     <message>
-        <source>{0} does not answer</source>
-        <translation>{0} no responde</translation>
+        <source>{0} does not answer; check the address and whether the controller runs</source>
+        <translation>{0} no responde; compruebe la dirección y que el controlador esté en marcha</translation>
     </message>
     <message>
         <source>The controller&apos;s program cannot be built here as it is there; use the same version of Stepwise on both sides</source>

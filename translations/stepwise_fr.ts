@@ -16,8 +16,8 @@
         <translation>Chaque élément de «&#xa0;{0}&#xa0;» doit être un objet entre accolades</translation>
     </message>
     <message>
-        <source>&quot;{0}&quot; is missing</source>
-        <translation>«&#xa0;{0}&#xa0;» manque</translation>
+        <source>&quot;{0}&quot; is missing; add it</source>
+        <translation>«&#xa0;{0}&#xa0;» manque&#x202f;; ajoutez-le</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; must be a text in quotes</source>
@@ -61,7 +61,7 @@
     </message>
     <message>
         <source>{0} is not a name; use letters, digits and underscores, and begin with a letter</source>
-        <translation>{0} n’est pas un nom&#x202f;; utilisez des lettres, des chiffres et des traits de soulignement, en commençant par une lettre</translation>
+        <translation>{0} n’est pas un nom valide&#x202f;; utilisez des lettres, des chiffres et des traits de soulignement, en commençant par une lettre</translation>
     </message>
     <message>
         <source>{0} is neither a host name nor an address, for example plc1.local or 192.168.0.10</source>
@@ -100,8 +100,8 @@
         <translation>Les clients ne peuvent pas écrire la table «&#xa0;{0}&#xa0;» d’un serveur&#x202f;; utilisez «&#xa0;coil&#xa0;» ou «&#xa0;holding&#xa0;», ou la direction «&#xa0;out&#xa0;»</translation>
     </message>
     <message>
-        <source>{0} needs {1} {1:register|registers} from {2}, but 65535 is the last</source>
-        <translation>{0} demande {1} {1:registre|registres} à partir de {2}, mais 65535 est le dernier</translation>
+        <source>{0} needs {1} {1:register|registers} from {2}, but 65535 is the last; choose a lower address</source>
+        <translation>{0} demande {1} {1:registre|registres} à partir de {2}, mais 65535 est le dernier&#x202f;; choisissez une adresse plus basse</translation>
     </message>
     <message>
         <source>&quot;bit&quot; selects one bit of a register; the type must then be BOOL</source>
@@ -116,16 +116,16 @@
         <translation>Un BOOL dans un registre demande «&#xa0;bit&#xa0;», de 0 à 15</translation>
     </message>
     <message>
-        <source>Only an MQTT channel can be of type STRING</source>
-        <translation>Seule une voie MQTT peut être de type STRING</translation>
+        <source>Only an MQTT channel can be of type STRING; use a number or BOOL</source>
+        <translation>Seule une voie MQTT peut être de type STRING&#x202f;; utilisez un nombre ou BOOL</translation>
     </message>
     <message>
-        <source>&quot;scale&quot; must not be 0</source>
-        <translation>«&#xa0;scale&#xa0;» ne doit pas être 0</translation>
+        <source>&quot;scale&quot; must not be 0; leave it out for 1</source>
+        <translation>«&#xa0;scale&#xa0;» ne doit pas être 0&#x202f;; omettez-le pour 1</translation>
     </message>
     <message>
-        <source>A {0} has no &quot;scale&quot; and &quot;offset&quot;</source>
-        <translation>{0} n’a ni «&#xa0;scale&#xa0;» ni «&#xa0;offset&#xa0;»</translation>
+        <source>A {0} has no &quot;scale&quot; and &quot;offset&quot;; remove them</source>
+        <translation>{0} n’a ni «&#xa0;scale&#xa0;» ni «&#xa0;offset&#xa0;»&#x202f;; supprimez-les</translation>
     </message>
     <message>
         <source>{0}: {1}</source>
@@ -136,8 +136,8 @@
         <translation>{0} n’a pas encore de variable&#x202f;; nommez-en une ou faites proposer les adresses (stepwise devices PROJECT --propose)</translation>
     </message>
     <message>
-        <source>{0} is of type {1} and cannot hold a {2}</source>
-        <translation>{0} est de type {1} et ne peut pas contenir un {2}</translation>
+        <source>{0} is of type {1} and cannot hold a {2}; use a variable of that type</source>
+        <translation>{0} est de type {1} et ne peut pas contenir un {2}&#x202f;; utilisez une variable de ce type</translation>
     </message>
     <message>
         <source>A {0} may not fit into {1} of type {2}; a value that does not fit leaves the variable as it is and makes the channel bad</source>
@@ -152,8 +152,8 @@
         <translation>{0} est une entrée du programme&#x202f;; une voie de sortie demande %Q ou une variable</translation>
     </message>
     <message>
-        <source>{0} is a constant and cannot be written</source>
-        <translation>{0} est une constante et ne peut pas être écrite</translation>
+        <source>{0} is a constant and cannot be written; choose a variable</source>
+        <translation>{0} est une constante et ne peut pas être écrite&#x202f;; choisissez une variable</translation>
     </message>
     <message>
         <source>{0} says whether the channel is good and must be a BOOL or an integer</source>
@@ -176,64 +176,64 @@
         <translation>{0} ne peut pas être lu&#x202f;; il contient les certificats de l’autorité (PEM)</translation>
     </message>
     <message>
-        <source>no answer within {0} ms</source>
-        <translation>pas de réponse en {0}&#xa0;ms</translation>
+        <source>no answer within {0} ms; check the cable, the address and the unit number</source>
+        <translation>pas de réponse en {0}&#xa0;ms&#x202f;; vérifiez le câble, l’adresse et le numéro d’unité</translation>
     </message>
     <message>
         <source>the connection ended: {0}</source>
         <translation>la connexion a été interrompue&#xa0;: {0}</translation>
     </message>
     <message>
-        <source>the answer does not match the request</source>
-        <translation>la réponse ne correspond pas à la requête</translation>
+        <source>the answer does not match the request; check baud rate, parity and unit number</source>
+        <translation>la réponse ne correspond pas à la requête&#x202f;; vérifiez la vitesse, la parité et le numéro d’unité</translation>
     </message>
     <message>
         <source>the device refuses {0} {1}: {2}</source>
         <translation>l’appareil refuse {0} {1}&#xa0;: {2}</translation>
     </message>
     <message>
-        <source>it does not know the function</source>
-        <translation>il ne connaît pas la fonction</translation>
+        <source>it does not know the function; choose another table</source>
+        <translation>il ne connaît pas la fonction&#x202f;; choisissez une autre table</translation>
     </message>
     <message>
-        <source>it has no such address</source>
-        <translation>il n’a pas cette adresse</translation>
+        <source>it has no such address; check the address in its manual</source>
+        <translation>il n’a pas cette adresse&#x202f;; vérifiez l’adresse dans son manuel</translation>
     </message>
     <message>
-        <source>it does not take the value</source>
-        <translation>il n’accepte pas la valeur</translation>
+        <source>it does not take the value; check the range in its manual</source>
+        <translation>il n’accepte pas la valeur&#x202f;; vérifiez la plage dans son manuel</translation>
     </message>
     <message>
-        <source>it failed</source>
-        <translation>il a échoué</translation>
+        <source>it failed; look at the device</source>
+        <translation>il a échoué&#x202f;; examinez l’appareil</translation>
     </message>
     <message>
-        <source>it is busy</source>
-        <translation>il est occupé</translation>
+        <source>it is busy; it is asked again</source>
+        <translation>il est occupé&#x202f;; il sera interrogé de nouveau</translation>
     </message>
     <message>
-        <source>the gateway does not reach it</source>
-        <translation>la passerelle ne l’atteint pas</translation>
+        <source>the gateway does not reach it; check the unit number and the cable behind it</source>
+        <translation>la passerelle ne l’atteint pas&#x202f;; vérifiez le numéro d’unité et le câble derrière elle</translation>
     </message>
     <message>
-        <source>cannot listen at {0}: {1}</source>
-        <translation>écoute impossible sur {0}&#xa0;: {1}</translation>
+        <source>cannot listen at {0}: {1}; choose another address or port</source>
+        <translation>écoute impossible sur {0}&#xa0;: {1}&#x202f;; choisissez une autre adresse ou un autre port</translation>
     </message>
     <message>
-        <source>{0}: the message holds no value that can be read</source>
-        <translation>{0}&#xa0;: le message ne contient aucune valeur lisible</translation>
+        <source>{0}: the message holds no value that can be read; check what the device publishes</source>
+        <translation>{0}&#xa0;: le message ne contient aucune valeur lisible&#x202f;; vérifiez ce que l’appareil publie</translation>
     </message>
     <message>
-        <source>{0}: a value does not fit into the variable</source>
-        <translation>{0}&#xa0;: une valeur ne tient pas dans la variable</translation>
+        <source>{0}: a value does not fit into the variable; use a larger type or a scale</source>
+        <translation>{0}&#xa0;: une valeur ne tient pas dans la variable&#x202f;; utilisez un type plus grand ou une échelle</translation>
     </message>
     <message>
-        <source>no client wrote for {0} ms</source>
-        <translation>aucun client n’a écrit depuis {0}&#xa0;ms</translation>
+        <source>no client wrote for {0} ms; check the client and its address</source>
+        <translation>aucun client n’a écrit depuis {0}&#xa0;ms&#x202f;; vérifiez le client et son adresse</translation>
     </message>
     <message>
-        <source>the broker refuses the connection: {0}</source>
-        <translation>le broker refuse la connexion&#xa0;: {0}</translation>
+        <source>the broker refuses the connection: {0}; check the user and the password</source>
+        <translation>le broker refuse la connexion&#xa0;: {0}&#x202f;; vérifiez l’utilisateur et le mot de passe</translation>
     </message>
     <message>
         <source>the input {0} of the device {1} was lost</source>
@@ -260,8 +260,8 @@
         <translation>Réglez d’abord la vitesse sur le temps réel&#x202f;; les appareils ne peuvent pas en suivre une autre</translation>
     </message>
     <message>
-        <source>The devices of an attached controller are connected there</source>
-        <translation>Les appareils d’un automate rattaché sont reliés là-bas</translation>
+        <source>The devices of an attached controller are connected there; detach to connect them here</source>
+        <translation>Les appareils d’un automate rattaché sont reliés là-bas&#x202f;; détachez-vous pour les connecter ici</translation>
     </message>
     <message>
         <source>{0} and {1} write the same bytes: {2}; change an address</source>
@@ -311,12 +311,12 @@
         <translation>Attendu avant {1}&#xa0;: {0}</translation>
     </message>
     <message>
-        <source>A semicolon is missing here</source>
-        <translation>Il manque un point-virgule ici</translation>
+        <source>A semicolon is missing here; add it</source>
+        <translation>Il manque un point-virgule ici&#x202f;; l’ajouter</translation>
     </message>
     <message>
-        <source>{0} is missing for this {1}</source>
-        <translation>Il manque {0} pour ce {1}</translation>
+        <source>{0} is missing for this {1}; add it</source>
+        <translation>Il manque {0} pour ce {1}&#x202f;; l’ajouter</translation>
     </message>
     <message>
         <source>This comparison has no effect; use := to assign</source>
@@ -327,8 +327,8 @@
         <translation>Une affectation n’est pas une condition&#x202f;; utiliser = pour comparer</translation>
     </message>
     <message>
-        <source>A colon is missing between the name and its type</source>
-        <translation>Il manque un deux-points entre le nom et son type</translation>
+        <source>A colon is missing between the name and its type; add it</source>
+        <translation>Il manque un deux-points entre le nom et son type&#x202f;; l’ajouter</translation>
     </message>
     <message>
         <source>Decimal numbers use a point: {0}</source>
@@ -355,8 +355,8 @@
         <translation>{0} est un paramètre IN_OUT et demande une variable de type {1}</translation>
     </message>
     <message>
-        <source>{0} has only the bits 0 to {1}</source>
-        <translation>{0} n’a que les bits 0 à {1}</translation>
+        <source>{0} has only the bits 0 to {1}; use one of them</source>
+        <translation>{0} n’a que les bits 0 à {1}&#x202f;; utiliser l’un d’eux</translation>
     </message>
     <message>
         <source>{0} is ambiguous: {1}; write the namespace before it</source>
@@ -391,24 +391,24 @@
         <translation>Il y a plusieurs programmes et pas de CONFIGURATION&#x202f;; en nommer un Main ou écrire une CONFIGURATION</translation>
     </message>
     <message>
-        <source>The range {0}..{1} is not valid: the lower bound is above the upper bound or there are too many elements</source>
-        <translation>La plage {0}..{1} n’est pas valide&#xa0;: la borne inférieure dépasse la borne supérieure ou il y a trop d’éléments</translation>
+        <source>The range {0}..{1} is not valid: the lower bound is above the upper bound or there are too many elements; correct the bounds</source>
+        <translation>La plage {0}..{1} n’est pas valide&#xa0;: la borne inférieure dépasse la borne supérieure ou il y a trop d’éléments&#x202f;; corriger les bornes</translation>
     </message>
     <message>
         <source>{0} has an incomplete address; complete it in a VAR_CONFIG</source>
         <translation>{0} a une adresse incomplète&#x202f;; la compléter dans un VAR_CONFIG</translation>
     </message>
     <message>
-        <source>{0} may call itself; the depth of recursion is limited at run time</source>
-        <translation>{0} peut s’appeler lui-même&#x202f;; la profondeur de récursion est limitée à l’exécution</translation>
+        <source>{0} may call itself; the depth of recursion is limited at run time; a loop is safer</source>
+        <translation>{0} peut s’appeler lui-même&#x202f;; la profondeur de récursion est limitée à l’exécution&#x202f;; une boucle est plus sûre</translation>
     </message>
     <message>
         <source>The steps before this transition cannot be active together; start them from one simultaneous branch</source>
         <translation>Les étapes avant cette transition ne peuvent pas être actives ensemble&#x202f;; les démarrer par une même divergence simultanée</translation>
     </message>
     <message>
-        <source>This transition is always true; the step before it lasts one scan</source>
-        <translation>Cette transition est toujours vraie&#x202f;; l’étape qui la précède dure un cycle</translation>
+        <source>This transition is always true; the step before it lasts one scan; write the condition to wait for</source>
+        <translation>Cette transition est toujours vraie&#x202f;; l’étape qui la précède dure un cycle&#x202f;; écrire la condition à attendre</translation>
     </message>
     <message>
         <source>The qualifier {0} needs a time, for example T#2s</source>
@@ -459,20 +459,20 @@
         <translation>Une étape énumère ici ses actions&#x202f;; écrire les instructions dans une ACTION</translation>
     </message>
     <message>
-        <source>No transition leads away from step {0}; the chart ends here</source>
-        <translation>Aucune transition ne part de l’étape {0}&#x202f;; le grafcet se termine ici</translation>
+        <source>No transition leads away from step {0}; the chart ends here; add a TRANSITION if it should go on</source>
+        <translation>Aucune transition ne part de l’étape {0}&#x202f;; le grafcet se termine ici&#x202f;; ajouter une TRANSITION s’il doit continuer</translation>
     </message>
     <message>
-        <source>{0} is also a variable; steps and calls mean the ACTION</source>
-        <translation>{0} est aussi une variable&#x202f;; les étapes et les appels désignent l’ACTION</translation>
+        <source>{0} is also a variable; steps and calls mean the ACTION; rename one of the two</source>
+        <translation>{0} est aussi une variable&#x202f;; les étapes et les appels désignent l’ACTION&#x202f;; renommer l’un des deux</translation>
     </message>
     <message>
         <source>Use {1} instead of {0} in Structured Text</source>
         <translation>En texte structuré, utiliser {1} au lieu de {0}</translation>
     </message>
     <message>
-        <source>The task {0} has no INTERVAL above zero and no SINGLE; it runs in every scan</source>
-        <translation>La tâche {0} n’a ni INTERVAL supérieur à zéro ni SINGLE&#x202f;; elle s’exécute à chaque cycle</translation>
+        <source>The task {0} has no INTERVAL above zero and no SINGLE; it runs in every scan; give it an INTERVAL to slow it down</source>
+        <translation>La tâche {0} n’a ni INTERVAL supérieur à zéro ni SINGLE&#x202f;; elle s’exécute à chaque cycle&#x202f;; indiquer INTERVAL pour la ralentir</translation>
     </message>
     <message>
         <source>{0} is read as {1}; write a time with its unit</source>
@@ -491,8 +491,8 @@
         <translation>La condition {0} n’est pas l’une de defined, hasvalue, hasattribute, hastype avec NOT, AND, OR</translation>
     </message>
     <message>
-        <source>The pragma {0} is missing for this {1}</source>
-        <translation>Il manque le pragma {0} pour ce {1}</translation>
+        <source>The pragma {0} is missing for this {1}; add it</source>
+        <translation>Il manque le pragma {0} pour ce {1}&#x202f;; l’ajouter</translation>
     </message>
     <message>
         <source>The character {0} has no meaning here; remove it</source>
@@ -856,32 +856,32 @@
 <context>
     <name>Errors</name>
     <message>
-        <source>division by zero</source>
-        <translation>division par zéro</translation>
+        <source>division by zero; check the divisor first</source>
+        <translation>division par zéro&#x202f;; vérifiez d’abord le diviseur</translation>
     </message>
     <message>
-        <source>index {0} is used on an empty array</source>
-        <translation>accès à l’indice {0} d’un tableau vide</translation>
+        <source>index {0} is used on an empty array; check its bounds first</source>
+        <translation>accès à l’indice {0} d’un tableau vide&#x202f;; vérifiez d’abord ses bornes</translation>
     </message>
     <message>
-        <source>index {0} is outside {1}..{2}</source>
-        <translation>l’indice {0} est en dehors de {1}..{2}</translation>
+        <source>index {0} is outside {1}..{2}; use an index in this range or enlarge the array</source>
+        <translation>l’indice {0} est en dehors de {1}..{2}&#x202f;; utilisez un indice de cette plage ou agrandissez le tableau</translation>
     </message>
     <message>
-        <source>character {0} is read from an empty string</source>
-        <translation>lecture du caractère {0} d’une chaîne vide</translation>
+        <source>character {0} is read from an empty string; check LEN first</source>
+        <translation>lecture du caractère {0} d’une chaîne vide&#x202f;; vérifiez d’abord LEN</translation>
     </message>
     <message>
-        <source>character {0} is outside {1}..{2} of the string</source>
-        <translation>le caractère {0} est en dehors de {1}..{2} de la chaîne</translation>
+        <source>character {0} is outside {1}..{2} of the string; use an index in this range</source>
+        <translation>le caractère {0} est en dehors de {1}..{2} de la chaîne&#x202f;; utilisez un indice de cette plage</translation>
     </message>
     <message>
         <source>calls are nested too deeply; check for endless recursion</source>
         <translation>les appels sont imbriqués trop profondément&#x202f;; recherchez une récursion sans fin</translation>
     </message>
     <message>
-        <source>the called method has no body</source>
-        <translation>la méthode appelée n’a pas de corps</translation>
+        <source>the called method has no body; override it in the block that is called</source>
+        <translation>la méthode appelée n’a pas de corps&#x202f;; redéfinissez-la dans le bloc appelé</translation>
     </message>
     <message>
         <source>the scan was aborted</source>
@@ -932,44 +932,36 @@
         <translation>{0} := {1}</translation>
     </message>
     <message>
-        <source>no such file or folder</source>
-        <translation>fichier ou dossier introuvable</translation>
+        <source>no such file or folder; check the path</source>
+        <translation>fichier ou dossier introuvable&#x202f;; vérifiez le chemin</translation>
     </message>
     <message>
-        <source>permission denied</source>
-        <translation>permission refusée</translation>
+        <source>permission denied; check the permissions of the file and its folder</source>
+        <translation>permission refusée&#x202f;; vérifiez les droits du fichier et de son dossier</translation>
     </message>
     <message>
-        <source>no space left on the device</source>
-        <translation>plus d’espace libre sur le périphérique</translation>
+        <source>no space left on the device; free some space and try again</source>
+        <translation>plus d’espace libre sur le périphérique&#x202f;; libérez de l’espace et réessayez</translation>
     </message>
     <message>
-        <source>it is a folder</source>
-        <translation>c’est un dossier</translation>
+        <source>it is a folder; choose a file</source>
+        <translation>c’est un dossier&#x202f;; choisissez un fichier</translation>
     </message>
     <message>
-        <source>it is not a folder</source>
-        <translation>ce n’est pas un dossier</translation>
+        <source>it is not a folder; choose a folder</source>
+        <translation>ce n’est pas un dossier&#x202f;; choisissez un dossier</translation>
     </message>
     <message>
-        <source>the device reports a read or write error</source>
-        <translation>le périphérique signale une erreur de lecture ou d’écriture</translation>
+        <source>the device reports a read or write error; check the drive or the cable</source>
+        <translation>le périphérique signale une erreur de lecture ou d’écriture&#x202f;; vérifiez le disque ou le câble</translation>
     </message>
     <message>
-        <source>it already exists</source>
-        <translation>il existe déjà</translation>
+        <source>it already exists; choose another name</source>
+        <translation>il existe déjà&#x202f;; choisissez un autre nom</translation>
     </message>
     <message>
-        <source>the file is too large</source>
-        <translation>le fichier est trop grand</translation>
-    </message>
-    <message>
-        <source>{0}; free some space and save again</source>
-        <translation>{0}&#x202f;; libérez de l’espace et enregistrez de nouveau</translation>
-    </message>
-    <message>
-        <source>{0}; check the permissions of the folder</source>
-        <translation>{0}&#x202f;; vérifiez les droits du dossier</translation>
+        <source>the file is too large; choose a smaller one</source>
+        <translation>le fichier est trop grand&#x202f;; choisissez-en un plus petit</translation>
     </message>
     <message>
         <source>cancelled</source>
@@ -996,20 +988,20 @@
         <translation>L’enregistrement ne peut pas être ouvert&#xa0;: {0}</translation>
     </message>
     <message>
-        <source>its program has errors</source>
-        <translation>son programme contient des erreurs</translation>
+        <source>its program has errors; open the recording with the version of Stepwise that made it</source>
+        <translation>son programme contient des erreurs&#x202f;; ouvrez l’enregistrement avec la version de Stepwise qui l’a créé</translation>
     </message>
     <message>
-        <source>The recording contains no program</source>
-        <translation>L’enregistrement ne contient pas de programme</translation>
+        <source>The recording contains no program; record the run again with this version</source>
+        <translation>L’enregistrement ne contient pas de programme&#x202f;; enregistrez de nouveau l’exécution avec cette version</translation>
     </message>
     <message>
-        <source>This scan is no longer in the recording</source>
-        <translation>Ce cycle n’est plus dans l’enregistrement</translation>
+        <source>This scan is no longer in the recording; choose a later one</source>
+        <translation>Ce cycle n’est plus dans l’enregistrement&#x202f;; choisissez-en un plus récent</translation>
     </message>
     <message>
-        <source>The program that recorded this scan is no longer available</source>
-        <translation>Le programme qui a enregistré ce cycle n’est plus disponible</translation>
+        <source>The program that recorded this scan is no longer available; choose a scan after the last change of the program</source>
+        <translation>Le programme qui a enregistré ce cycle n’est plus disponible&#x202f;; choisissez un cycle postérieur à la dernière modification du programme</translation>
     </message>
     <message>
         <source>&apos;{0}&apos; is ambiguous; write one of {1}</source>
@@ -1020,44 +1012,44 @@
         <translation>«&#xa0;{0}&#xa0;» n’a pas de variable «&#xa0;{1}&#xa0;»&#x202f;; vouliez-vous dire «&#xa0;{2}&#xa0;»&#x202f;?</translation>
     </message>
     <message>
-        <source>&apos;{0}&apos; has no variable &apos;{1}&apos;</source>
-        <translation>«&#xa0;{0}&#xa0;» n’a pas de variable «&#xa0;{1}&#xa0;»</translation>
+        <source>&apos;{0}&apos; has no variable &apos;{1}&apos;; check the name</source>
+        <translation>«&#xa0;{0}&#xa0;» n’a pas de variable «&#xa0;{1}&#xa0;»&#x202f;; vérifiez le nom</translation>
     </message>
     <message>
         <source>there is no variable &apos;{0}&apos;; did you mean &apos;{1}&apos;?</source>
         <translation>la variable «&#xa0;{0}&#xa0;» n’existe pas&#x202f;; vouliez-vous dire «&#xa0;{1}&#xa0;»&#x202f;?</translation>
     </message>
     <message>
-        <source>there is no variable &apos;{0}&apos;</source>
-        <translation>la variable «&#xa0;{0}&#xa0;» n’existe pas</translation>
+        <source>there is no variable &apos;{0}&apos;; check the name or declare it</source>
+        <translation>la variable «&#xa0;{0}&#xa0;» n’existe pas&#x202f;; vérifiez le nom ou déclarez-la</translation>
     </message>
     <message>
-        <source>a variable of type {1} has no member &apos;{0}&apos;</source>
-        <translation>une variable de type {1} n’a pas de membre «&#xa0;{0}&#xa0;»</translation>
+        <source>a variable of type {1} has no member &apos;{0}&apos;; check the name</source>
+        <translation>une variable de type {1} n’a pas de membre «&#xa0;{0}&#xa0;»&#x202f;; vérifiez le nom</translation>
     </message>
     <message>
         <source>&apos;{0}&apos; is a VAR_IN_OUT; write the variable that is connected to it</source>
         <translation>«&#xa0;{0}&#xa0;» est un VAR_IN_OUT&#x202f;; écrivez la variable qui lui est reliée</translation>
     </message>
     <message>
-        <source>{0} needs {1} {1:index|indices}, not {2}</source>
-        <translation>{0} demande {1} {1:indice|indices}, et non {2}</translation>
+        <source>{0} needs {1} {1:index|indices}, not {2}; write one for each dimension</source>
+        <translation>{0} demande {1} {1:indice|indices}, et non {2}&#x202f;; écrivez-en un par dimension</translation>
     </message>
     <message>
-        <source>bit {0} is outside 0..{1}</source>
-        <translation>le bit {0} est en dehors de 0..{1}</translation>
+        <source>bit {0} is outside 0..{1}; use a bit in this range</source>
+        <translation>le bit {0} est en dehors de 0..{1}&#x202f;; utilisez un bit de cette plage</translation>
     </message>
     <message>
-        <source>part {0} is outside 0..{1}</source>
-        <translation>la partie {0} est en dehors de 0..{1}</translation>
+        <source>part {0} is outside 0..{1}; use a part in this range</source>
+        <translation>la partie {0} est en dehors de 0..{1}&#x202f;; utilisez une partie de cette plage</translation>
     </message>
     <message>
         <source>&apos;{0}&apos; is not an address; write for example %IX0.0, %QB4 or %MW2</source>
         <translation>«&#xa0;{0}&#xa0;» n’est pas une adresse&#x202f;; écrivez par exemple %IX0.0, %QB4 ou %MW2</translation>
     </message>
     <message>
-        <source>the path cannot be read from &apos;{0}&apos; on</source>
-        <translation>le chemin n’est plus lisible à partir de «&#xa0;{0}&#xa0;»</translation>
+        <source>the path cannot be read from &apos;{0}&apos; on; write for example Main.a[2].x</source>
+        <translation>le chemin n’est plus lisible à partir de «&#xa0;{0}&#xa0;»&#x202f;; écrivez par exemple Main.a[2].x</translation>
     </message>
     <message>
         <source>{0} is forced; release the force before writing</source>
@@ -1076,8 +1068,8 @@
         <translation>Le fichier des valeurs rémanentes ne peut pas être écrit&#xa0;: {0}</translation>
     </message>
     <message>
-        <source>The retain file cannot be read: {0}</source>
-        <translation>Le fichier des valeurs rémanentes ne peut pas être lu&#xa0;: {0}</translation>
+        <source>The retain file cannot be read: {0}; the program starts with its initial values</source>
+        <translation>Le fichier des valeurs rémanentes ne peut pas être lu&#xa0;: {0}&#x202f;; le programme démarre avec ses valeurs initiales</translation>
     </message>
     <message>
         <source>The retain file is damaged; the program starts with its initial values</source>
@@ -1088,28 +1080,28 @@
         <translation>{0}&#x202f;; il est conservé sous {1}</translation>
     </message>
     <message>
-        <source>{0} retained {0:value does|values do} not fit the program: {1}</source>
-        <translation>{0} {0:valeur rémanente ne correspond|valeurs rémanentes ne correspondent} pas au programme&#xa0;: {1}</translation>
+        <source>{0} retained {0:value does|values do} not fit the program: {1}; they start with their initial values</source>
+        <translation>{0} {0:valeur rémanente ne correspond|valeurs rémanentes ne correspondent} pas au programme&#xa0;: {1}&#x202f;; elles démarrent avec leurs valeurs initiales</translation>
     </message>
     <message>
-        <source>{0} does not fit into a variable of type {1}</source>
-        <translation>{0} dépasse la plage d’une variable de type {1}</translation>
+        <source>{0} does not fit into a variable of type {1}; enter a value in its range</source>
+        <translation>{0} dépasse la plage d’une variable de type {1}&#x202f;; entrez une valeur de sa plage</translation>
     </message>
     <message>
-        <source>the value does not fit into a variable of type {0}</source>
-        <translation>la valeur dépasse la plage d’une variable de type {0}</translation>
+        <source>the value does not fit into a variable of type {0}; enter one in its range</source>
+        <translation>la valeur dépasse la plage d’une variable de type {0}&#x202f;; entrez-en une de sa plage</translation>
     </message>
     <message>
-        <source>{0} is outside {1}..{2}</source>
-        <translation>{0} est en dehors de {1}..{2}</translation>
+        <source>{0} is outside {1}..{2}; enter a value in this range</source>
+        <translation>{0} est en dehors de {1}..{2}&#x202f;; entrez une valeur de cette plage</translation>
     </message>
     <message>
         <source>a character of the text does not fit into a STRING; use a WSTRING</source>
         <translation>un caractère du texte n’existe pas en STRING&#x202f;; utilisez une WSTRING</translation>
     </message>
     <message>
-        <source>a reference can only be set to NULL from outside</source>
-        <translation>de l’extérieur, une référence ne peut être mise qu’à NULL</translation>
+        <source>a reference can only be set to NULL from outside; assign a variable to it in the program</source>
+        <translation>de l’extérieur, une référence ne peut être mise qu’à NULL&#x202f;; affectez-lui une variable dans le programme</translation>
     </message>
     <message>
         <source>{0} is not a value for {1}, which is {2}</source>
@@ -1168,48 +1160,48 @@
         <translation>écrivez un entier, par exemple {0}</translation>
     </message>
     <message>
-        <source>There is no program to optimise</source>
-        <translation>Il n’y a pas de programme à optimiser</translation>
+        <source>There is no program to optimise; declare a PROGRAM</source>
+        <translation>Il n’y a pas de programme à optimiser&#x202f;; déclarez un PROGRAM</translation>
     </message>
     <message>
-        <source>this is local to a running call and has no address of its own</source>
-        <translation>ceci est local à un appel en cours et n’a pas d’adresse propre</translation>
+        <source>this is local to a running call and has no address of its own; pause in the call to see it</source>
+        <translation>ceci est local à un appel en cours et n’a pas d’adresse propre&#x202f;; arrêtez-vous dans l’appel pour le voir</translation>
     </message>
     <message>
-        <source>this part of a computed value cannot be shown</source>
-        <translation>cette partie d’une valeur calculée ne peut pas être affichée</translation>
+        <source>this part of a computed value cannot be shown; assign the value to a variable first</source>
+        <translation>cette partie d’une valeur calculée ne peut pas être affichée&#x202f;; affectez d’abord la valeur à une variable</translation>
     </message>
     <message>
-        <source>a character of a string has no address of its own</source>
-        <translation>un caractère d’une chaîne n’a pas d’adresse propre</translation>
+        <source>a character of a string has no address of its own; use the whole string</source>
+        <translation>un caractère d’une chaîne n’a pas d’adresse propre&#x202f;; utilisez la chaîne entière</translation>
     </message>
     <message>
-        <source>this variable cannot be shown</source>
-        <translation>cette variable ne peut pas être affichée</translation>
+        <source>this variable cannot be shown; assign it to another variable and watch that one</source>
+        <translation>cette variable ne peut pas être affichée&#x202f;; affectez-la à une autre variable et surveillez celle-ci</translation>
     </message>
     <message>
-        <source>this array of variable length has no address here</source>
-        <translation>ce tableau de longueur variable n’a pas d’adresse ici</translation>
+        <source>this array of variable length has no address here; watch the array that is passed to it</source>
+        <translation>ce tableau de longueur variable n’a pas d’adresse ici&#x202f;; surveillez le tableau qui lui est passé</translation>
     </message>
     <message>
-        <source>the array has no such dimension</source>
-        <translation>le tableau n’a pas cette dimension</translation>
+        <source>the array has no such dimension; count them from 1</source>
+        <translation>le tableau n’a pas cette dimension&#x202f;; comptez-les à partir de 1</translation>
     </message>
     <message>
         <source>this has no value</source>
         <translation>ceci n’a pas de valeur</translation>
     </message>
     <message>
-        <source>only standard functions can be called here</source>
-        <translation>seules les fonctions standard peuvent être appelées ici</translation>
+        <source>only standard functions can be called here; use a function of the library</source>
+        <translation>seules les fonctions standard peuvent être appelées ici&#x202f;; utilisez une fonction de la bibliothèque</translation>
     </message>
     <message>
-        <source>a cast to an interface cannot be watched</source>
-        <translation>une conversion vers une interface ne peut pas être surveillée</translation>
+        <source>a cast to an interface cannot be watched; watch the instance itself</source>
+        <translation>une conversion vers une interface ne peut pas être surveillée&#x202f;; surveillez l’instance elle-même</translation>
     </message>
     <message>
-        <source>this cannot be evaluated</source>
-        <translation>ceci ne peut pas être évalué</translation>
+        <source>this cannot be evaluated; use variables, operators and standard functions</source>
+        <translation>ceci ne peut pas être évalué&#x202f;; utilisez des variables, des opérateurs et des fonctions standard</translation>
     </message>
     <message>
         <source>The code generator failed: {0}</source>
@@ -1232,24 +1224,24 @@
         <translation>le programme n’a pas pu être optimisé&#xa0;: {0}</translation>
     </message>
     <message>
-        <source>the program has errors</source>
-        <translation>le programme contient des erreurs</translation>
+        <source>the program has errors; correct them first</source>
+        <translation>le programme contient des erreurs&#x202f;; corrigez-les d’abord</translation>
     </message>
     <message>
-        <source>the online change waits until the scan that is halted at a breakpoint has ended</source>
-        <translation>la modification en ligne attend la fin du cycle arrêté à un point d’arrêt</translation>
+        <source>the online change waits until the scan that is halted at a breakpoint has ended; press F5 to continue</source>
+        <translation>la modification en ligne attend la fin du cycle arrêté à un point d’arrêt&#x202f;; appuyez sur F5 pour continuer</translation>
     </message>
     <message>
-        <source>This body is not an instruction list</source>
-        <translation>Ce corps n’est pas une liste d’instructions</translation>
+        <source>This body is not an instruction list; choose a unit that is written in IL</source>
+        <translation>Ce corps n’est pas une liste d’instructions&#x202f;; choisissez un POU écrit en IL</translation>
     </message>
     <message>
-        <source>This body is not ST</source>
-        <translation>Ce corps n’est pas en ST</translation>
+        <source>This body is not ST; choose a unit that is written in ST</source>
+        <translation>Ce corps n’est pas en ST&#x202f;; choisissez un POU écrit en ST</translation>
     </message>
     <message>
-        <source>{0} has no equivalent in an instruction list</source>
-        <translation>{0} n’a pas d’équivalent dans une liste d’instructions</translation>
+        <source>{0} has no equivalent in an instruction list; write it with simpler statements first</source>
+        <translation>{0} n’a pas d’équivalent dans une liste d’instructions&#x202f;; écrivez-le d’abord avec des instructions plus simples</translation>
     </message>
     <message>
         <source>{0} is already written in ST</source>
@@ -1292,8 +1284,8 @@
         <translation>project.json n’est pas du JSON valide&#x202f;; recherchez une virgule, un guillemet ou un crochet manquant</translation>
     </message>
     <message>
-        <source>project.json must contain one JSON object</source>
-        <translation>project.json doit contenir un objet JSON</translation>
+        <source>project.json must contain one JSON object; put its contents in braces</source>
+        <translation>project.json doit contenir un objet JSON&#x202f;; mettez son contenu entre accolades</translation>
     </message>
     <message>
         <source>There is no library &quot;{0}&quot;; available are {1}</source>
@@ -1312,8 +1304,8 @@
         <translation>Indiquez un dossier de projet ou des fichiers ST, pas les deux</translation>
     </message>
     <message>
-        <source>{0} belongs to a library and cannot be renamed</source>
-        <translation>{0} appartient à une bibliothèque et ne peut pas être renommé</translation>
+        <source>{0} belongs to a library and cannot be renamed; rename only names of the project</source>
+        <translation>{0} appartient à une bibliothèque et ne peut pas être renommé&#x202f;; renommez seulement les noms du projet</translation>
     </message>
     <message>
         <source>{0} is not a valid name; use letters, digits and _, start with a letter and avoid keywords</source>
@@ -1336,16 +1328,16 @@
         <translation>Le dossier existe déjà et n’est pas vide&#x202f;; choisissez un autre nom</translation>
     </message>
     <message>
-        <source>The page cannot be written</source>
-        <translation>La page ne peut pas être écrite</translation>
+        <source>The page cannot be written; check the free space and the permissions of the folder</source>
+        <translation>La page ne peut pas être écrite&#x202f;; vérifiez l’espace libre et les droits du dossier</translation>
     </message>
     <message>
-        <source>There is no such file in the project</source>
-        <translation>Le projet ne contient pas ce fichier</translation>
+        <source>There is no such file in the project; choose one from the project tree</source>
+        <translation>Le projet ne contient pas ce fichier&#x202f;; choisissez-en un dans l’arbre du projet</translation>
     </message>
     <message>
-        <source>The file&apos;s permissions cannot be changed</source>
-        <translation>Les droits du fichier ne peuvent pas être modifiés</translation>
+        <source>The file&apos;s permissions cannot be changed; change them as the file&apos;s owner</source>
+        <translation>Les droits du fichier ne peuvent pas être modifiés&#x202f;; modifiez-les en tant que propriétaire du fichier</translation>
     </message>
     <message>
         <source>The file cannot be removed; check the permissions of the folder</source>
@@ -1360,8 +1352,8 @@
         <translation>Ouvrez d’abord un projet</translation>
     </message>
     <message>
-        <source>This statement is not possible in a TEST together with RUN or ASSERT around it</source>
-        <translation>Cette instruction n’est pas possible dans un TEST avec RUN ou ASSERT autour d’elle</translation>
+        <source>This statement is not possible in a TEST together with RUN or ASSERT around it; move it out of RUN and ASSERT</source>
+        <translation>Cette instruction n’est pas possible dans un TEST avec RUN ou ASSERT autour d’elle&#x202f;; sortez-la de RUN et ASSERT</translation>
     </message>
     <message>
         <source>The code of this statement is missing</source>
@@ -1372,8 +1364,8 @@
         <translation>Erreur dans le test&#xa0;: {0}</translation>
     </message>
     <message>
-        <source>{0} is not a value for {1}</source>
-        <translation>{0} n’est pas une valeur pour {1}</translation>
+        <source>{0} is not a value for {1}; write a value of its type</source>
+        <translation>{0} n’est pas une valeur pour {1}&#x202f;; écrivez une valeur de son type</translation>
     </message>
     <message>
         <source>The simulation stopped: {0}</source>
@@ -1392,8 +1384,8 @@
         <translation>{0} n’a pas de valeur&#xa0;: {1}</translation>
     </message>
     <message>
-        <source>{0} did not become true within {1}</source>
-        <translation>{0} n’est pas devenu vrai en {1}</translation>
+        <source>{0} did not become true within {1}; check the condition or allow more time</source>
+        <translation>{0} n’est pas devenu vrai en {1}&#x202f;; vérifiez la condition ou laissez plus de temps</translation>
     </message>
     <message>
         <source>ASSERT failed: {0}</source>
@@ -1524,56 +1516,56 @@
         <translation>L’enregistrement {0} a {1} {1:cycle|cycles}, cette exécution {2}</translation>
     </message>
     <message>
-        <source>The run differs from the recording {0}</source>
-        <translation>L’exécution diffère de l’enregistrement {0}</translation>
+        <source>The run differs from the recording {0}; delete it to record it again, if the new behaviour is right</source>
+        <translation>L’exécution diffère de l’enregistrement {0}&#x202f;; supprimez-le pour enregistrer de nouveau, si le nouveau comportement est juste</translation>
     </message>
     <message>
         <source>the condition cannot be evaluated</source>
         <translation>la condition ne peut pas être évaluée</translation>
     </message>
     <message>
-        <source>There is no action {0}</source>
-        <translation>L’action {0} n’existe pas</translation>
+        <source>There is no action {0}; add it or correct the name</source>
+        <translation>L’action {0} n’existe pas&#x202f;; ajoutez-la ou corrigez le nom</translation>
     </message>
     <message>
         <source>{0} is not a valid name; use letters, digits and underscores</source>
         <translation>{0} n’est pas un nom valide&#x202f;; utilisez des lettres, des chiffres et le trait de soulignement</translation>
     </message>
     <message>
-        <source>The initial step stays at the top</source>
-        <translation>L’étape initiale reste en haut</translation>
+        <source>The initial step stays at the top; make another step the initial step first</source>
+        <translation>L’étape initiale reste en haut&#x202f;; faites d’abord d’une autre étape l’étape initiale</translation>
     </message>
     <message>
-        <source>Only a step with a single transition of its own can be moved</source>
-        <translation>Seule une étape dotée d’une seule transition propre peut être déplacée</translation>
+        <source>Only a step with a single transition of its own can be moved; move it in the text</source>
+        <translation>Seule une étape dotée d’une seule transition propre peut être déplacée&#x202f;; déplacez-la dans le texte</translation>
     </message>
     <message>
-        <source>The step is already there</source>
-        <translation>L’étape s’y trouve déjà</translation>
+        <source>The step is already there; choose another place</source>
+        <translation>L’étape s’y trouve déjà&#x202f;; choisissez un autre endroit</translation>
     </message>
     <message>
-        <source>A step can be placed after a transition that leads to one step</source>
-        <translation>Une étape se place après une transition qui mène à une seule étape</translation>
+        <source>A step can be placed after a transition that leads to one step; choose such a transition</source>
+        <translation>Une étape se place après une transition qui mène à une seule étape&#x202f;; choisissez une telle transition</translation>
     </message>
     <message>
-        <source>This step only leads to itself</source>
-        <translation>Cette étape ne mène qu’à elle-même</translation>
+        <source>This step only leads to itself; connect it to another step first</source>
+        <translation>Cette étape ne mène qu’à elle-même&#x202f;; reliez-la d’abord à une autre étape</translation>
     </message>
     <message>
-        <source>A transition needs a condition</source>
-        <translation>Une transition demande une condition</translation>
+        <source>A transition needs a condition; enter one, for example Main.done</source>
+        <translation>Une transition demande une condition&#x202f;; entrez-en une, par exemple Main.done</translation>
     </message>
     <message>
-        <source>A priority must be a positive number</source>
-        <translation>Une priorité doit être un nombre positif</translation>
+        <source>A priority must be a positive number; enter 1 or more</source>
+        <translation>Une priorité doit être un nombre positif&#x202f;; entrez 1 ou plus</translation>
     </message>
     <message>
         <source>Nothing follows this step yet; insert a step after it first</source>
         <translation>Rien ne suit encore cette étape&#x202f;; insérez d’abord une étape après elle</translation>
     </message>
     <message>
-        <source>There is no such action</source>
-        <translation>Cette action n’existe pas</translation>
+        <source>There is no such action; select one that is in the chart</source>
+        <translation>Cette action n’existe pas&#x202f;; sélectionnez-en une du grafcet</translation>
     </message>
     <message>
         <source>The initial step cannot be deleted; make another step the initial step first</source>
@@ -1592,28 +1584,28 @@
         <translation>Les branches après cette transition ne convergent pas&#x202f;; reliez-les d’abord dans le texte</translation>
     </message>
     <message>
-        <source>A panel must be a JSON object</source>
-        <translation>Une vue doit être un objet JSON</translation>
+        <source>A panel must be a JSON object; put its contents in braces</source>
+        <translation>Une vue doit être un objet JSON&#x202f;; mettez son contenu entre accolades</translation>
     </message>
     <message>
-        <source>&quot;{0}&quot; must be a list</source>
-        <translation>«&#xa0;{0}&#xa0;» doit être une liste</translation>
+        <source>&quot;{0}&quot; must be a list; put it in square brackets</source>
+        <translation>«&#xa0;{0}&#xa0;» doit être une liste&#x202f;; mettez-la entre crochets</translation>
     </message>
     <message>
-        <source>Element {0} is not an object</source>
-        <translation>L’élément {0} n’est pas un objet</translation>
+        <source>Element {0} is not an object; put it in braces</source>
+        <translation>L’élément {0} n’est pas un objet&#x202f;; mettez-le entre accolades</translation>
     </message>
     <message>
-        <source>The kind of element {0} is not a text</source>
-        <translation>Le genre de l’élément {0} n’est pas un texte</translation>
+        <source>The kind of element {0} is not a text; write it in quotes</source>
+        <translation>Le genre de l’élément {0} n’est pas un texte&#x202f;; écrivez-le entre guillemets</translation>
     </message>
     <message>
         <source>Two elements have the id &quot;{0}&quot;; change one of them</source>
         <translation>Deux éléments ont l’identifiant «&#xa0;{0}&#xa0;»&#x202f;; modifiez l’un des deux</translation>
     </message>
     <message>
-        <source>Every alarm and every alarm class must be a JSON object</source>
-        <translation>Chaque alarme et chaque classe d’alarme doit être un objet JSON</translation>
+        <source>Every alarm and every alarm class must be a JSON object; put it in braces</source>
+        <translation>Chaque alarme et chaque classe d’alarme doit être un objet JSON&#x202f;; mettez-la entre accolades</translation>
     </message>
     <message>
         <source>This line is not valid UTF-8; save the file as UTF-8</source>
@@ -1628,8 +1620,8 @@
         <translation>La première ligne doit être {0} suivi d’une étiquette de langue par colonne</translation>
     </message>
     <message>
-        <source>This line has {0} {0:field|fields}, the header has {1}</source>
-        <translation>Cette ligne a {0} {0:champ|champs}, l’en-tête en a {1}</translation>
+        <source>This line has {0} {0:field|fields}, the header has {1}; put texts with separators in quotes</source>
+        <translation>Cette ligne a {0} {0:champ|champs}, l’en-tête en a {1}&#x202f;; mettez entre guillemets les textes qui contiennent des séparateurs</translation>
     </message>
     <message>
         <source>The alarm history cannot be opened: {0}</source>
@@ -1644,40 +1636,40 @@
         <translation>L’historique des alarmes ne peut pas être écrit&#xa0;: {0}</translation>
     </message>
     <message>
-        <source>{0} does not fit into {1}</source>
-        <translation>{0} dépasse la plage de {1}</translation>
+        <source>{0} does not fit into {1}; use a larger type or a smaller limit</source>
+        <translation>{0} dépasse la plage de {1}&#x202f;; utilisez un type plus grand ou une limite plus petite</translation>
     </message>
     <message>
         <source>STRING contains Latin-1 only; declare the variable as WSTRING</source>
         <translation>STRING ne contient que du Latin-1&#x202f;; déclarez la variable en WSTRING</translation>
     </message>
     <message>
-        <source>A {0} cannot be written from a panel</source>
-        <translation>Un {0} ne peut pas être écrit depuis une vue</translation>
+        <source>A {0} cannot be written from a panel; write its members one by one</source>
+        <translation>Un {0} ne peut pas être écrit depuis une vue&#x202f;; écrivez ses membres un à un</translation>
     </message>
     <message>
-        <source>The folder for the pictures cannot be created</source>
-        <translation>Le dossier des images ne peut pas être créé</translation>
+        <source>The folder for the pictures cannot be created; check the path and its permissions</source>
+        <translation>Le dossier des images ne peut pas être créé&#x202f;; vérifiez le chemin et ses droits</translation>
     </message>
     <message>
-        <source>The picture cannot be written</source>
-        <translation>L’image ne peut pas être écrite</translation>
+        <source>The picture cannot be written; check the free space and the permissions of the folder</source>
+        <translation>L’image ne peut pas être écrite&#x202f;; vérifiez l’espace libre et les droits du dossier</translation>
     </message>
     <message>
-        <source>The project has no such panel</source>
-        <translation>Le projet n’a pas cette vue</translation>
+        <source>The project has no such panel; choose one from hmi/</source>
+        <translation>Le projet n’a pas cette vue&#x202f;; choisissez-en une dans hmi/</translation>
     </message>
     <message>
-        <source>The text &quot;{0}&quot; has no key, so it cannot be translated</source>
-        <translation>Le texte «&#xa0;{0}&#xa0;» n’a pas de clé et ne peut donc pas être traduit</translation>
+        <source>The text &quot;{0}&quot; has no key, so it cannot be translated; move it into the text table</source>
+        <translation>Le texte «&#xa0;{0}&#xa0;» n’a pas de clé et ne peut donc pas être traduit&#x202f;; déplacez-le dans la table des textes</translation>
     </message>
     <message>
         <source>The text needs a value for {0}; specify it in &quot;Values in texts&quot;</source>
         <translation>Le texte demande une valeur pour {0}&#x202f;; indiquez-la dans «&#xa0;Valeurs des textes&#xa0;»</translation>
     </message>
     <message>
-        <source>The text list {0} is empty: there is no key {1}</source>
-        <translation>La liste de textes {0} est vide&#xa0;: la clé {1} n’existe pas</translation>
+        <source>The text list {0} is empty: there is no key {1}; add it to the text table</source>
+        <translation>La liste de textes {0} est vide&#xa0;: la clé {1} n’existe pas&#x202f;; ajoutez-la à la table des textes</translation>
     </message>
     <message>
         <source>This version does not know the element kind &quot;{0}&quot;; it is kept as it is</source>
@@ -1688,20 +1680,20 @@
         <translation>Le format {0} est inconnu&#x202f;; utilisez par exemple {1} ou {2}</translation>
     </message>
     <message>
-        <source>&quot;{0}&quot; does not fit: it needs {1} px, the maximum is {2}</source>
-        <translation>«&#xa0;{0}&#xa0;» ne tient pas&#xa0;: il faut {1}&#xa0;px, le maximum est {2}</translation>
+        <source>&quot;{0}&quot; does not fit: it needs {1} px, the maximum is {2}; make the element wider or the text shorter</source>
+        <translation>«&#xa0;{0}&#xa0;» ne tient pas&#xa0;: il faut {1}&#xa0;px, le maximum est {2}&#x202f;; élargissez l’élément ou raccourcissez le texte</translation>
     </message>
     <message>
-        <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}</source>
-        <translation>«&#xa0;{0}&#xa0;» ne tient pas&#xa0;: il faut une hauteur de {1}&#xa0;px, le maximum est {2}</translation>
+        <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}; make the element higher or the text shorter</source>
+        <translation>«&#xa0;{0}&#xa0;» ne tient pas&#xa0;: il faut une hauteur de {1}&#xa0;px, le maximum est {2}&#x202f;; agrandissez l’élément en hauteur ou raccourcissez le texte</translation>
     </message>
     <message>
         <source>{0}; did you mean {1}?</source>
         <translation>{0}&#x202f;; vouliez-vous dire {1}&#x202f;?</translation>
     </message>
     <message>
-        <source>{0} is not a variable, so it cannot be written</source>
-        <translation>{0} n’est pas une variable et ne peut donc pas être écrit</translation>
+        <source>{0} is not a variable, so it cannot be written; name a variable</source>
+        <translation>{0} n’est pas une variable et ne peut donc pas être écrit&#x202f;; indiquez une variable</translation>
     </message>
     <message>
         <source>{0} is {1}; a BOOL is needed here</source>
@@ -1728,12 +1720,12 @@
         <translation>Un espace réservé n’est pas fermé par {0}</translation>
     </message>
     <message>
-        <source>The format {0} is not known</source>
-        <translation>Le format {0} est inconnu</translation>
+        <source>The format {0} is not known; use one such as %.1f</source>
+        <translation>Le format {0} est inconnu&#x202f;; utilisez par exemple %.1f</translation>
     </message>
     <message>
-        <source>A trace configuration must be a JSON object</source>
-        <translation>Une configuration de trace doit être un objet JSON</translation>
+        <source>A trace configuration must be a JSON object; put its contents in braces</source>
+        <translation>Une configuration de trace doit être un objet JSON&#x202f;; mettez son contenu entre accolades</translation>
     </message>
     <message>
         <source>The trace configuration is invalid: {0}</source>
@@ -1744,8 +1736,8 @@
         <translation>«&#xa0;{0}&#xa0;» doit être {1}</translation>
     </message>
     <message>
-        <source>&quot;{0}&quot; is missing</source>
-        <translation>«&#xa0;{0}&#xa0;» manque</translation>
+        <source>&quot;{0}&quot; is missing; add it</source>
+        <translation>«&#xa0;{0}&#xa0;» manque&#x202f;; ajoutez-le</translation>
     </message>
     <message>
         <source>A picture&apos;s name must end in one of {0}</source>
@@ -1768,8 +1760,8 @@
         <translation>Des valeurs enregistrées ne peuvent pas être forcées&#x202f;; reprenez ici ou revenez d’abord au direct</translation>
     </message>
     <message>
-        <source>A recording from a file cannot be resumed, only what the controller itself recorded</source>
-        <translation>Un enregistrement ouvert depuis un fichier ne peut pas être repris, seulement ce que l’automate a lui-même enregistré</translation>
+        <source>A recording from a file cannot be resumed, only what the controller itself recorded; press F5 to run the program</source>
+        <translation>Un enregistrement ouvert depuis un fichier ne peut pas être repris, seulement ce que l’automate a lui-même enregistré&#x202f;; appuyez sur F5 pour exécuter le programme</translation>
     </message>
     <message>
         <source>A priority is a number; 0 removes it</source>
@@ -1784,40 +1776,40 @@
         <translation>Ce XML n’est ni du PLCopen XML ni de TwinCAT ou CODESYS&#x202f;; exportez le projet en PLCopen XML et importez ce fichier</translation>
     </message>
     <message>
-        <source>It contains nothing that can be imported</source>
-        <translation>Il ne contient rien qui puisse être importé</translation>
+        <source>It contains nothing that can be imported; export the project again with its units</source>
+        <translation>Il ne contient rien qui puisse être importé&#x202f;; exportez de nouveau le projet avec ses POU</translation>
     </message>
     <message>
         <source>The folder exists and is not empty; name a new one</source>
         <translation>Le dossier existe et n’est pas vide&#x202f;; indiquez-en un nouveau</translation>
     </message>
     <message>
-        <source>The sources have errors of syntax; stepwise check lists them</source>
+        <source>The sources have syntax errors; stepwise check lists them</source>
         <translation>Les sources ont des erreurs de syntaxe&#x202f;; stepwise check les énumère</translation>
     </message>
     <message>
-        <source>The file is too large to be read</source>
-        <translation>Le fichier est trop grand pour être lu</translation>
+        <source>The file is too large to be read; export its parts one by one</source>
+        <translation>Le fichier est trop grand pour être lu&#x202f;; exportez ses parties une à une</translation>
     </message>
     <message>
-        <source>The file is in the encoding {0}, which is not read; save it as UTF-8</source>
+        <source>The file is in the encoding {0}, which is not supported; save it as UTF-8</source>
         <translation>Le fichier a le codage {0}, qui n’est pas pris en charge&#x202f;; enregistrez-le en UTF-8</translation>
     </message>
     <message>
-        <source>The file declares a document type or entities of its own, which is not read; export it again without them</source>
+        <source>The file declares a document type or entities of its own, which is not supported; export it again without them</source>
         <translation>Le fichier déclare un type de document ou des entités propres, qui ne sont pas lus&#x202f;; exportez-le de nouveau sans eux</translation>
     </message>
     <message>
-        <source>The elements of the file are nested too deeply</source>
-        <translation>Les éléments du fichier sont imbriqués trop profondément</translation>
+        <source>The elements of the file are nested too deeply; export its parts one by one</source>
+        <translation>Les éléments du fichier sont imbriqués trop profondément&#x202f;; exportez ses parties une à une</translation>
     </message>
     <message>
-        <source>This is not well-formed XML: {0}</source>
-        <translation>Ce XML n’est pas bien formé&#xa0;: {0}</translation>
+        <source>This is not well-formed XML: {0}; export the file again</source>
+        <translation>Ce XML n’est pas bien formé&#xa0;: {0}&#x202f;; exportez de nouveau le fichier</translation>
     </message>
     <message>
-        <source>The file has no elements</source>
-        <translation>Le fichier n’a pas d’éléments</translation>
+        <source>The file has no elements; export it again</source>
+        <translation>Le fichier n’a pas d’éléments&#x202f;; exportez-le de nouveau</translation>
     </message>
     <message>
         <source>This is XML, not structured text; import it (stepwise import --help)</source>
@@ -1836,8 +1828,8 @@
         <translation>Saisissez un nom et un bloc&#xa0;: T1 : TON</translation>
     </message>
     <message>
-        <source>the local variables of {0} and of what it calls need {1} bytes; the maximum is {2}</source>
-        <translation>les variables locales de {0} et de ce qu’il appelle demandent {1} octets&#x202f;; le maximum est {2}</translation>
+        <source>the local variables of {0} and of what it calls need {1} bytes; the maximum is {2}; declare large arrays in a program or block</source>
+        <translation>les variables locales de {0} et de ce qu’il appelle demandent {1} octets&#x202f;; le maximum est {2}&#x202f;; déclarez les grands tableaux dans un programme ou un bloc</translation>
     </message>
     <message>
         <source>{0} is too large for the stack; divide it into several functions</source>
@@ -1849,19 +1841,19 @@
     </message>
     <message>
         <source>{0} is not a name: use letters, digits and underscores.</source>
-        <translation>{0} n’est pas un nom&#xa0;: utilisez des lettres, des chiffres et le trait de soulignement.</translation>
+        <translation>{0} n’est pas un nom valide&#x202f;; utilisez des lettres, des chiffres et des traits de soulignement.</translation>
     </message>
     <message>
         <source>The XLIFF version {0} is not known; save the file as 1.2 or 2.0</source>
         <translation>La version XLIFF {0} est inconnue&#x202f;; enregistrez le fichier en 1.2 ou 2.0</translation>
     </message>
     <message>
-        <source>The file does not say into which language it is translated</source>
-        <translation>Le fichier n’indique pas dans quelle langue il est traduit</translation>
+        <source>The file does not say into which language it is translated; export it again with --language</source>
+        <translation>Le fichier n’indique pas dans quelle langue il est traduit&#x202f;; exportez-le de nouveau avec --language</translation>
     </message>
     <message>
-        <source>The XML is wrong: {0}</source>
-        <translation>Le XML est incorrect&#xa0;: {0}</translation>
+        <source>The XML is wrong: {0}; export the file again</source>
+        <translation>Le XML est incorrect&#xa0;: {0}&#x202f;; exportez de nouveau le fichier</translation>
     </message>
     <message>
         <source>The text of the key {0} in {1} has changed since the export; check the translation</source>
@@ -1876,32 +1868,32 @@
         <translation>L’image {0} est en dehors du projet&#x202f;; copiez-la dans le projet, ou mettez {1} à true sous {2} dans project.json</translation>
     </message>
     <message>
-        <source>The picture {0} unpacks to more than {1} MB</source>
-        <translation>L’image {0} dépasse {1}&#xa0;Mo une fois décompressée</translation>
+        <source>The picture {0} unpacks to more than {1} MB; use a smaller one</source>
+        <translation>L’image {0} dépasse {1}&#xa0;Mo une fois décompressée&#x202f;; utilisez-en une plus petite</translation>
     </message>
     <message>
         <source>The picture {0} is {1} x {2} pixels; more than {3} million are not drawn</source>
         <translation>L’image {0} fait {1} x {2} pixels&#x202f;; au-delà de {3} millions, elle n’est pas dessinée</translation>
     </message>
     <message>
-        <source>{0} is not a picture in a known format such as PNG, JPEG or SVG</source>
-        <translation>{0} n’est pas une image dans un format connu tel que PNG, JPEG ou SVG</translation>
+        <source>{0} is not a picture in a known format such as PNG, JPEG or SVG; save it as one of them</source>
+        <translation>{0} n’est pas une image dans un format connu tel que PNG, JPEG ou SVG&#x202f;; enregistrez-la dans l’un d’eux</translation>
     </message>
     <message>
-        <source>The picture {0} draws more than {1} shapes</source>
-        <translation>L’image {0} contient plus de {1} formes</translation>
+        <source>The picture {0} draws more than {1} shapes; simplify it or save it as PNG</source>
+        <translation>L’image {0} contient plus de {1} formes&#x202f;; simplifiez-la ou enregistrez-la en PNG</translation>
     </message>
     <message>
-        <source>The shapes of the picture {0} are nested more than {1} deep or contain themselves</source>
-        <translation>Les formes de l’image {0} sont imbriquées sur plus de {1} niveaux ou se contiennent elles-mêmes</translation>
+        <source>The shapes of the picture {0} are nested more than {1} deep or contain themselves; simplify it or save it as PNG</source>
+        <translation>Les formes de l’image {0} sont imbriquées sur plus de {1} niveaux ou se contiennent elles-mêmes&#x202f;; simplifiez-la ou enregistrez-la en PNG</translation>
     </message>
     <message>
         <source>The picture {0} loads {1}; embed it in the picture as PNG or JPEG</source>
         <translation>L’image {0} charge {1}&#x202f;; intégrez-le dans l’image en PNG ou JPEG</translation>
     </message>
     <message>
-        <source>The picture {0} has dashed lines of more than {1} dashes</source>
-        <translation>L’image {0} a des lignes pointillées de plus de {1} tirets</translation>
+        <source>The picture {0} has dashed lines of more than {1} dashes; make the dashes longer or save it as PNG</source>
+        <translation>L’image {0} a des lignes pointillées de plus de {1} tirets&#x202f;; allongez les tirets ou enregistrez-la en PNG</translation>
     </message>
     <message>
         <source>This version does not know the property {0}; it is kept as it is</source>
@@ -1960,8 +1952,8 @@
         <translation>{0} n’est pas une couleur&#x202f;; vouliez-vous dire {1}&#x202f;?</translation>
     </message>
     <message>
-        <source>{0} ({1}) must be greater than {2} ({3})</source>
-        <translation>{0} ({1}) doit être supérieur à {2} ({3})</translation>
+        <source>{0} ({1}) must be greater than {2} ({3}); exchange or correct the values</source>
+        <translation>{0} ({1}) doit être supérieur à {2} ({3})&#x202f;; échangez ou corrigez les valeurs</translation>
     </message>
     <message>
         <source>{0} has no page {1}; its {2} {2:page is|pages are} numbered from 0</source>
@@ -1988,20 +1980,20 @@
         <translation>{0} n’est pas entre {1} et {2}&#x202f;; {3} est utilisé</translation>
     </message>
     <message>
-        <source>The panel {0} contains this one, so it cannot be placed in it</source>
-        <translation>La vue {0} contient celle-ci et ne peut donc pas y être placée</translation>
+        <source>The panel {0} contains this one, so it cannot be placed in it; choose another one</source>
+        <translation>La vue {0} contient celle-ci et ne peut donc pas y être placée&#x202f;; choisissez-en une autre</translation>
     </message>
     <message>
-        <source>The panel {0} has no parameter {1}</source>
-        <translation>La vue {0} n’a pas de paramètre {1}</translation>
+        <source>The panel {0} has no parameter {1}; remove the argument or add the parameter</source>
+        <translation>La vue {0} n’a pas de paramètre {1}&#x202f;; supprimez l’argument ou ajoutez le paramètre</translation>
     </message>
     <message>
         <source>The program has no type {0}; name a block or a structure, BOOL, REAL or the like, or text</source>
         <translation>Le programme n’a pas de type {0}&#x202f;; indiquez un bloc ou une structure, BOOL, REAL ou similaire, ou text</translation>
     </message>
     <message>
-        <source>The parameter {0} needs an argument of type {1}</source>
-        <translation>Le paramètre {0} demande un argument de type {1}</translation>
+        <source>The parameter {0} needs an argument of type {1}; specify it in the faceplate</source>
+        <translation>Le paramètre {0} demande un argument de type {1}&#x202f;; indiquez-le dans la vue d’objet</translation>
     </message>
     <message>
         <source>{0} is {1}; the parameter {2} needs {3}</source>
@@ -2028,20 +2020,20 @@
         <translation>Le cycle précédent n’est pas dans l’enregistrement&#x202f;; les valeurs au début de ce cycle sont donc inconnues.</translation>
     </message>
     <message>
-        <source>There is no user {0}</source>
-        <translation>L’utilisateur {0} n’existe pas</translation>
+        <source>There is no user {0}; create the user or check the name</source>
+        <translation>L’utilisateur {0} n’existe pas&#x202f;; créez-le ou vérifiez le nom</translation>
     </message>
     <message>
         <source>The password cannot be kept: {0}</source>
         <translation>Le mot de passe ne peut pas être conservé&#xa0;: {0}</translation>
     </message>
     <message>
-        <source>A password needs at least {0} characters</source>
-        <translation>Un mot de passe doit avoir au moins {0} caractères</translation>
+        <source>A password needs at least {0} characters; choose a longer one</source>
+        <translation>Un mot de passe doit avoir au moins {0} caractères&#x202f;; choisissez-en un plus long</translation>
     </message>
     <message>
-        <source>The password must not be the name of the user</source>
-        <translation>Le mot de passe ne doit pas être le nom de l’utilisateur</translation>
+        <source>The password must not be the name of the user; choose another one</source>
+        <translation>Le mot de passe ne doit pas être le nom de l’utilisateur&#x202f;; choisissez-en un autre</translation>
     </message>
     <message>
         <source>The audit trail cannot be written: {0}</source>
@@ -2052,36 +2044,36 @@
         <translation>La piste d’audit ne peut pas être lue&#xa0;: {0}</translation>
     </message>
     <message>
-        <source>The frame {0} has no panel area, so no panel is seen in it</source>
-        <translation>Le cadre {0} n’a pas de zone de vue, aucune vue n’y apparaît donc</translation>
+        <source>The frame {0} has no panel area, so no panel is seen in it; add one to it</source>
+        <translation>Le cadre {0} n’a pas de zone de vue, aucune vue n’y apparaît donc&#x202f;; ajoutez-en une</translation>
     </message>
     <message>
         <source>Only for the roles {0}, but the project has no users; anybody may operate it</source>
         <translation>Seulement pour les rôles {0}, mais le projet n’a pas d’utilisateurs&#x202f;; tout le monde peut le commander</translation>
     </message>
     <message>
-        <source>A row of a recipe names no variable</source>
-        <translation>Une ligne d’une recette n’indique pas de variable</translation>
+        <source>A row of a recipe names no variable; enter one or remove the row</source>
+        <translation>Une ligne d’une recette n’indique pas de variable&#x202f;; indiquez-en une ou supprimez la ligne</translation>
     </message>
     <message>
         <source>The first column must be named variable, and each set has a column of its own</source>
         <translation>La première colonne doit s’appeler variable, et chaque jeu de valeurs a sa propre colonne</translation>
     </message>
     <message>
-        <source>The recipe {0} has no variable {1}</source>
-        <translation>La recette {0} n’a pas de variable {1}</translation>
+        <source>The recipe {0} has no variable {1}; add it or correct the name</source>
+        <translation>La recette {0} n’a pas de variable {1}&#x202f;; ajoutez-la ou corrigez le nom</translation>
     </message>
     <message>
-        <source>There is no recipe {0}</source>
-        <translation>La recette {0} n’existe pas</translation>
+        <source>There is no recipe {0}; create it or check the name</source>
+        <translation>La recette {0} n’existe pas&#x202f;; créez-la ou vérifiez le nom</translation>
     </message>
     <message>
-        <source>The recipe {0} has no set {1}</source>
-        <translation>La recette {0} n’a pas de jeu de valeurs {1}</translation>
+        <source>The recipe {0} has no set {1}; create it or check the name</source>
+        <translation>La recette {0} n’a pas de jeu de valeurs {1}&#x202f;; créez-le ou vérifiez le nom</translation>
     </message>
     <message>
-        <source>{0} is outside the limits of {1}, {2} to {3}</source>
-        <translation>{0} est hors des limites de {1}, {2} à {3}</translation>
+        <source>{0} is outside the limits of {1}, {2} to {3}; enter a value within them</source>
+        <translation>{0} est hors des limites de {1}, {2} à {3}&#x202f;; entrez une valeur comprise entre elles</translation>
     </message>
     <message>
         <source>The list of shelved alarms cannot be read, so none is shelved: {0}</source>
@@ -2144,8 +2136,8 @@
         <translation>Rien n’indique ce que signifie le voyant&#x202f;; donnez-lui un libellé ou placez un texte à côté</translation>
     </message>
     <message>
-        <source>{0} on {1} has a contrast of {2} to 1 in the theme {3}; {4} to 1 is needed</source>
-        <translation>{0} sur {1} a un contraste de {2} pour 1 dans le thème {3}&#x202f;; il faut {4} pour 1</translation>
+        <source>{0} on {1} has a contrast of {2} to 1 in the theme {3}; {4} to 1 is needed; choose another colour</source>
+        <translation>{0} sur {1} a un contraste de {2} pour 1 dans le thème {3}&#x202f;; il faut {4} pour 1&#x202f;; choisissez une autre couleur</translation>
     </message>
     <message>
         <source>A font of {0} px cannot be read from {2} mm; use at least {1} px</source>
@@ -2164,8 +2156,8 @@
         <translation>{0} × {1}&#xa0;px sont trop petits pour un doigt à côté des éléments voisins&#x202f;; il faut {2}&#xa0;px dans les deux sens</translation>
     </message>
     <message>
-        <source>The panel shows {0} things to read or press; at its size, {1} can be taken in</source>
-        <translation>La vue affiche {0} éléments à lire ou à toucher&#x202f;; à sa taille, on en embrasse {1}</translation>
+        <source>The panel shows {0} things to read or press; at its size, {1} can be taken in; move some to another panel</source>
+        <translation>La vue affiche {0} éléments à lire ou à toucher&#x202f;; à sa taille, on en embrasse {1}&#x202f;; déplacez-en vers une autre vue</translation>
     </message>
     <message>
         <source>The panel {0} is {1} presses away from the start panel; {2} should do</source>
@@ -2176,8 +2168,8 @@
         <translation>Rien sur la vue {0} ne ramène en arrière&#x202f;; ajoutez un bouton avec l’action back ou home, ou une barre de navigation</translation>
     </message>
     <message>
-        <source>{0} is at another place on the panel {1}</source>
-        <translation>{0} est à un autre endroit sur la vue {1}</translation>
+        <source>{0} is at another place on the panel {1}; put it at the same place on both</source>
+        <translation>{0} est à un autre endroit sur la vue {1}&#x202f;; placez-le au même endroit sur les deux</translation>
     </message>
     <message>
         <source>What is normal is grey, so that the eye finds what is not (ISA-101). Use a role of the theme such as surface, off or running, and give colour only to conditions.</source>
@@ -2232,8 +2224,8 @@
         <translation>Si tout est urgent, rien ne l’est&#xa0;: environ 5&#xa0;% des alarmes devraient avoir la plus haute priorité, 15&#xa0;% la suivante (ISA-18.2).</translation>
     </message>
     <message>
-        <source>the value {0} is outside the subrange {1}..{2}</source>
-        <translation>la valeur {0} est en dehors du sous-intervalle {1}..{2}</translation>
+        <source>the value {0} is outside the subrange {1}..{2}; limit it before the assignment or widen the subrange</source>
+        <translation>la valeur {0} est en dehors du sous-intervalle {1}..{2}&#x202f;; limitez-la avant l’affectation ou élargissez le sous-intervalle</translation>
     </message>
     <message>
         <source>&quot;addressing&quot; in project.json is &quot;byte&quot; or &quot;word&quot;, not &quot;{0}&quot;</source>
@@ -2276,8 +2268,8 @@
         <translation>Le thème intégré «&#xa0;{0}&#xa0;» n’existe pas&#x202f;; la base doit être light, dark ou contrast</translation>
     </message>
     <message>
-        <source>There is no colour role {0}</source>
-        <translation>Le rôle de couleur {0} n’existe pas</translation>
+        <source>There is no colour role {0}; check the spelling</source>
+        <translation>Le rôle de couleur {0} n’existe pas&#x202f;; vérifiez l’orthographe</translation>
     </message>
     <message>
         <source>There is no colour role {0}; did you mean {1}?</source>
@@ -2723,8 +2715,8 @@
         <translation>Le fichier n’a pas été lu&#xa0;: {0}</translation>
     </message>
     <message>
-        <source>The element {0} was not read</source>
-        <translation>L’élément {0} n’a pas été lu</translation>
+        <source>The element {0} was not read; add it by hand if the program needs it</source>
+        <translation>L’élément {0} n’a pas été lu&#x202f;; ajoutez-le à la main si le programme en a besoin</translation>
     </message>
     <message>
         <source>The vendor&apos;s data {0} is kept in exchange.json</source>
@@ -2739,12 +2731,12 @@
         <translation>Le corps de {0} est stocké sous une forme que seul son propre éditeur lit&#x202f;; exportez-le là-bas en PLCopen XML</translation>
     </message>
     <message>
-        <source>A jump leads to the step {0}, which does not exist</source>
-        <translation>Un saut mène à l’étape {0}, qui n’existe pas</translation>
+        <source>A jump leads to the step {0}, which does not exist; add the step or correct the jump</source>
+        <translation>Un saut mène à l’étape {0}, qui n’existe pas&#x202f;; ajoutez l’étape ou corrigez le saut</translation>
     </message>
     <message>
-        <source>The element {0} of the chart is not connected and was left out</source>
-        <translation>L’élément {0} du grafcet n’est pas relié et a été omis</translation>
+        <source>The element {0} of the chart is not connected and was left out; connect it in the other tool and export again</source>
+        <translation>L’élément {0} du grafcet n’est pas relié et a été omis&#x202f;; reliez-le dans l’autre outil et exportez de nouveau</translation>
     </message>
     <message>
         <source>The transition from {0} has no condition; it is written as FALSE</source>
@@ -2755,12 +2747,12 @@
         <translation>L’élément {0} fait partie d’une boucle sans bloc qui mémorise une valeur&#x202f;; sa dernière valeur n’est pas conservée</translation>
     </message>
     <message>
-        <source>The element {0} is not connected and was left out</source>
-        <translation>L’élément {0} n’est pas relié et a été omis</translation>
+        <source>The element {0} is not connected and was left out; connect it in the other tool and export again</source>
+        <translation>L’élément {0} n’est pas relié et a été omis&#x202f;; reliez-le dans l’autre outil et exportez de nouveau</translation>
     </message>
     <message>
-        <source>An edge in a function needs the value of the last call, which a function does not store</source>
-        <translation>Un front dans une fonction demande la valeur du dernier appel, qu’une fonction ne mémorise pas</translation>
+        <source>An edge in a function needs the value of the last call, which a function does not store; make it a FUNCTION_BLOCK</source>
+        <translation>Un front dans une fonction demande la valeur du dernier appel, qu’une fonction ne mémorise pas&#x202f;; faites-en un FUNCTION_BLOCK</translation>
     </message>
     <message>
         <source>The result of {0} is used in several places and is computed in each</source>
@@ -2775,8 +2767,8 @@
         <translation>La bibliothèque {0} ne fait pas partie de Stepwise&#x202f;; ses utilisations sont signalées par la vérification</translation>
     </message>
     <message>
-        <source>Code in C is kept as a comment and is not executed</source>
-        <translation>Le code en C est conservé en commentaire et n’est pas exécuté</translation>
+        <source>Code in C is kept as a comment and is not executed; write it in ST</source>
+        <translation>Le code en C est conservé en commentaire et n’est pas exécuté&#x202f;; écrivez-le en ST</translation>
     </message>
     <message>
         <source>There are two units named {0}; the second is in {1}</source>
@@ -2795,16 +2787,16 @@
         <translation>Un commentaire hors des éléments a été omis&#xa0;: {0}</translation>
     </message>
     <message>
-        <source>The diagram in {0} was not read: an expression repeats itself without end</source>
-        <translation>Le schéma dans {0} n’a pas été lu&#xa0;: une expression se répète sans fin</translation>
+        <source>The diagram in {0} was not read: an expression repeats itself without end; write its body in ST</source>
+        <translation>Le schéma dans {0} n’a pas été lu&#xa0;: une expression se répète sans fin&#x202f;; écrivez son corps en ST</translation>
     </message>
     <message>
-        <source>A condition in {0} needs the call of a block, which a condition cannot make</source>
-        <translation>Une condition dans {0} demande l’appel d’un bloc, ce qu’une condition ne peut pas faire</translation>
+        <source>A condition in {0} needs the call of a block, which a condition cannot make; call the block before and use its output</source>
+        <translation>Une condition dans {0} demande l’appel d’un bloc, ce qu’une condition ne peut pas faire&#x202f;; appelez le bloc avant et utilisez sa sortie</translation>
     </message>
     <message>
-        <source>The transition {0} is not a single expression and was not read</source>
-        <translation>La transition {0} n’est pas une expression unique et n’a pas été lue</translation>
+        <source>The transition {0} is not a single expression and was not read; write its condition in the text</source>
+        <translation>La transition {0} n’est pas une expression unique et n’a pas été lue&#x202f;; écrivez sa condition dans le texte</translation>
     </message>
     <message>
         <source>PLCopen XML has no place for panels; they were left out</source>
@@ -2879,8 +2871,8 @@
         <translation>La version 0201 ne prend pas en charge les bibliothèques&#x202f;; {0} a été omis</translation>
     </message>
     <message>
-        <source>The file is no program source and was left out</source>
-        <translation>Le fichier n’est pas une source de programme et a été omis</translation>
+        <source>The file is no program source and was left out; import it alone if it is one</source>
+        <translation>Le fichier n’est pas une source de programme et a été omis&#x202f;; importez-le seul s’il en est une</translation>
     </message>
     <message>
         <source>The network &apos;{0}&apos; is commented out in the diagram and was left out of the text</source>
@@ -3938,7 +3930,7 @@
     </message>
     <message>
         <source>Alarm statistics</source>
-        <translation>Statistique des alarmes</translation>
+        <translation>Statistiques des alarmes</translation>
     </message>
     <message>
         <source>Hours to look back</source>
@@ -4965,12 +4957,12 @@
         <translation>Il n’y a pas de boucle unique {0}&#x202f;; le programme a {1}</translation>
     </message>
     <message>
-        <source>The recording contains no program that knows it</source>
-        <translation>L’enregistrement ne contient aucun programme qui la connaît</translation>
+        <source>The recording contains no program that knows it; choose a loop of the open program</source>
+        <translation>L’enregistrement ne contient aucun programme qui la connaît&#x202f;; choisissez une boucle du programme ouvert</translation>
     </message>
     <message>
-        <source>It is not a number and cannot be a signal of a loop</source>
-        <translation>Ce n’est pas un nombre et ne peut pas être un signal de boucle</translation>
+        <source>It is not a number and cannot be a signal of a loop; name a variable of type REAL or INT</source>
+        <translation>Ce n’est pas un nombre et ne peut pas être un signal de boucle&#x202f;; indiquez une variable de type REAL ou INT</translation>
     </message>
     <message>
         <source>This range is no longer recorded, or the program was changed in it; choose another one</source>
@@ -5514,12 +5506,12 @@
         <translation>Le tableau n’a pas de colonne {0}&#x202f;; vouliez-vous dire {1}&#x202f;?</translation>
     </message>
     <message>
-        <source>Line {0} has no number in column {1}</source>
-        <translation>La ligne {0} n’a pas de nombre dans la colonne {1}</translation>
+        <source>Line {0} has no number in column {1}; correct or remove the line</source>
+        <translation>La ligne {0} n’a pas de nombre dans la colonne {1}&#x202f;; corrigez ou supprimez la ligne</translation>
     </message>
     <message>
-        <source>The time in line {0} is before that of the line above</source>
-        <translation>Le temps de la ligne {0} est antérieur à celui de la ligne précédente</translation>
+        <source>The time in line {0} is before that of the line above; sort the lines by time</source>
+        <translation>Le temps de la ligne {0} est antérieur à celui de la ligne précédente&#x202f;; triez les lignes par temps</translation>
     </message>
     <message>
         <source>{0} {0:sample is|samples are} too few for a model; record for longer</source>
@@ -5562,8 +5554,8 @@
         <translation>Aucun modèle n’explique le comportement de la sortie&#x202f;; autre chose la fait bouger</translation>
     </message>
     <message>
-        <source>The rule {0} has no answer for this process</source>
-        <translation>La règle {0} n’a pas de réponse pour ce procédé</translation>
+        <source>The rule {0} has no answer for this process; choose another one</source>
+        <translation>La règle {0} n’a pas de réponse pour ce procédé&#x202f;; choisissez-en une autre</translation>
     </message>
     <message>
         <source>Unstable: the loop would swing up. Do not use this.</source>
@@ -5778,8 +5770,8 @@
         <translation>L’enregistrement contient {0} {0:perturbation|perturbations}, mais aucun échelon dont on puisse tirer un modèle&#x202f;; changez une fois la consigne ou la sortie à la main et enregistrez-le</translation>
     </message>
     <message>
-        <source>Change {0} is a disturbance: what caused it is not known, so it makes no model</source>
-        <translation>Le changement {0} est une perturbation&#xa0;: sa cause est inconnue, il ne donne donc pas de modèle</translation>
+        <source>Change {0} is a disturbance: what caused it is not known, so it makes no model; choose a change of the set point or of the output</source>
+        <translation>Le changement {0} est une perturbation&#xa0;: sa cause est inconnue, il ne donne donc pas de modèle&#x202f;; choisissez une variation de la consigne ou de la sortie</translation>
     </message>
 </context>
 <context>
@@ -6023,8 +6015,8 @@
         <translation>%1 n’a pas été enregistré</translation>
     </message>
     <message>
-        <source>%1 is no variable of the running program</source>
-        <translation>%1 n’est pas une variable du programme en cours</translation>
+        <source>%1 is not a variable of the running program; check the name, or press F5 to build the program</source>
+        <translation>%1 n’est pas une variable du programme en cours&#x202f;; vérifiez le nom ou compilez le programme avec F5</translation>
     </message>
     <message>
         <source>Force</source>
@@ -6052,7 +6044,7 @@
     </message>
     <message>
         <source>Wrong</source>
-        <translation>Faux</translation>
+        <translation>Incorrect</translation>
     </message>
     <message>
         <source>Right</source>
@@ -6063,8 +6055,8 @@
         <translation>Placez le curseur sur un problème ou choisissez-en un dans la liste, puis appuyez de nouveau sur F1</translation>
     </message>
     <message>
-        <source>There is no page for %1</source>
-        <translation>Il n’existe pas de page pour %1</translation>
+        <source>There is no page for %1; choose a code from the list</source>
+        <translation>Il n’existe pas de page pour %1&#x202f;; choisissez un code de la liste</translation>
     </message>
 </context>
 <context>
@@ -6278,8 +6270,8 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
 <context>
     <name>plc::app::MainWindow</name>
     <message>
-        <source>A panel&apos;s name cannot contain / or \</source>
-        <translation>Le nom d’une vue est un nom de fichier&#xa0;: ni / ni \</translation>
+        <source>A panel&apos;s name cannot contain / or \; choose another name</source>
+        <translation>Le nom d’une vue ne peut contenir ni / ni \&#x202f;; choisissez un autre nom</translation>
     </message>
     <message>
         <source>Name of the panel:</source>
@@ -6438,12 +6430,12 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Ligne (1 à %1)</translation>
     </message>
     <message>
-        <source>Nothing is declared under this name</source>
-        <translation>Rien n’est déclaré sous ce nom</translation>
+        <source>Nothing is declared under this name; declare it or check the name</source>
+        <translation>Rien n’est déclaré sous ce nom&#x202f;; déclarez-le ou vérifiez-le</translation>
     </message>
     <message>
-        <source>There is no name at the cursor</source>
-        <translation>Il n’y a pas de nom sous le curseur</translation>
+        <source>There is no name at the cursor; put the cursor on one</source>
+        <translation>Il n’y a pas de nom sous le curseur&#x202f;; placez le curseur sur un nom</translation>
     </message>
     <message>
         <source>Rename</source>
@@ -6964,20 +6956,20 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>trace</translation>
     </message>
     <message>
-        <source>A file name cannot contain / or \</source>
-        <translation>Un nom de fichier ne contient ni / ni \</translation>
+        <source>A file name cannot contain / or \; choose another name</source>
+        <translation>Un nom de fichier ne peut contenir ni / ni \&#x202f;; choisissez un autre nom</translation>
     </message>
     <message>
-        <source>A trace %1 already exists</source>
-        <translation>Une trace %1 existe déjà</translation>
+        <source>A trace %1 already exists; choose another name</source>
+        <translation>Une trace %1 existe déjà&#x202f;; choisissez un autre nom</translation>
     </message>
     <message>
         <source>New name of %1:</source>
         <translation>Nouveau nom de %1&#xa0;:</translation>
     </message>
     <message>
-        <source>A file %1 already exists</source>
-        <translation>Un fichier %1 existe déjà</translation>
+        <source>A file %1 already exists; choose another name</source>
+        <translation>Un fichier %1 existe déjà&#x202f;; choisissez un autre nom</translation>
     </message>
     <message>
         <source>The file cannot be renamed; check the permissions of the folder</source>
@@ -7053,7 +7045,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>The speed is a factor from 0.001 to 10000</source>
-        <translation>La vitesse est un facteur de 0.001 à 10000</translation>
+        <translation>La vitesse est un facteur de 0,001 à 10000</translation>
     </message>
     <message>
         <source>Import…</source>
@@ -7152,8 +7144,8 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Réglage</translation>
     </message>
     <message>
-        <source>%1 is not a source of this project</source>
-        <translation>%1 n’est pas un fichier source de ce projet</translation>
+        <source>%1 is not a source of this project; open the project that contains it</source>
+        <translation>%1 n’est pas un fichier source de ce projet&#x202f;; ouvrez le projet qui le contient</translation>
     </message>
     <message>
         <source>Walk Through the Scan</source>
@@ -7204,8 +7196,8 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Cycle au ralenti</translation>
     </message>
     <message>
-        <source>What if? needs a running controller: a recording from a file cannot be resumed</source>
-        <translation>«&#xa0;Et si&#xa0;» demande un automate en marche&#xa0;: un enregistrement ouvert depuis un fichier ne peut pas être repris</translation>
+        <source>What if? needs a running controller: a recording from a file cannot be resumed; press F5 to run the program</source>
+        <translation>«&#xa0;Et si&#xa0;» demande un automate en marche&#xa0;: un enregistrement ouvert depuis un fichier ne peut pas être repris&#x202f;; appuyez sur F5 pour exécuter le programme</translation>
     </message>
     <message>
         <source>Explain the Problem</source>
@@ -7366,8 +7358,8 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Saisissez un nom de projet</translation>
     </message>
     <message>
-        <source>%1 already exists and is not empty</source>
-        <translation>%1 existe déjà et n’est pas vide</translation>
+        <source>%1 already exists and is not empty; choose another name</source>
+        <translation>%1 existe déjà et n’est pas vide&#x202f;; choisissez un autre nom</translation>
     </message>
     <message>
         <source>Will be created in %1</source>
@@ -7449,8 +7441,8 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Un nom se compose de lettres, de chiffres et de _, commence par une lettre et n’est pas un mot-clé</translation>
     </message>
     <message>
-        <source>%1 already exists in the project</source>
-        <translation>%1 existe déjà dans le projet</translation>
+        <source>%1 already exists in the project; choose another name</source>
+        <translation>%1 existe déjà dans le projet&#x202f;; choisissez un autre nom</translation>
     </message>
     <message>
         <source>A file %1 already exists: choose it, or another name</source>
@@ -8159,8 +8151,8 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Exécuter à partir d’ici</translation>
     </message>
     <message>
-        <source>%1 has no value in this scan</source>
-        <translation>%1 n’a pas de valeur dans ce cycle</translation>
+        <source>%1 has no value in this scan; choose another variable</source>
+        <translation>%1 n’a pas de valeur dans ce cycle&#x202f;; choisissez une autre variable</translation>
     </message>
     <message>
         <source>Give at least one variable another value</source>
@@ -8198,8 +8190,8 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Tout supprimer</translation>
     </message>
     <message>
-        <source>The program that runs has no code at this line or below it</source>
-        <translation>Le programme en cours n’a pas de code à cette ligne ni plus bas</translation>
+        <source>The program that runs has no code at this line or below it; choose a line with a statement</source>
+        <translation>Le programme en cours n’a pas de code à cette ligne ni plus bas&#x202f;; choisissez une ligne avec une instruction</translation>
     </message>
 </context>
 <context>
@@ -8268,8 +8260,8 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Supprimer (Suppr)</translation>
     </message>
     <message>
-        <source>The unit %1 is no longer in the text</source>
-        <translation>Le POU %1 n’est plus dans le texte</translation>
+        <source>The unit %1 is no longer in the text; undo the change or close this view</source>
+        <translation>Le POU %1 n’est plus dans le texte&#x202f;; annulez la modification ou fermez cette vue</translation>
     </message>
     <message>
         <source>The text has errors: this is the last good drawing</source>
@@ -8321,7 +8313,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Edit</source>
-        <translation>Édition</translation>
+        <translation>Modifier</translation>
     </message>
     <message>
         <source>Move Left</source>
@@ -8364,8 +8356,8 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>%1 dans l’étape %2</translation>
     </message>
     <message>
-        <source>A condition is a BOOL</source>
-        <translation>Une condition est un BOOL</translation>
+        <source>A condition is a BOOL; add a comparison</source>
+        <translation>Une condition est un BOOL&#x202f;; ajoutez une comparaison</translation>
     </message>
     <message>
         <source>qualifier</source>
@@ -8432,8 +8424,8 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Sélectionnez ce qui doit être coupé</translation>
     </message>
     <message>
-        <source>The clipboard contains no step, action or transition</source>
-        <translation>Le presse-papiers ne contient ni étape, ni action, ni transition</translation>
+        <source>The clipboard contains no step, action or transition; copy one first</source>
+        <translation>Le presse-papiers ne contient ni étape, ni action, ni transition&#x202f;; copiez-en d’abord une</translation>
     </message>
     <message>
         <source>Select the step or transition to paste after</source>
@@ -8690,8 +8682,8 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
     </message>
     <message>
-        <source>%1 cannot be written</source>
-        <translation>%1 ne peut pas être écrit</translation>
+        <source>%1 cannot be written; choose a variable of the program</source>
+        <translation>%1 ne peut pas être écrit&#x202f;; choisissez une variable du programme</translation>
     </message>
     <message>
         <source>Print…</source>
@@ -8753,8 +8745,8 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Afficher en schéma à contacts</translation>
     </message>
     <message>
-        <source>%1 is no longer in the text</source>
-        <translation>%1 n’est plus dans le texte</translation>
+        <source>%1 is no longer in the text; undo the change or close this view</source>
+        <translation>%1 n’est plus dans le texte&#x202f;; annulez la modification ou fermez cette vue</translation>
     </message>
     <message>
         <source>The text has errors: this is the last good drawing</source>
@@ -8890,7 +8882,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Edit</source>
-        <translation>Édition</translation>
+        <translation>Modifier</translation>
     </message>
     <message>
         <source>Comment…</source>
@@ -9082,8 +9074,8 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Optimisation</translation>
     </message>
     <message>
-        <source>There is no code at or below line %1 of %2</source>
-        <translation>Il n’y a pas de code à la ligne %1 de %2 ni plus bas</translation>
+        <source>There is no code at or below line %1 of %2; choose an earlier line</source>
+        <translation>Il n’y a pas de code à la ligne %1 de %2 ni plus bas&#x202f;; choisissez une ligne précédente</translation>
     </message>
     <message>
         <source>The condition of the breakpoint: %1</source>
@@ -9201,8 +9193,8 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Déclarer %1</translation>
     </message>
     <message>
-        <source>There is no fix for this line</source>
-        <translation>Il n’y a pas de correction pour cette ligne</translation>
+        <source>There is no fix for this line; press F1 for an explanation</source>
+        <translation>Il n’y a pas de correction pour cette ligne&#x202f;; appuyez sur F1 pour une explication</translation>
     </message>
     <message>
         <source>Go to Definition</source>
@@ -9469,8 +9461,8 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Démarrez l’automate&#x202f;; c’est son enregistrement qui est examiné.</translation>
     </message>
     <message>
-        <source>The program has no controller block.</source>
-        <translation>Le programme n’a pas de bloc régulateur.</translation>
+        <source>The program has no controller block; call one, for example PID.</source>
+        <translation>Le programme n’a pas de bloc régulateur&#x202f;; appelez-en un, par exemple PID.</translation>
     </message>
     <message>
         <source>Searching…</source>
@@ -9500,8 +9492,8 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Choisissez au moins un échelon.</translation>
     </message>
     <message>
-        <source>The rule has no answer for this process.</source>
-        <translation>La règle n’a pas de réponse pour ce procédé.</translation>
+        <source>The rule has no answer for this process; choose another rule.</source>
+        <translation>La règle n’a pas de réponse pour ce procédé&#x202f;; choisissez une autre règle.</translation>
     </message>
     <message>
         <source>any</source>
@@ -10166,7 +10158,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Align centres</source>
-        <translation>Centrer verticalement l’alignement</translation>
+        <translation>Aligner les centres</translation>
     </message>
     <message>
         <source>Align right</source>
@@ -10310,15 +10302,15 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Fix All Issues</source>
-        <translation>Corriger toutes les remarques</translation>
+        <translation>Corriger tous les problèmes</translation>
     </message>
     <message>
         <source>Fix Issue</source>
-        <translation>Corriger la remarque</translation>
+        <translation>Corriger le problème</translation>
     </message>
     <message>
         <source>Explain Issue</source>
-        <translation>Expliquer la remarque</translation>
+        <translation>Expliquer le problème</translation>
     </message>
     <message>
         <source>Outline</source>
@@ -10569,16 +10561,16 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Une recette doit avoir un nom.</translation>
     </message>
     <message>
-        <source>There is a recipe &quot;%1&quot; already.</source>
-        <translation>Une recette «&#xa0;%1&#xa0;» existe déjà.</translation>
+        <source>The recipe &quot;%1&quot; already exists; choose another name.</source>
+        <translation>Une recette «&#xa0;%1&#xa0;» existe déjà&#x202f;; choisissez un autre nom.</translation>
     </message>
     <message>
         <source>A set needs a name.</source>
         <translation>Un jeu de valeurs doit avoir un nom.</translation>
     </message>
     <message>
-        <source>There is a set &quot;%1&quot; already.</source>
-        <translation>Un jeu de valeurs «&#xa0;%1&#xa0;» existe déjà.</translation>
+        <source>The set &quot;%1&quot; already exists; choose another name.</source>
+        <translation>Un jeu de valeurs «&#xa0;%1&#xa0;» existe déjà&#x202f;; choisissez un autre nom.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a number; a limit is written like 12.5.</source>
@@ -10589,8 +10581,8 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Une ligne doit avoir une variable&#x202f;; «&#xa0;Retirer la ligne ou le jeu&#xa0;» la supprime.</translation>
     </message>
     <message>
-        <source>%1 is in the recipe already.</source>
-        <translation>%1 est déjà dans la recette.</translation>
+        <source>%1 is already in the recipe; choose another variable.</source>
+        <translation>%1 est déjà dans la recette&#x202f;; choisissez une autre variable.</translation>
     </message>
 </context>
 <context>
@@ -10808,7 +10800,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <name>plc::kit::PlotView</name>
     <message>
         <source>Chart</source>
-        <translation>Courbe</translation>
+        <translation>Graphique</translation>
     </message>
     <message>
         <source>%1
@@ -11002,7 +10994,7 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
     </message>
     <message>
         <source>Chart</source>
-        <translation>Courbe</translation>
+        <translation>Graphique</translation>
     </message>
     <message>
         <source>New chart</source>
@@ -12079,28 +12071,28 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
         <translation>Le tableau n’a pas de colonne {0}&#x202f;; vouliez-vous dire {1}&#x202f;?</translation>
     </message>
     <message>
-        <source>Line {0} has no number in column {1}</source>
-        <translation>La ligne {0} n’a pas de nombre dans la colonne {1}</translation>
+        <source>Line {0} has no number in column {1}; correct or remove the line</source>
+        <translation>La ligne {0} n’a pas de nombre dans la colonne {1}&#x202f;; corrigez ou supprimez la ligne</translation>
     </message>
     <message>
-        <source>The time in line {0} is before that of the line above</source>
-        <translation>Le temps de la ligne {0} est antérieur à celui de la ligne précédente</translation>
+        <source>The time in line {0} is before that of the line above; sort the lines by time</source>
+        <translation>Le temps de la ligne {0} est antérieur à celui de la ligne précédente&#x202f;; triez les lignes par temps</translation>
     </message>
     <message>
-        <source>The table has no column of numbers besides the time</source>
-        <translation>Le tableau n’a pas de colonne de nombres en dehors du temps</translation>
+        <source>The table has no column of numbers besides the time; add one with a heading</source>
+        <translation>Le tableau n’a pas de colonne de nombres en dehors du temps&#x202f;; ajoutez-en une avec un en-tête</translation>
     </message>
     <message>
-        <source>The table has no rows under its headings</source>
-        <translation>Le tableau n’a pas de lignes sous ses en-têtes</translation>
+        <source>The table has no rows under its headings; write one row per sample</source>
+        <translation>Le tableau n’a pas de lignes sous ses en-têtes&#x202f;; écrivez une ligne par échantillon</translation>
     </message>
     <message>
         <source>The table cannot be shown as a recording: {0}</source>
         <translation>Le tableau ne peut pas être affiché comme enregistrement&#xa0;: {0}</translation>
     </message>
     <message>
-        <source>the names of its columns cannot be variables</source>
-        <translation>les noms de ses colonnes ne peuvent pas être des variables</translation>
+        <source>the names of its columns cannot be variables; use letters, digits and underscores</source>
+        <translation>les noms de ses colonnes ne peuvent pas être des variables&#x202f;; utilisez des lettres, des chiffres et des traits de soulignement</translation>
     </message>
     <message>
         <source>{0} {0:sample is|samples are} too few for a spectrum; show a longer stretch</source>
@@ -12123,15 +12115,15 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
         <translation>{0} demande un temps supérieur à 0 comme deuxième argument, par exemple {1}</translation>
     </message>
     <message>
-        <source>{0} takes one expression</source>
-        <translation>{0} prend une seule expression</translation>
+        <source>{0} takes one expression; remove the others</source>
+        <translation>{0} prend une seule expression&#x202f;; supprimez les autres</translation>
     </message>
 </context>
 <context>
     <name>plc::plot::PlotView</name>
     <message>
         <source>Chart</source>
-        <translation>Courbe</translation>
+        <translation>Graphique</translation>
     </message>
     <message>
         <source>%1
@@ -12301,7 +12293,7 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
     </message>
     <message>
         <source>Build</source>
-        <translation>Compiler</translation>
+        <translation>Créer</translation>
     </message>
     <message>
         <source>Build a Native Program</source>
@@ -12359,7 +12351,7 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
         <translation>{0} n’est pas forcé</translation>
     </message>
     <message>
-        <source>Another program is being built for this controller; try again when it is in</source>
+        <source>Another program is being built for this controller; try again when it is loaded</source>
         <translation>Un autre programme est en cours de compilation pour cet automate&#x202f;; réessayez quand il sera chargé</translation>
     </message>
     <message>
@@ -12367,16 +12359,16 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
         <translation>Le programme a {0} {0:erreur|erreurs}&#x202f;; l’automate continue avec l’ancien</translation>
     </message>
     <message>
-        <source>The controller&apos;s program has no file {0}</source>
-        <translation>Le programme de l’automate n’a pas de fichier {0}</translation>
+        <source>The controller&apos;s program has no file {0}; load its program again</source>
+        <translation>Le programme de l’automate n’a pas de fichier {0}&#x202f;; rechargez son programme</translation>
     </message>
     <message>
-        <source>A recording is being fetched already; wait until it has come</source>
+        <source>A recording is already being fetched; wait until it has arrived</source>
         <translation>Un enregistrement est déjà en cours de récupération&#x202f;; attendez qu’il soit arrivé</translation>
     </message>
     <message>
-        <source>A controller that serves others is not put back in time; fetch its recording and go on from there</source>
-        <translation>Un automate qui en sert d’autres n’est pas ramené en arrière&#x202f;; récupérez son enregistrement et continuez à partir de là</translation>
+        <source>A controller that serves others cannot be put back in time; fetch its recording and go on from there</source>
+        <translation>Un automate qui en sert d’autres ne peut pas être ramené en arrière&#x202f;; récupérez son enregistrement et continuez à partir de là</translation>
     </message>
     <message>
         <source>{0} is not the address of a controller; write for example https://plant:8443/</source>
@@ -12411,12 +12403,12 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
         <translation>Le certificat ne peut pas être lu depuis {0}&#x202f;; ce doit être un fichier PEM</translation>
     </message>
     <message>
-        <source>The connection to {0} is lost</source>
-        <translation>La connexion à {0} est perdue</translation>
+        <source>The connection to {0} is lost; check the network and the controller</source>
+        <translation>La connexion à {0} est perdue&#x202f;; vérifiez le réseau et l’automate</translation>
     </message>
     <message>
-        <source>{0} does not answer</source>
-        <translation>{0} ne répond pas</translation>
+        <source>{0} does not answer; check the address and whether the controller runs</source>
+        <translation>{0} ne répond pas&#x202f;; vérifiez l’adresse et si l’automate fonctionne</translation>
     </message>
     <message>
         <source>The controller&apos;s program cannot be built here as it is there; use the same version of Stepwise on both sides</source>

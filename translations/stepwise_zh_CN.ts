@@ -16,8 +16,8 @@
         <translation>“{0}”的每一项必须是花括号中的对象</translation>
     </message>
     <message>
-        <source>&quot;{0}&quot; is missing</source>
-        <translation>缺少“{0}”</translation>
+        <source>&quot;{0}&quot; is missing; add it</source>
+        <translation>缺少“{0}”；请添加</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; must be a text in quotes</source>
@@ -61,7 +61,7 @@
     </message>
     <message>
         <source>{0} is not a name; use letters, digits and underscores, and begin with a letter</source>
-        <translation>{0} 不是名称；请使用字母、数字和下划线，并以字母开头</translation>
+        <translation>{0} 不是有效的名称；请使用字母、数字和下划线，并以字母开头</translation>
     </message>
     <message>
         <source>{0} is neither a host name nor an address, for example plc1.local or 192.168.0.10</source>
@@ -100,8 +100,8 @@
         <translation>客户端不能写入服务器的表“{0}”；请使用“coil”或“holding”，或方向“out”</translation>
     </message>
     <message>
-        <source>{0} needs {1} {1:register|registers} from {2}, but 65535 is the last</source>
-        <translation>{0} 需要从 {2} 开始的 {1} 个寄存器，但 65535 是最后一个</translation>
+        <source>{0} needs {1} {1:register|registers} from {2}, but 65535 is the last; choose a lower address</source>
+        <translation>{0} 需要从 {2} 开始的 {1} 个寄存器，但 65535 是最后一个；请使用较小的地址</translation>
     </message>
     <message>
         <source>&quot;bit&quot; selects one bit of a register; the type must then be BOOL</source>
@@ -116,16 +116,16 @@
         <translation>寄存器中的 BOOL 需要“bit”，范围 0 到 15</translation>
     </message>
     <message>
-        <source>Only an MQTT channel can be of type STRING</source>
-        <translation>只有 MQTT 通道可以是 STRING 类型</translation>
+        <source>Only an MQTT channel can be of type STRING; use a number or BOOL</source>
+        <translation>只有 MQTT 通道可以是 STRING 类型；请使用数值或 BOOL</translation>
     </message>
     <message>
-        <source>&quot;scale&quot; must not be 0</source>
-        <translation>“scale”不能为 0</translation>
+        <source>&quot;scale&quot; must not be 0; leave it out for 1</source>
+        <translation>“scale”不能为 0；若为 1 则可省略</translation>
     </message>
     <message>
-        <source>A {0} has no &quot;scale&quot; and &quot;offset&quot;</source>
-        <translation>{0} 没有“scale”和“offset”</translation>
+        <source>A {0} has no &quot;scale&quot; and &quot;offset&quot;; remove them</source>
+        <translation>{0} 没有“scale”和“offset”；请删除</translation>
     </message>
     <message>
         <source>{0}: {1}</source>
@@ -136,8 +136,8 @@
         <translation>{0} 尚无变量；请指定一个，或让程序建议地址（stepwise devices PROJECT --propose）</translation>
     </message>
     <message>
-        <source>{0} is of type {1} and cannot hold a {2}</source>
-        <translation>{0} 的类型是 {1}，不能容纳 {2}</translation>
+        <source>{0} is of type {1} and cannot hold a {2}; use a variable of that type</source>
+        <translation>{0} 的类型是 {1}，不能容纳 {2}；请使用该类型的变量</translation>
     </message>
     <message>
         <source>A {0} may not fit into {1} of type {2}; a value that does not fit leaves the variable as it is and makes the channel bad</source>
@@ -152,8 +152,8 @@
         <translation>{0} 是程序的输入；输出通道需要 %Q 或变量</translation>
     </message>
     <message>
-        <source>{0} is a constant and cannot be written</source>
-        <translation>{0} 是常量，不能写入</translation>
+        <source>{0} is a constant and cannot be written; choose a variable</source>
+        <translation>{0} 是常量，不能写入；请选择变量</translation>
     </message>
     <message>
         <source>{0} says whether the channel is good and must be a BOOL or an integer</source>
@@ -176,64 +176,64 @@
         <translation>无法读取 {0}；其中包含证书颁发机构的证书 (PEM)</translation>
     </message>
     <message>
-        <source>no answer within {0} ms</source>
-        <translation>{0} ms 内没有应答</translation>
+        <source>no answer within {0} ms; check the cable, the address and the unit number</source>
+        <translation>{0} ms 内没有应答；请检查电缆、地址和单元号</translation>
     </message>
     <message>
         <source>the connection ended: {0}</source>
         <translation>连接已断开：{0}</translation>
     </message>
     <message>
-        <source>the answer does not match the request</source>
-        <translation>应答与请求不匹配</translation>
+        <source>the answer does not match the request; check baud rate, parity and unit number</source>
+        <translation>应答与请求不匹配；请检查波特率、校验和单元号</translation>
     </message>
     <message>
         <source>the device refuses {0} {1}: {2}</source>
         <translation>设备拒绝 {0} {1}：{2}</translation>
     </message>
     <message>
-        <source>it does not know the function</source>
-        <translation>它不支持该功能</translation>
+        <source>it does not know the function; choose another table</source>
+        <translation>它不支持该功能；请选择其他表</translation>
     </message>
     <message>
-        <source>it has no such address</source>
-        <translation>它没有该地址</translation>
+        <source>it has no such address; check the address in its manual</source>
+        <translation>它没有该地址；请在其手册中核对地址</translation>
     </message>
     <message>
-        <source>it does not take the value</source>
-        <translation>它不接受该值</translation>
+        <source>it does not take the value; check the range in its manual</source>
+        <translation>它不接受该值；请在其手册中核对范围</translation>
     </message>
     <message>
-        <source>it failed</source>
-        <translation>它发生故障</translation>
+        <source>it failed; look at the device</source>
+        <translation>它发生故障；请检查设备</translation>
     </message>
     <message>
-        <source>it is busy</source>
-        <translation>它正忙</translation>
+        <source>it is busy; it is asked again</source>
+        <translation>它正忙；将再次查询</translation>
     </message>
     <message>
-        <source>the gateway does not reach it</source>
-        <translation>网关无法访问它</translation>
+        <source>the gateway does not reach it; check the unit number and the cable behind it</source>
+        <translation>网关无法访问它；请检查单元号及其后的电缆</translation>
     </message>
     <message>
-        <source>cannot listen at {0}: {1}</source>
-        <translation>无法监听 {0}：{1}</translation>
+        <source>cannot listen at {0}: {1}; choose another address or port</source>
+        <translation>无法监听 {0}：{1}；请选择其他地址或端口</translation>
     </message>
     <message>
-        <source>{0}: the message holds no value that can be read</source>
-        <translation>{0}：消息中没有可读取的值</translation>
+        <source>{0}: the message holds no value that can be read; check what the device publishes</source>
+        <translation>{0}：消息中没有可读取的值；请检查设备发布的内容</translation>
     </message>
     <message>
-        <source>{0}: a value does not fit into the variable</source>
-        <translation>{0}：有一个值放不进变量</translation>
+        <source>{0}: a value does not fit into the variable; use a larger type or a scale</source>
+        <translation>{0}：有一个值放不进变量；请使用更大的类型或缩放</translation>
     </message>
     <message>
-        <source>no client wrote for {0} ms</source>
-        <translation>已有 {0} ms 没有客户端写入</translation>
+        <source>no client wrote for {0} ms; check the client and its address</source>
+        <translation>已有 {0} ms 没有客户端写入；请检查客户端及其地址</translation>
     </message>
     <message>
-        <source>the broker refuses the connection: {0}</source>
-        <translation>代理拒绝连接：{0}</translation>
+        <source>the broker refuses the connection: {0}; check the user and the password</source>
+        <translation>代理拒绝连接：{0}；请检查用户和密码</translation>
     </message>
     <message>
         <source>the input {0} of the device {1} was lost</source>
@@ -260,8 +260,8 @@
         <translation>请先将速度设为实时；设备跟不上其他速度</translation>
     </message>
     <message>
-        <source>The devices of an attached controller are connected there</source>
-        <translation>已连接的远程控制器的设备在其所在处连接</translation>
+        <source>The devices of an attached controller are connected there; detach to connect them here</source>
+        <translation>已连接的远程控制器的设备在其所在处连接；请先断开，再在此处连接</translation>
     </message>
     <message>
         <source>{0} and {1} write the same bytes: {2}; change an address</source>
@@ -311,12 +311,12 @@
         <translation>{1} 之前应为 {0}</translation>
     </message>
     <message>
-        <source>A semicolon is missing here</source>
-        <translation>此处缺少分号</translation>
+        <source>A semicolon is missing here; add it</source>
+        <translation>此处缺少分号；请添加</translation>
     </message>
     <message>
-        <source>{0} is missing for this {1}</source>
-        <translation>此 {1} 缺少 {0}</translation>
+        <source>{0} is missing for this {1}; add it</source>
+        <translation>此 {1} 缺少 {0}；请添加</translation>
     </message>
     <message>
         <source>This comparison has no effect; use := to assign</source>
@@ -327,8 +327,8 @@
         <translation>赋值不是条件；比较请使用 =</translation>
     </message>
     <message>
-        <source>A colon is missing between the name and its type</source>
-        <translation>名称与类型之间缺少冒号</translation>
+        <source>A colon is missing between the name and its type; add it</source>
+        <translation>名称与类型之间缺少冒号；请添加</translation>
     </message>
     <message>
         <source>Decimal numbers use a point: {0}</source>
@@ -355,8 +355,8 @@
         <translation>{0} 是 IN_OUT 参数，需要类型为 {1} 的变量</translation>
     </message>
     <message>
-        <source>{0} has only the bits 0 to {1}</source>
-        <translation>{0} 只有位 0 到 {1}</translation>
+        <source>{0} has only the bits 0 to {1}; use one of them</source>
+        <translation>{0} 只有位 0 到 {1}；请使用其中之一</translation>
     </message>
     <message>
         <source>{0} is ambiguous: {1}; write the namespace before it</source>
@@ -391,24 +391,24 @@
         <translation>有多个程序但没有 CONFIGURATION；请将其中一个命名为 Main，或编写 CONFIGURATION</translation>
     </message>
     <message>
-        <source>The range {0}..{1} is not valid: the lower bound is above the upper bound or there are too many elements</source>
-        <translation>范围 {0}..{1} 无效：下界大于上界，或元素过多</translation>
+        <source>The range {0}..{1} is not valid: the lower bound is above the upper bound or there are too many elements; correct the bounds</source>
+        <translation>范围 {0}..{1} 无效：下界大于上界，或元素过多；请更正边界</translation>
     </message>
     <message>
         <source>{0} has an incomplete address; complete it in a VAR_CONFIG</source>
         <translation>{0} 的地址不完整；请在 VAR_CONFIG 中补全</translation>
     </message>
     <message>
-        <source>{0} may call itself; the depth of recursion is limited at run time</source>
-        <translation>{0} 可能调用自身；运行时会限制递归深度</translation>
+        <source>{0} may call itself; the depth of recursion is limited at run time; a loop is safer</source>
+        <translation>{0} 可能调用自身；运行时会限制递归深度；使用循环更安全</translation>
     </message>
     <message>
         <source>The steps before this transition cannot be active together; start them from one simultaneous branch</source>
         <translation>此转换之前的步不能同时激活；请从同一个并行分支启动它们</translation>
     </message>
     <message>
-        <source>This transition is always true; the step before it lasts one scan</source>
-        <translation>此转换始终为真；其前面的步只持续一个扫描周期</translation>
+        <source>This transition is always true; the step before it lasts one scan; write the condition to wait for</source>
+        <translation>此转换始终为真；其前面的步只持续一个扫描周期；请写入要等待的条件</translation>
     </message>
     <message>
         <source>The qualifier {0} needs a time, for example T#2s</source>
@@ -459,20 +459,20 @@
         <translation>步在此处列出其动作；请将语句写入 ACTION</translation>
     </message>
     <message>
-        <source>No transition leads away from step {0}; the chart ends here</source>
-        <translation>没有转换从步 {0} 离开；顺序功能图在此处结束</translation>
+        <source>No transition leads away from step {0}; the chart ends here; add a TRANSITION if it should go on</source>
+        <translation>没有转换从步 {0} 离开；顺序功能图在此处结束；若应继续，请添加 TRANSITION</translation>
     </message>
     <message>
-        <source>{0} is also a variable; steps and calls mean the ACTION</source>
-        <translation>{0} 也是变量；步和调用指的是 ACTION</translation>
+        <source>{0} is also a variable; steps and calls mean the ACTION; rename one of the two</source>
+        <translation>{0} 也是变量；步和调用指的是 ACTION；请重命名其中之一</translation>
     </message>
     <message>
         <source>Use {1} instead of {0} in Structured Text</source>
         <translation>在结构化文本中请使用 {1} 代替 {0}</translation>
     </message>
     <message>
-        <source>The task {0} has no INTERVAL above zero and no SINGLE; it runs in every scan</source>
-        <translation>任务 {0} 没有大于零的 INTERVAL，也没有 SINGLE；它在每个扫描周期运行</translation>
+        <source>The task {0} has no INTERVAL above zero and no SINGLE; it runs in every scan; give it an INTERVAL to slow it down</source>
+        <translation>任务 {0} 没有大于零的 INTERVAL，也没有 SINGLE；它在每个扫描周期运行；如需限速，请设置 INTERVAL</translation>
     </message>
     <message>
         <source>{0} is read as {1}; write a time with its unit</source>
@@ -491,8 +491,8 @@
         <translation>条件 {0} 不是 defined、hasvalue、hasattribute、hastype 与 NOT、AND、OR 的组合</translation>
     </message>
     <message>
-        <source>The pragma {0} is missing for this {1}</source>
-        <translation>此 {1} 缺少编译指示 {0}</translation>
+        <source>The pragma {0} is missing for this {1}; add it</source>
+        <translation>此 {1} 缺少编译指示 {0}；请添加</translation>
     </message>
     <message>
         <source>The character {0} has no meaning here; remove it</source>
@@ -768,7 +768,7 @@
     </message>
     <message>
         <source>The index {0} is outside {1}..{2}; correct it or enlarge the array</source>
-        <translation>下标 {0} 超出 {1}..{2}；请更正索引或增大数组</translation>
+        <translation>下标 {0} 超出 {1}..{2}；请更正下标或增大数组</translation>
     </message>
     <message>
         <source>{0} does not fit into {1}; use another value or a larger type</source>
@@ -856,32 +856,32 @@
 <context>
     <name>Errors</name>
     <message>
-        <source>division by zero</source>
-        <translation>除以零</translation>
+        <source>division by zero; check the divisor first</source>
+        <translation>除以零；请先检查除数</translation>
     </message>
     <message>
-        <source>index {0} is used on an empty array</source>
-        <translation>访问了空数组的下标 {0}</translation>
+        <source>index {0} is used on an empty array; check its bounds first</source>
+        <translation>访问了空数组的下标 {0}；请先检查其边界</translation>
     </message>
     <message>
-        <source>index {0} is outside {1}..{2}</source>
-        <translation>下标 {0} 超出 {1}..{2}</translation>
+        <source>index {0} is outside {1}..{2}; use an index in this range or enlarge the array</source>
+        <translation>下标 {0} 超出 {1}..{2}；请使用此范围内的下标，或增大数组</translation>
     </message>
     <message>
-        <source>character {0} is read from an empty string</source>
-        <translation>读取了空字符串的第 {0} 个字符</translation>
+        <source>character {0} is read from an empty string; check LEN first</source>
+        <translation>读取了空字符串的第 {0} 个字符；请先检查 LEN</translation>
     </message>
     <message>
-        <source>character {0} is outside {1}..{2} of the string</source>
-        <translation>第 {0} 个字符超出字符串的 {1}..{2}</translation>
+        <source>character {0} is outside {1}..{2} of the string; use an index in this range</source>
+        <translation>第 {0} 个字符超出字符串的 {1}..{2}；请使用此范围内的下标</translation>
     </message>
     <message>
         <source>calls are nested too deeply; check for endless recursion</source>
         <translation>调用嵌套过深；请检查是否有无限递归</translation>
     </message>
     <message>
-        <source>the called method has no body</source>
-        <translation>被调用的方法没有主体</translation>
+        <source>the called method has no body; override it in the block that is called</source>
+        <translation>被调用的方法没有主体；请在被调用的块中重写该方法</translation>
     </message>
     <message>
         <source>the scan was aborted</source>
@@ -932,44 +932,36 @@
         <translation>{0} := {1}</translation>
     </message>
     <message>
-        <source>no such file or folder</source>
-        <translation>没有这样的文件或文件夹</translation>
+        <source>no such file or folder; check the path</source>
+        <translation>没有这样的文件或文件夹；请检查路径</translation>
     </message>
     <message>
-        <source>permission denied</source>
-        <translation>权限不足</translation>
+        <source>permission denied; check the permissions of the file and its folder</source>
+        <translation>权限不足；请检查文件及其文件夹的权限</translation>
     </message>
     <message>
-        <source>no space left on the device</source>
-        <translation>设备上没有剩余空间</translation>
+        <source>no space left on the device; free some space and try again</source>
+        <translation>设备上没有剩余空间；请释放空间后重试</translation>
     </message>
     <message>
-        <source>it is a folder</source>
-        <translation>这是文件夹</translation>
+        <source>it is a folder; choose a file</source>
+        <translation>这是文件夹；请选择文件</translation>
     </message>
     <message>
-        <source>it is not a folder</source>
-        <translation>这不是文件夹</translation>
+        <source>it is not a folder; choose a folder</source>
+        <translation>这不是文件夹；请选择文件夹</translation>
     </message>
     <message>
-        <source>the device reports a read or write error</source>
-        <translation>设备报告读写错误</translation>
+        <source>the device reports a read or write error; check the drive or the cable</source>
+        <translation>设备报告读写错误；请检查驱动器或电缆</translation>
     </message>
     <message>
-        <source>it already exists</source>
-        <translation>已存在</translation>
+        <source>it already exists; choose another name</source>
+        <translation>已存在；请使用其他名称</translation>
     </message>
     <message>
-        <source>the file is too large</source>
-        <translation>文件过大</translation>
-    </message>
-    <message>
-        <source>{0}; free some space and save again</source>
-        <translation>{0}；请释放空间后重新保存</translation>
-    </message>
-    <message>
-        <source>{0}; check the permissions of the folder</source>
-        <translation>{0}；请检查文件夹权限</translation>
+        <source>the file is too large; choose a smaller one</source>
+        <translation>文件过大；请选择较小的文件</translation>
     </message>
     <message>
         <source>cancelled</source>
@@ -996,20 +988,20 @@
         <translation>无法打开记录：{0}</translation>
     </message>
     <message>
-        <source>its program has errors</source>
-        <translation>其程序有错误</translation>
+        <source>its program has errors; open the recording with the version of Stepwise that made it</source>
+        <translation>其程序有错误；请用创建该记录的 Stepwise 版本打开</translation>
     </message>
     <message>
-        <source>The recording contains no program</source>
-        <translation>记录中没有程序</translation>
+        <source>The recording contains no program; record the run again with this version</source>
+        <translation>记录中没有程序；请用此版本重新记录运行</translation>
     </message>
     <message>
-        <source>This scan is no longer in the recording</source>
-        <translation>此扫描周期已不在记录中</translation>
+        <source>This scan is no longer in the recording; choose a later one</source>
+        <translation>此扫描周期已不在记录中；请选择较晚的周期</translation>
     </message>
     <message>
-        <source>The program that recorded this scan is no longer available</source>
-        <translation>记录此扫描周期的程序已不可用</translation>
+        <source>The program that recorded this scan is no longer available; choose a scan after the last change of the program</source>
+        <translation>记录此扫描周期的程序已不可用；请选择最后一次修改程序之后的扫描周期</translation>
     </message>
     <message>
         <source>&apos;{0}&apos; is ambiguous; write one of {1}</source>
@@ -1020,44 +1012,44 @@
         <translation>“{0}”没有变量“{1}”；是否指“{2}”？</translation>
     </message>
     <message>
-        <source>&apos;{0}&apos; has no variable &apos;{1}&apos;</source>
-        <translation>“{0}”没有变量“{1}”</translation>
+        <source>&apos;{0}&apos; has no variable &apos;{1}&apos;; check the name</source>
+        <translation>“{0}”没有变量“{1}”；请检查名称</translation>
     </message>
     <message>
         <source>there is no variable &apos;{0}&apos;; did you mean &apos;{1}&apos;?</source>
         <translation>没有变量“{0}”；是否指“{1}”？</translation>
     </message>
     <message>
-        <source>there is no variable &apos;{0}&apos;</source>
-        <translation>没有变量“{0}”</translation>
+        <source>there is no variable &apos;{0}&apos;; check the name or declare it</source>
+        <translation>没有变量“{0}”；请检查名称或声明该变量</translation>
     </message>
     <message>
-        <source>a variable of type {1} has no member &apos;{0}&apos;</source>
-        <translation>类型 {1} 的变量没有成员“{0}”</translation>
+        <source>a variable of type {1} has no member &apos;{0}&apos;; check the name</source>
+        <translation>类型 {1} 的变量没有成员“{0}”；请检查名称</translation>
     </message>
     <message>
         <source>&apos;{0}&apos; is a VAR_IN_OUT; write the variable that is connected to it</source>
         <translation>“{0}”是 VAR_IN_OUT；请写与其连接的变量</translation>
     </message>
     <message>
-        <source>{0} needs {1} {1:index|indices}, not {2}</source>
-        <translation>{0} 需要 {1} 个下标，而不是 {2} 个</translation>
+        <source>{0} needs {1} {1:index|indices}, not {2}; write one for each dimension</source>
+        <translation>{0} 需要 {1} 个下标，而不是 {2} 个；请为每一维写一个下标</translation>
     </message>
     <message>
-        <source>bit {0} is outside 0..{1}</source>
-        <translation>位 {0} 超出 0..{1}</translation>
+        <source>bit {0} is outside 0..{1}; use a bit in this range</source>
+        <translation>位 {0} 超出 0..{1}；请使用此范围内的位</translation>
     </message>
     <message>
-        <source>part {0} is outside 0..{1}</source>
-        <translation>部分 {0} 超出 0..{1}</translation>
+        <source>part {0} is outside 0..{1}; use a part in this range</source>
+        <translation>部分 {0} 超出 0..{1}；请使用此范围内的部分</translation>
     </message>
     <message>
         <source>&apos;{0}&apos; is not an address; write for example %IX0.0, %QB4 or %MW2</source>
         <translation>“{0}”不是地址；例如请写 %IX0.0、%QB4 或 %MW2</translation>
     </message>
     <message>
-        <source>the path cannot be read from &apos;{0}&apos; on</source>
-        <translation>从“{0}”起无法读取路径</translation>
+        <source>the path cannot be read from &apos;{0}&apos; on; write for example Main.a[2].x</source>
+        <translation>从“{0}”起无法读取路径；请写成例如 Main.a[2].x</translation>
     </message>
     <message>
         <source>{0} is forced; release the force before writing</source>
@@ -1076,8 +1068,8 @@
         <translation>无法写入保持值文件：{0}</translation>
     </message>
     <message>
-        <source>The retain file cannot be read: {0}</source>
-        <translation>无法读取保持值文件：{0}</translation>
+        <source>The retain file cannot be read: {0}; the program starts with its initial values</source>
+        <translation>无法读取保持值文件：{0}；程序以初始值启动</translation>
     </message>
     <message>
         <source>The retain file is damaged; the program starts with its initial values</source>
@@ -1088,28 +1080,28 @@
         <translation>{0}；已另存为 {1}</translation>
     </message>
     <message>
-        <source>{0} retained {0:value does|values do} not fit the program: {1}</source>
-        <translation>{0} 个保持值与程序不符：{1}</translation>
+        <source>{0} retained {0:value does|values do} not fit the program: {1}; they start with their initial values</source>
+        <translation>{0} 个保持值与程序不符：{1}；它们以初始值启动</translation>
     </message>
     <message>
-        <source>{0} does not fit into a variable of type {1}</source>
-        <translation>{0} 超出类型 {1} 的变量范围</translation>
+        <source>{0} does not fit into a variable of type {1}; enter a value in its range</source>
+        <translation>{0} 超出类型 {1} 的变量范围；请输入其范围内的值</translation>
     </message>
     <message>
-        <source>the value does not fit into a variable of type {0}</source>
-        <translation>值超出类型 {0} 的变量范围</translation>
+        <source>the value does not fit into a variable of type {0}; enter one in its range</source>
+        <translation>值超出类型 {0} 的变量范围；请输入其范围内的值</translation>
     </message>
     <message>
-        <source>{0} is outside {1}..{2}</source>
-        <translation>{0} 超出 {1}..{2}</translation>
+        <source>{0} is outside {1}..{2}; enter a value in this range</source>
+        <translation>{0} 超出 {1}..{2}；请输入此范围内的值</translation>
     </message>
     <message>
         <source>a character of the text does not fit into a STRING; use a WSTRING</source>
         <translation>文本中有 STRING 不支持的字符；请使用 WSTRING</translation>
     </message>
     <message>
-        <source>a reference can only be set to NULL from outside</source>
-        <translation>从外部只能将引用设为 NULL</translation>
+        <source>a reference can only be set to NULL from outside; assign a variable to it in the program</source>
+        <translation>从外部只能将引用设为 NULL；请在程序中为其指定变量</translation>
     </message>
     <message>
         <source>{0} is not a value for {1}, which is {2}</source>
@@ -1168,48 +1160,48 @@
         <translation>请写整数，例如 {0}</translation>
     </message>
     <message>
-        <source>There is no program to optimise</source>
-        <translation>没有可优化的程序</translation>
+        <source>There is no program to optimise; declare a PROGRAM</source>
+        <translation>没有可优化的程序；请声明 PROGRAM</translation>
     </message>
     <message>
-        <source>this is local to a running call and has no address of its own</source>
-        <translation>这是正在执行的调用中的局部量，没有自己的地址</translation>
+        <source>this is local to a running call and has no address of its own; pause in the call to see it</source>
+        <translation>这是正在执行的调用中的局部量，没有自己的地址；请在该调用中暂停以查看</translation>
     </message>
     <message>
-        <source>this part of a computed value cannot be shown</source>
-        <translation>计算值的这一部分无法显示</translation>
+        <source>this part of a computed value cannot be shown; assign the value to a variable first</source>
+        <translation>计算值的这一部分无法显示；请先将该值赋给变量</translation>
     </message>
     <message>
-        <source>a character of a string has no address of its own</source>
-        <translation>字符串中的字符没有自己的地址</translation>
+        <source>a character of a string has no address of its own; use the whole string</source>
+        <translation>字符串中的字符没有自己的地址；请使用整个字符串</translation>
     </message>
     <message>
-        <source>this variable cannot be shown</source>
-        <translation>此变量无法显示</translation>
+        <source>this variable cannot be shown; assign it to another variable and watch that one</source>
+        <translation>此变量无法显示；请将其赋给另一个变量并监视该变量</translation>
     </message>
     <message>
-        <source>this array of variable length has no address here</source>
-        <translation>此长度可变的数组在此处没有地址</translation>
+        <source>this array of variable length has no address here; watch the array that is passed to it</source>
+        <translation>此长度可变的数组在此处没有地址；请监视传递给它的数组</translation>
     </message>
     <message>
-        <source>the array has no such dimension</source>
-        <translation>数组没有此维</translation>
+        <source>the array has no such dimension; count them from 1</source>
+        <translation>数组没有此维；维数从 1 开始计</translation>
     </message>
     <message>
         <source>this has no value</source>
         <translation>这没有值</translation>
     </message>
     <message>
-        <source>only standard functions can be called here</source>
-        <translation>此处只能调用标准函数</translation>
+        <source>only standard functions can be called here; use a function of the library</source>
+        <translation>此处只能调用标准函数；请使用库中的函数</translation>
     </message>
     <message>
-        <source>a cast to an interface cannot be watched</source>
-        <translation>转换为接口的表达式不能监视</translation>
+        <source>a cast to an interface cannot be watched; watch the instance itself</source>
+        <translation>转换为接口的表达式不能监视；请监视实例本身</translation>
     </message>
     <message>
-        <source>this cannot be evaluated</source>
-        <translation>无法求值</translation>
+        <source>this cannot be evaluated; use variables, operators and standard functions</source>
+        <translation>无法求值；请使用变量、运算符和标准函数</translation>
     </message>
     <message>
         <source>The code generator failed: {0}</source>
@@ -1232,24 +1224,24 @@
         <translation>程序无法优化：{0}</translation>
     </message>
     <message>
-        <source>the program has errors</source>
-        <translation>程序有错误</translation>
+        <source>the program has errors; correct them first</source>
+        <translation>程序有错误；请先更正</translation>
     </message>
     <message>
-        <source>the online change waits until the scan that is halted at a breakpoint has ended</source>
-        <translation>在线修改等待停在断点处的扫描周期结束</translation>
+        <source>the online change waits until the scan that is halted at a breakpoint has ended; press F5 to continue</source>
+        <translation>在线修改等待停在断点处的扫描周期结束；按 F5 继续</translation>
     </message>
     <message>
-        <source>This body is not an instruction list</source>
-        <translation>此主体不是指令表</translation>
+        <source>This body is not an instruction list; choose a unit that is written in IL</source>
+        <translation>此主体不是指令表；请选择用 IL 编写的程序组织单元</translation>
     </message>
     <message>
-        <source>This body is not ST</source>
-        <translation>此主体不是 ST</translation>
+        <source>This body is not ST; choose a unit that is written in ST</source>
+        <translation>此主体不是 ST；请选择用 ST 编写的程序组织单元</translation>
     </message>
     <message>
-        <source>{0} has no equivalent in an instruction list</source>
-        <translation>{0} 在指令表中没有对应形式</translation>
+        <source>{0} has no equivalent in an instruction list; write it with simpler statements first</source>
+        <translation>{0} 在指令表中没有对应形式；请先用更简单的语句编写</translation>
     </message>
     <message>
         <source>{0} is already written in ST</source>
@@ -1292,8 +1284,8 @@
         <translation>project.json 不是有效的 JSON；请检查是否缺少逗号、引号或括号</translation>
     </message>
     <message>
-        <source>project.json must contain one JSON object</source>
-        <translation>project.json 必须包含一个 JSON 对象</translation>
+        <source>project.json must contain one JSON object; put its contents in braces</source>
+        <translation>project.json 必须包含一个 JSON 对象；请将内容放在花括号中</translation>
     </message>
     <message>
         <source>There is no library &quot;{0}&quot;; available are {1}</source>
@@ -1312,8 +1304,8 @@
         <translation>请指定一个项目文件夹或若干 ST 文件，不要同时指定</translation>
     </message>
     <message>
-        <source>{0} belongs to a library and cannot be renamed</source>
-        <translation>{0} 属于库，不能重命名</translation>
+        <source>{0} belongs to a library and cannot be renamed; rename only names of the project</source>
+        <translation>{0} 属于库，不能重命名；只能重命名项目中的名称</translation>
     </message>
     <message>
         <source>{0} is not a valid name; use letters, digits and _, start with a letter and avoid keywords</source>
@@ -1336,16 +1328,16 @@
         <translation>文件夹已存在且不为空；请选择其他名称</translation>
     </message>
     <message>
-        <source>The page cannot be written</source>
-        <translation>无法写入页面</translation>
+        <source>The page cannot be written; check the free space and the permissions of the folder</source>
+        <translation>无法写入页面；请检查可用空间和文件夹权限</translation>
     </message>
     <message>
-        <source>There is no such file in the project</source>
-        <translation>项目中没有此文件</translation>
+        <source>There is no such file in the project; choose one from the project tree</source>
+        <translation>项目中没有此文件；请从项目树中选择</translation>
     </message>
     <message>
-        <source>The file&apos;s permissions cannot be changed</source>
-        <translation>无法更改文件权限</translation>
+        <source>The file&apos;s permissions cannot be changed; change them as the file&apos;s owner</source>
+        <translation>无法更改文件权限；请以文件所有者身份更改</translation>
     </message>
     <message>
         <source>The file cannot be removed; check the permissions of the folder</source>
@@ -1360,8 +1352,8 @@
         <translation>请先打开项目</translation>
     </message>
     <message>
-        <source>This statement is not possible in a TEST together with RUN or ASSERT around it</source>
-        <translation>在 TEST 中，此语句不能与外围的 RUN 或 ASSERT 一起使用</translation>
+        <source>This statement is not possible in a TEST together with RUN or ASSERT around it; move it out of RUN and ASSERT</source>
+        <translation>在 TEST 中，此语句不能与外围的 RUN 或 ASSERT 一起使用；请将其移出 RUN 和 ASSERT</translation>
     </message>
     <message>
         <source>The code of this statement is missing</source>
@@ -1372,8 +1364,8 @@
         <translation>测试中出现错误：{0}</translation>
     </message>
     <message>
-        <source>{0} is not a value for {1}</source>
-        <translation>{0} 不是 {1} 的值</translation>
+        <source>{0} is not a value for {1}; write a value of its type</source>
+        <translation>{0} 不是 {1} 的值；请写入该类型的值</translation>
     </message>
     <message>
         <source>The simulation stopped: {0}</source>
@@ -1392,8 +1384,8 @@
         <translation>{0} 没有值：{1}</translation>
     </message>
     <message>
-        <source>{0} did not become true within {1}</source>
-        <translation>{0} 在 {1} 内未变为真</translation>
+        <source>{0} did not become true within {1}; check the condition or allow more time</source>
+        <translation>{0} 在 {1} 内未变为真；请检查条件或放宽时间</translation>
     </message>
     <message>
         <source>ASSERT failed: {0}</source>
@@ -1524,56 +1516,56 @@
         <translation>记录 {0} 有 {1} 个扫描周期，本次运行有 {2} 个</translation>
     </message>
     <message>
-        <source>The run differs from the recording {0}</source>
-        <translation>本次运行与记录 {0} 不同</translation>
+        <source>The run differs from the recording {0}; delete it to record it again, if the new behaviour is right</source>
+        <translation>本次运行与记录 {0} 不同；若新的行为正确，请删除它以重新记录</translation>
     </message>
     <message>
         <source>the condition cannot be evaluated</source>
         <translation>无法计算条件</translation>
     </message>
     <message>
-        <source>There is no action {0}</source>
-        <translation>没有动作 {0}</translation>
+        <source>There is no action {0}; add it or correct the name</source>
+        <translation>没有动作 {0}；请添加该动作或更正名称</translation>
     </message>
     <message>
         <source>{0} is not a valid name; use letters, digits and underscores</source>
         <translation>{0} 不是有效的名称；请使用字母、数字和下划线</translation>
     </message>
     <message>
-        <source>The initial step stays at the top</source>
-        <translation>初始步保持在顶部</translation>
+        <source>The initial step stays at the top; make another step the initial step first</source>
+        <translation>初始步保持在顶部；请先将另一步设为初始步</translation>
     </message>
     <message>
-        <source>Only a step with a single transition of its own can be moved</source>
-        <translation>只有带一个自有转换的步才能移动</translation>
+        <source>Only a step with a single transition of its own can be moved; move it in the text</source>
+        <translation>只有带一个自有转换的步才能移动；请在文本中移动</translation>
     </message>
     <message>
-        <source>The step is already there</source>
-        <translation>步已在该处</translation>
+        <source>The step is already there; choose another place</source>
+        <translation>步已在该处；请选择其他位置</translation>
     </message>
     <message>
-        <source>A step can be placed after a transition that leads to one step</source>
-        <translation>步只能放在通向单个步的转换之后</translation>
+        <source>A step can be placed after a transition that leads to one step; choose such a transition</source>
+        <translation>步只能放在通向单个步的转换之后；请选择这样的转换</translation>
     </message>
     <message>
-        <source>This step only leads to itself</source>
-        <translation>此步只通向自身</translation>
+        <source>This step only leads to itself; connect it to another step first</source>
+        <translation>此步只通向自身；请先将其连接到另一步</translation>
     </message>
     <message>
-        <source>A transition needs a condition</source>
-        <translation>转换需要条件</translation>
+        <source>A transition needs a condition; enter one, for example Main.done</source>
+        <translation>转换需要条件；请输入条件，例如 Main.done</translation>
     </message>
     <message>
-        <source>A priority must be a positive number</source>
-        <translation>优先级必须是正数</translation>
+        <source>A priority must be a positive number; enter 1 or more</source>
+        <translation>优先级必须是正数；请输入 1 或更大的数</translation>
     </message>
     <message>
         <source>Nothing follows this step yet; insert a step after it first</source>
         <translation>此步之后还没有内容；请先在其后插入步</translation>
     </message>
     <message>
-        <source>There is no such action</source>
-        <translation>没有此动作</translation>
+        <source>There is no such action; select one that is in the chart</source>
+        <translation>没有此动作；请选择顺序功能图中的动作</translation>
     </message>
     <message>
         <source>The initial step cannot be deleted; make another step the initial step first</source>
@@ -1592,28 +1584,28 @@
         <translation>此转换之后的分支没有汇合；请先在文本中连接</translation>
     </message>
     <message>
-        <source>A panel must be a JSON object</source>
-        <translation>画面必须是 JSON 对象</translation>
+        <source>A panel must be a JSON object; put its contents in braces</source>
+        <translation>画面必须是 JSON 对象；请将内容放在花括号中</translation>
     </message>
     <message>
-        <source>&quot;{0}&quot; must be a list</source>
-        <translation>“{0}”必须是列表</translation>
+        <source>&quot;{0}&quot; must be a list; put it in square brackets</source>
+        <translation>“{0}”必须是列表；请放在方括号中</translation>
     </message>
     <message>
-        <source>Element {0} is not an object</source>
-        <translation>元素 {0} 不是对象</translation>
+        <source>Element {0} is not an object; put it in braces</source>
+        <translation>元素 {0} 不是对象；请放在花括号中</translation>
     </message>
     <message>
-        <source>The kind of element {0} is not a text</source>
-        <translation>元素 {0} 的种类不是文本</translation>
+        <source>The kind of element {0} is not a text; write it in quotes</source>
+        <translation>元素 {0} 的种类不是文本；请用引号书写</translation>
     </message>
     <message>
         <source>Two elements have the id &quot;{0}&quot;; change one of them</source>
         <translation>两个元素的标识都是“{0}”；请更改其中一个</translation>
     </message>
     <message>
-        <source>Every alarm and every alarm class must be a JSON object</source>
-        <translation>每个报警和每个报警类别都必须是 JSON 对象</translation>
+        <source>Every alarm and every alarm class must be a JSON object; put it in braces</source>
+        <translation>每个报警和每个报警类别都必须是 JSON 对象；请放在花括号中</translation>
     </message>
     <message>
         <source>This line is not valid UTF-8; save the file as UTF-8</source>
@@ -1628,8 +1620,8 @@
         <translation>第一行必须是 {0}，且每列一个语言标签</translation>
     </message>
     <message>
-        <source>This line has {0} {0:field|fields}, the header has {1}</source>
-        <translation>此行有 {0} 个字段，表头有 {1} 个</translation>
+        <source>This line has {0} {0:field|fields}, the header has {1}; put texts with separators in quotes</source>
+        <translation>此行有 {0} 个字段，表头有 {1} 个；请将含分隔符的文本放在引号中</translation>
     </message>
     <message>
         <source>The alarm history cannot be opened: {0}</source>
@@ -1644,40 +1636,40 @@
         <translation>无法写入报警历史：{0}</translation>
     </message>
     <message>
-        <source>{0} does not fit into {1}</source>
-        <translation>{0} 超出 {1} 的范围</translation>
+        <source>{0} does not fit into {1}; use a larger type or a smaller limit</source>
+        <translation>{0} 超出 {1} 的范围；请使用更大的类型或更小的限值</translation>
     </message>
     <message>
         <source>STRING contains Latin-1 only; declare the variable as WSTRING</source>
         <translation>STRING 只包含 Latin-1；请将变量声明为 WSTRING</translation>
     </message>
     <message>
-        <source>A {0} cannot be written from a panel</source>
-        <translation>不能从画面写入 {0}</translation>
+        <source>A {0} cannot be written from a panel; write its members one by one</source>
+        <translation>不能从画面写入 {0}；请逐个写入其成员</translation>
     </message>
     <message>
-        <source>The folder for the pictures cannot be created</source>
-        <translation>无法创建图片文件夹</translation>
+        <source>The folder for the pictures cannot be created; check the path and its permissions</source>
+        <translation>无法创建图片文件夹；请检查路径及其权限</translation>
     </message>
     <message>
-        <source>The picture cannot be written</source>
-        <translation>无法写入图片</translation>
+        <source>The picture cannot be written; check the free space and the permissions of the folder</source>
+        <translation>无法写入图片；请检查可用空间和文件夹权限</translation>
     </message>
     <message>
-        <source>The project has no such panel</source>
-        <translation>项目中没有此画面</translation>
+        <source>The project has no such panel; choose one from hmi/</source>
+        <translation>项目中没有此画面；请从 hmi/ 中选择</translation>
     </message>
     <message>
-        <source>The text &quot;{0}&quot; has no key, so it cannot be translated</source>
-        <translation>文本“{0}”没有键，因此无法翻译</translation>
+        <source>The text &quot;{0}&quot; has no key, so it cannot be translated; move it into the text table</source>
+        <translation>文本“{0}”没有键，因此无法翻译；请将其移入文本表</translation>
     </message>
     <message>
         <source>The text needs a value for {0}; specify it in &quot;Values in texts&quot;</source>
         <translation>文本需要 {0} 的值；请在“文本中的值”里指定</translation>
     </message>
     <message>
-        <source>The text list {0} is empty: there is no key {1}</source>
-        <translation>文本列表 {0} 为空：没有键 {1}</translation>
+        <source>The text list {0} is empty: there is no key {1}; add it to the text table</source>
+        <translation>文本列表 {0} 为空：没有键 {1}；请将其添加到文本表</translation>
     </message>
     <message>
         <source>This version does not know the element kind &quot;{0}&quot;; it is kept as it is</source>
@@ -1688,20 +1680,20 @@
         <translation>格式 {0} 未知；例如请使用 {1} 或 {2}</translation>
     </message>
     <message>
-        <source>&quot;{0}&quot; does not fit: it needs {1} px, the maximum is {2}</source>
-        <translation>“{0}”放不下：需要 {1} px，最多 {2} px</translation>
+        <source>&quot;{0}&quot; does not fit: it needs {1} px, the maximum is {2}; make the element wider or the text shorter</source>
+        <translation>“{0}”放不下：需要 {1} px，最多 {2} px；请加宽元素或缩短文本</translation>
     </message>
     <message>
-        <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}</source>
-        <translation>“{0}”放不下：需要高度 {1} px，最多 {2} px</translation>
+        <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}; make the element higher or the text shorter</source>
+        <translation>“{0}”放不下：需要高度 {1} px，最多 {2} px；请加高元素或缩短文本</translation>
     </message>
     <message>
         <source>{0}; did you mean {1}?</source>
         <translation>{0}；是否指 {1}？</translation>
     </message>
     <message>
-        <source>{0} is not a variable, so it cannot be written</source>
-        <translation>{0} 不是变量，因此不能写入</translation>
+        <source>{0} is not a variable, so it cannot be written; name a variable</source>
+        <translation>{0} 不是变量，因此不能写入；请指定变量</translation>
     </message>
     <message>
         <source>{0} is {1}; a BOOL is needed here</source>
@@ -1728,12 +1720,12 @@
         <translation>占位符没有以 {0} 结束</translation>
     </message>
     <message>
-        <source>The format {0} is not known</source>
-        <translation>格式 {0} 未知</translation>
+        <source>The format {0} is not known; use one such as %.1f</source>
+        <translation>格式 {0} 未知；请使用例如 %.1f</translation>
     </message>
     <message>
-        <source>A trace configuration must be a JSON object</source>
-        <translation>跟踪配置必须是 JSON 对象</translation>
+        <source>A trace configuration must be a JSON object; put its contents in braces</source>
+        <translation>跟踪配置必须是 JSON 对象；请将内容放在花括号中</translation>
     </message>
     <message>
         <source>The trace configuration is invalid: {0}</source>
@@ -1744,8 +1736,8 @@
         <translation>“{0}”必须是{1}</translation>
     </message>
     <message>
-        <source>&quot;{0}&quot; is missing</source>
-        <translation>缺少“{0}”</translation>
+        <source>&quot;{0}&quot; is missing; add it</source>
+        <translation>缺少“{0}”；请添加</translation>
     </message>
     <message>
         <source>A picture&apos;s name must end in one of {0}</source>
@@ -1768,8 +1760,8 @@
         <translation>记录的值不能强制；请先从此处继续或返回实时</translation>
     </message>
     <message>
-        <source>A recording from a file cannot be resumed, only what the controller itself recorded</source>
-        <translation>来自文件的记录不能继续运行，只能继续控制器自己的记录</translation>
+        <source>A recording from a file cannot be resumed, only what the controller itself recorded; press F5 to run the program</source>
+        <translation>来自文件的记录不能继续运行，只能继续控制器自己的记录；按 F5 运行程序</translation>
     </message>
     <message>
         <source>A priority is a number; 0 removes it</source>
@@ -1784,40 +1776,40 @@
         <translation>此 XML 既不是 PLCopen XML，也不是 TwinCAT 或 CODESYS 的；请将项目导出为 PLCopen XML 并导入该文件</translation>
     </message>
     <message>
-        <source>It contains nothing that can be imported</source>
-        <translation>其中没有可导入的内容</translation>
+        <source>It contains nothing that can be imported; export the project again with its units</source>
+        <translation>其中没有可导入的内容；请将项目连同其程序组织单元重新导出</translation>
     </message>
     <message>
         <source>The folder exists and is not empty; name a new one</source>
         <translation>文件夹已存在且不为空；请指定新的文件夹</translation>
     </message>
     <message>
-        <source>The sources have errors of syntax; stepwise check lists them</source>
+        <source>The sources have syntax errors; stepwise check lists them</source>
         <translation>源文件有语法错误；stepwise check 会列出它们</translation>
     </message>
     <message>
-        <source>The file is too large to be read</source>
-        <translation>文件过大，无法读取</translation>
+        <source>The file is too large to be read; export its parts one by one</source>
+        <translation>文件过大，无法读取；请分部分导出</translation>
     </message>
     <message>
-        <source>The file is in the encoding {0}, which is not read; save it as UTF-8</source>
+        <source>The file is in the encoding {0}, which is not supported; save it as UTF-8</source>
         <translation>不支持文件的编码 {0}；请保存为 UTF-8</translation>
     </message>
     <message>
-        <source>The file declares a document type or entities of its own, which is not read; export it again without them</source>
+        <source>The file declares a document type or entities of its own, which is not supported; export it again without them</source>
         <translation>文件声明了自己的文档类型或实体，无法读取；请去掉后重新导出</translation>
     </message>
     <message>
-        <source>The elements of the file are nested too deeply</source>
-        <translation>文件中的元素嵌套过深</translation>
+        <source>The elements of the file are nested too deeply; export its parts one by one</source>
+        <translation>文件中的元素嵌套过深；请分部分导出</translation>
     </message>
     <message>
-        <source>This is not well-formed XML: {0}</source>
-        <translation>XML 格式不正确：{0}</translation>
+        <source>This is not well-formed XML: {0}; export the file again</source>
+        <translation>XML 格式不正确：{0}；请重新导出文件</translation>
     </message>
     <message>
-        <source>The file has no elements</source>
-        <translation>文件没有元素</translation>
+        <source>The file has no elements; export it again</source>
+        <translation>文件没有元素；请重新导出</translation>
     </message>
     <message>
         <source>This is XML, not structured text; import it (stepwise import --help)</source>
@@ -1836,8 +1828,8 @@
         <translation>请输入名称和块：T1 : TON</translation>
     </message>
     <message>
-        <source>the local variables of {0} and of what it calls need {1} bytes; the maximum is {2}</source>
-        <translation>{0} 及其调用的局部变量需要 {1} 字节；最大为 {2}</translation>
+        <source>the local variables of {0} and of what it calls need {1} bytes; the maximum is {2}; declare large arrays in a program or block</source>
+        <translation>{0} 及其调用的局部变量需要 {1} 字节；最大为 {2}；请在程序或块中声明大数组</translation>
     </message>
     <message>
         <source>{0} is too large for the stack; divide it into several functions</source>
@@ -1849,19 +1841,19 @@
     </message>
     <message>
         <source>{0} is not a name: use letters, digits and underscores.</source>
-        <translation>{0} 不是名称：请使用字母、数字和下划线。</translation>
+        <translation>{0} 不是有效的名称：请使用字母、数字和下划线。</translation>
     </message>
     <message>
         <source>The XLIFF version {0} is not known; save the file as 1.2 or 2.0</source>
         <translation>XLIFF 版本 {0} 未知；请将文件保存为 1.2 或 2.0</translation>
     </message>
     <message>
-        <source>The file does not say into which language it is translated</source>
-        <translation>文件未说明翻译成哪种语言</translation>
+        <source>The file does not say into which language it is translated; export it again with --language</source>
+        <translation>文件未说明翻译成哪种语言；请用 --language 重新导出</translation>
     </message>
     <message>
-        <source>The XML is wrong: {0}</source>
-        <translation>XML 有误：{0}</translation>
+        <source>The XML is wrong: {0}; export the file again</source>
+        <translation>XML 有误：{0}；请重新导出文件</translation>
     </message>
     <message>
         <source>The text of the key {0} in {1} has changed since the export; check the translation</source>
@@ -1876,32 +1868,32 @@
         <translation>图片 {0} 在项目之外；请复制到项目中，或在 project.json 的 {2} 下将 {1} 设为 true</translation>
     </message>
     <message>
-        <source>The picture {0} unpacks to more than {1} MB</source>
-        <translation>图片 {0} 解压后大于 {1} MB</translation>
+        <source>The picture {0} unpacks to more than {1} MB; use a smaller one</source>
+        <translation>图片 {0} 解压后大于 {1} MB；请使用较小的图片</translation>
     </message>
     <message>
         <source>The picture {0} is {1} x {2} pixels; more than {3} million are not drawn</source>
         <translation>图片 {0} 为 {1} x {2} 像素；超过 {3} 百万像素时不绘制</translation>
     </message>
     <message>
-        <source>{0} is not a picture in a known format such as PNG, JPEG or SVG</source>
-        <translation>{0} 不是 PNG、JPEG 或 SVG 等已知格式的图片</translation>
+        <source>{0} is not a picture in a known format such as PNG, JPEG or SVG; save it as one of them</source>
+        <translation>{0} 不是 PNG、JPEG 或 SVG 等已知格式的图片；请保存为其中一种格式</translation>
     </message>
     <message>
-        <source>The picture {0} draws more than {1} shapes</source>
-        <translation>图片 {0} 包含的形状超过 {1} 个</translation>
+        <source>The picture {0} draws more than {1} shapes; simplify it or save it as PNG</source>
+        <translation>图片 {0} 包含的形状超过 {1} 个；请简化或保存为 PNG</translation>
     </message>
     <message>
-        <source>The shapes of the picture {0} are nested more than {1} deep or contain themselves</source>
-        <translation>图片 {0} 的形状嵌套超过 {1} 层，或包含自身</translation>
+        <source>The shapes of the picture {0} are nested more than {1} deep or contain themselves; simplify it or save it as PNG</source>
+        <translation>图片 {0} 的形状嵌套超过 {1} 层，或包含自身；请简化或保存为 PNG</translation>
     </message>
     <message>
         <source>The picture {0} loads {1}; embed it in the picture as PNG or JPEG</source>
         <translation>图片 {0} 会加载 {1}；请以 PNG 或 JPEG 嵌入图片</translation>
     </message>
     <message>
-        <source>The picture {0} has dashed lines of more than {1} dashes</source>
-        <translation>图片 {0} 的虚线超过 {1} 段</translation>
+        <source>The picture {0} has dashed lines of more than {1} dashes; make the dashes longer or save it as PNG</source>
+        <translation>图片 {0} 的虚线超过 {1} 段；请加长线段或保存为 PNG</translation>
     </message>
     <message>
         <source>This version does not know the property {0}; it is kept as it is</source>
@@ -1960,8 +1952,8 @@
         <translation>{0} 不是颜色；是否指 {1}？</translation>
     </message>
     <message>
-        <source>{0} ({1}) must be greater than {2} ({3})</source>
-        <translation>{0}（{1}）必须大于 {2}（{3}）</translation>
+        <source>{0} ({1}) must be greater than {2} ({3}); exchange or correct the values</source>
+        <translation>{0}（{1}）必须大于 {2}（{3}）；请交换或更正数值</translation>
     </message>
     <message>
         <source>{0} has no page {1}; its {2} {2:page is|pages are} numbered from 0</source>
@@ -1988,20 +1980,20 @@
         <translation>{0} 不在 {1} 与 {2} 之间；使用 {3}</translation>
     </message>
     <message>
-        <source>The panel {0} contains this one, so it cannot be placed in it</source>
-        <translation>画面 {0} 包含本画面，因此不能放在其中</translation>
+        <source>The panel {0} contains this one, so it cannot be placed in it; choose another one</source>
+        <translation>画面 {0} 包含本画面，因此不能放在其中；请选择其他画面</translation>
     </message>
     <message>
-        <source>The panel {0} has no parameter {1}</source>
-        <translation>画面 {0} 没有参数 {1}</translation>
+        <source>The panel {0} has no parameter {1}; remove the argument or add the parameter</source>
+        <translation>画面 {0} 没有参数 {1}；请删除实参或添加参数</translation>
     </message>
     <message>
         <source>The program has no type {0}; name a block or a structure, BOOL, REAL or the like, or text</source>
         <translation>程序没有类型 {0}；请指定块或结构、BOOL、REAL 等，或 text</translation>
     </message>
     <message>
-        <source>The parameter {0} needs an argument of type {1}</source>
-        <translation>参数 {0} 需要类型为 {1} 的实参</translation>
+        <source>The parameter {0} needs an argument of type {1}; specify it in the faceplate</source>
+        <translation>参数 {0} 需要类型为 {1} 的实参；请在面板组件中指定</translation>
     </message>
     <message>
         <source>{0} is {1}; the parameter {2} needs {3}</source>
@@ -2028,20 +2020,20 @@
         <translation>前一个扫描周期不在记录中，因此不知道此扫描周期开始时的值。</translation>
     </message>
     <message>
-        <source>There is no user {0}</source>
-        <translation>没有用户 {0}</translation>
+        <source>There is no user {0}; create the user or check the name</source>
+        <translation>没有用户 {0}；请创建该用户或检查名称</translation>
     </message>
     <message>
         <source>The password cannot be kept: {0}</source>
         <translation>无法保存密码：{0}</translation>
     </message>
     <message>
-        <source>A password needs at least {0} characters</source>
-        <translation>密码至少需要 {0} 个字符</translation>
+        <source>A password needs at least {0} characters; choose a longer one</source>
+        <translation>密码至少需要 {0} 个字符；请使用更长的密码</translation>
     </message>
     <message>
-        <source>The password must not be the name of the user</source>
-        <translation>密码不能是用户名</translation>
+        <source>The password must not be the name of the user; choose another one</source>
+        <translation>密码不能是用户名；请使用其他密码</translation>
     </message>
     <message>
         <source>The audit trail cannot be written: {0}</source>
@@ -2052,36 +2044,36 @@
         <translation>无法读取审计追踪：{0}</translation>
     </message>
     <message>
-        <source>The frame {0} has no panel area, so no panel is seen in it</source>
-        <translation>框架 {0} 没有画面区域，因此其中看不到画面</translation>
+        <source>The frame {0} has no panel area, so no panel is seen in it; add one to it</source>
+        <translation>框架 {0} 没有画面区域，因此其中看不到画面；请添加画面区域</translation>
     </message>
     <message>
         <source>Only for the roles {0}, but the project has no users; anybody may operate it</source>
         <translation>仅限角色 {0}，但项目没有用户；任何人都可操作</translation>
     </message>
     <message>
-        <source>A row of a recipe names no variable</source>
-        <translation>配方的一行未指定变量</translation>
+        <source>A row of a recipe names no variable; enter one or remove the row</source>
+        <translation>配方的一行未指定变量；请指定变量或删除该行</translation>
     </message>
     <message>
         <source>The first column must be named variable, and each set has a column of its own</source>
         <translation>第一列必须名为 variable（变量），且每组数据占一列</translation>
     </message>
     <message>
-        <source>The recipe {0} has no variable {1}</source>
-        <translation>配方 {0} 没有变量 {1}</translation>
+        <source>The recipe {0} has no variable {1}; add it or correct the name</source>
+        <translation>配方 {0} 没有变量 {1}；请添加该变量或更正名称</translation>
     </message>
     <message>
-        <source>There is no recipe {0}</source>
-        <translation>没有配方 {0}</translation>
+        <source>There is no recipe {0}; create it or check the name</source>
+        <translation>没有配方 {0}；请创建该配方或检查名称</translation>
     </message>
     <message>
-        <source>The recipe {0} has no set {1}</source>
-        <translation>配方 {0} 没有数据组 {1}</translation>
+        <source>The recipe {0} has no set {1}; create it or check the name</source>
+        <translation>配方 {0} 没有数据组 {1}；请创建该数据组或检查名称</translation>
     </message>
     <message>
-        <source>{0} is outside the limits of {1}, {2} to {3}</source>
-        <translation>{0} 超出 {1} 的限值 {2} 到 {3}</translation>
+        <source>{0} is outside the limits of {1}, {2} to {3}; enter a value within them</source>
+        <translation>{0} 超出 {1} 的限值 {2} 到 {3}；请输入限值内的值</translation>
     </message>
     <message>
         <source>The list of shelved alarms cannot be read, so none is shelved: {0}</source>
@@ -2144,8 +2136,8 @@
         <translation>没有说明该指示灯的含义；请为其添加标签，或在旁边放置文本</translation>
     </message>
     <message>
-        <source>{0} on {1} has a contrast of {2} to 1 in the theme {3}; {4} to 1 is needed</source>
-        <translation>在主题 {3} 中，{0} 在 {1} 上的对比度为 {2} 比 1；需要 {4} 比 1</translation>
+        <source>{0} on {1} has a contrast of {2} to 1 in the theme {3}; {4} to 1 is needed; choose another colour</source>
+        <translation>在主题 {3} 中，{0} 在 {1} 上的对比度为 {2} 比 1；需要 {4} 比 1；请选择其他颜色</translation>
     </message>
     <message>
         <source>A font of {0} px cannot be read from {2} mm; use at least {1} px</source>
@@ -2164,8 +2156,8 @@
         <translation>{0} × {1} px 与相邻元素并排时对手指来说太小；两个方向都需要 {2} px</translation>
     </message>
     <message>
-        <source>The panel shows {0} things to read or press; at its size, {1} can be taken in</source>
-        <translation>画面显示了 {0} 项要读取或按下的内容；按其大小，可接受 {1} 项</translation>
+        <source>The panel shows {0} things to read or press; at its size, {1} can be taken in; move some to another panel</source>
+        <translation>画面显示了 {0} 项要读取或按下的内容；按其大小，可接受 {1} 项；请将一部分移到其他画面</translation>
     </message>
     <message>
         <source>The panel {0} is {1} presses away from the start panel; {2} should do</source>
@@ -2176,8 +2168,8 @@
         <translation>画面 {0} 上没有返回的途径；请添加带 back 或 home 动作的按钮，或导航栏</translation>
     </message>
     <message>
-        <source>{0} is at another place on the panel {1}</source>
-        <translation>{0} 在画面 {1} 上处于不同位置</translation>
+        <source>{0} is at another place on the panel {1}; put it at the same place on both</source>
+        <translation>{0} 在画面 {1} 上处于不同位置；请在两个画面上放在同一位置</translation>
     </message>
     <message>
         <source>What is normal is grey, so that the eye finds what is not (ISA-101). Use a role of the theme such as surface, off or running, and give colour only to conditions.</source>
@@ -2232,8 +2224,8 @@
         <translation>如果一切都紧急，就没有什么紧急：约 5 % 的报警应为最高优先级，15 % 为次高 (ISA-18.2)。</translation>
     </message>
     <message>
-        <source>the value {0} is outside the subrange {1}..{2}</source>
-        <translation>值 {0} 超出子范围 {1}..{2}</translation>
+        <source>the value {0} is outside the subrange {1}..{2}; limit it before the assignment or widen the subrange</source>
+        <translation>值 {0} 超出子范围 {1}..{2}；请在赋值前限制该值，或扩大子范围</translation>
     </message>
     <message>
         <source>&quot;addressing&quot; in project.json is &quot;byte&quot; or &quot;word&quot;, not &quot;{0}&quot;</source>
@@ -2276,8 +2268,8 @@
         <translation>没有内置主题“{0}”；基础主题为 light、dark 或 contrast</translation>
     </message>
     <message>
-        <source>There is no colour role {0}</source>
-        <translation>没有颜色角色 {0}</translation>
+        <source>There is no colour role {0}; check the spelling</source>
+        <translation>没有颜色角色 {0}；请检查拼写</translation>
     </message>
     <message>
         <source>There is no colour role {0}; did you mean {1}?</source>
@@ -2723,8 +2715,8 @@
         <translation>文件未读取：{0}</translation>
     </message>
     <message>
-        <source>The element {0} was not read</source>
-        <translation>元素 {0} 未读取</translation>
+        <source>The element {0} was not read; add it by hand if the program needs it</source>
+        <translation>元素 {0} 未读取；若程序需要，请手动添加</translation>
     </message>
     <message>
         <source>The vendor&apos;s data {0} is kept in exchange.json</source>
@@ -2739,12 +2731,12 @@
         <translation>{0} 中的主体以只有其自身编辑器可读的形式存储；请在那里导出为 PLCopen XML</translation>
     </message>
     <message>
-        <source>A jump leads to the step {0}, which does not exist</source>
-        <translation>跳转通向步 {0}，但该步不存在</translation>
+        <source>A jump leads to the step {0}, which does not exist; add the step or correct the jump</source>
+        <translation>跳转通向步 {0}，但该步不存在；请添加该步或更正跳转</translation>
     </message>
     <message>
-        <source>The element {0} of the chart is not connected and was left out</source>
-        <translation>顺序功能图的元素 {0} 未连接，已略去</translation>
+        <source>The element {0} of the chart is not connected and was left out; connect it in the other tool and export again</source>
+        <translation>顺序功能图的元素 {0} 未连接，已略去；请在原工具中连接后重新导出</translation>
     </message>
     <message>
         <source>The transition from {0} has no condition; it is written as FALSE</source>
@@ -2755,12 +2747,12 @@
         <translation>元素 {0} 处于没有存储值的块的循环中；不保留其上次的值</translation>
     </message>
     <message>
-        <source>The element {0} is not connected and was left out</source>
-        <translation>元素 {0} 未连接，已略去</translation>
+        <source>The element {0} is not connected and was left out; connect it in the other tool and export again</source>
+        <translation>元素 {0} 未连接，已略去；请在原工具中连接后重新导出</translation>
     </message>
     <message>
-        <source>An edge in a function needs the value of the last call, which a function does not store</source>
-        <translation>函数中的边沿需要上次调用的值，而函数不存储该值</translation>
+        <source>An edge in a function needs the value of the last call, which a function does not store; make it a FUNCTION_BLOCK</source>
+        <translation>函数中的边沿需要上次调用的值，而函数不存储该值；请改为 FUNCTION_BLOCK</translation>
     </message>
     <message>
         <source>The result of {0} is used in several places and is computed in each</source>
@@ -2775,8 +2767,8 @@
         <translation>库 {0} 不属于 Stepwise；检查会报告其使用处</translation>
     </message>
     <message>
-        <source>Code in C is kept as a comment and is not executed</source>
-        <translation>C 代码作为注释保留，不会执行</translation>
+        <source>Code in C is kept as a comment and is not executed; write it in ST</source>
+        <translation>C 代码作为注释保留，不会执行；请用 ST 编写</translation>
     </message>
     <message>
         <source>There are two units named {0}; the second is in {1}</source>
@@ -2795,16 +2787,16 @@
         <translation>元素之外的注释已略去：{0}</translation>
     </message>
     <message>
-        <source>The diagram in {0} was not read: an expression repeats itself without end</source>
-        <translation>{0} 中的图未读取：表达式无限重复</translation>
+        <source>The diagram in {0} was not read: an expression repeats itself without end; write its body in ST</source>
+        <translation>{0} 中的图未读取：表达式无限重复；请用 ST 编写其主体</translation>
     </message>
     <message>
-        <source>A condition in {0} needs the call of a block, which a condition cannot make</source>
-        <translation>{0} 中的条件需要调用块，而条件不能这样做</translation>
+        <source>A condition in {0} needs the call of a block, which a condition cannot make; call the block before and use its output</source>
+        <translation>{0} 中的条件需要调用块，而条件不能这样做；请先调用该块，再使用其输出</translation>
     </message>
     <message>
-        <source>The transition {0} is not a single expression and was not read</source>
-        <translation>转换 {0} 不是单个表达式，未读取</translation>
+        <source>The transition {0} is not a single expression and was not read; write its condition in the text</source>
+        <translation>转换 {0} 不是单个表达式，未读取；请在文本中写入其条件</translation>
     </message>
     <message>
         <source>PLCopen XML has no place for panels; they were left out</source>
@@ -2879,8 +2871,8 @@
         <translation>版本 0201 不支持库；{0} 已略去</translation>
     </message>
     <message>
-        <source>The file is no program source and was left out</source>
-        <translation>文件不是程序源，已略去</translation>
+        <source>The file is no program source and was left out; import it alone if it is one</source>
+        <translation>文件不是程序源，已略去；若它是程序源文件，请单独导入</translation>
     </message>
     <message>
         <source>The network &apos;{0}&apos; is commented out in the diagram and was left out of the text</source>
@@ -4965,12 +4957,12 @@
         <translation>没有唯一的回路 {0}；程序有 {1}</translation>
     </message>
     <message>
-        <source>The recording contains no program that knows it</source>
-        <translation>记录中没有认识它的程序</translation>
+        <source>The recording contains no program that knows it; choose a loop of the open program</source>
+        <translation>记录中没有认识它的程序；请选择打开的程序中的回路</translation>
     </message>
     <message>
-        <source>It is not a number and cannot be a signal of a loop</source>
-        <translation>它不是数字，不能作为回路的信号</translation>
+        <source>It is not a number and cannot be a signal of a loop; name a variable of type REAL or INT</source>
+        <translation>它不是数字，不能作为回路的信号；请指定 REAL 或 INT 类型的变量</translation>
     </message>
     <message>
         <source>This range is no longer recorded, or the program was changed in it; choose another one</source>
@@ -5513,12 +5505,12 @@
         <translation>表中没有列 {0}；是否指 {1}？</translation>
     </message>
     <message>
-        <source>Line {0} has no number in column {1}</source>
-        <translation>第 {0} 行的列 {1} 中没有数字</translation>
+        <source>Line {0} has no number in column {1}; correct or remove the line</source>
+        <translation>第 {0} 行的列 {1} 中没有数字；请更正或删除该行</translation>
     </message>
     <message>
-        <source>The time in line {0} is before that of the line above</source>
-        <translation>第 {0} 行的时间早于上一行</translation>
+        <source>The time in line {0} is before that of the line above; sort the lines by time</source>
+        <translation>第 {0} 行的时间早于上一行；请按时间对各行排序</translation>
     </message>
     <message>
         <source>{0} {0:sample is|samples are} too few for a model; record for longer</source>
@@ -5561,8 +5553,8 @@
         <translation>没有模型能解释输出的变化；有其他因素在影响它</translation>
     </message>
     <message>
-        <source>The rule {0} has no answer for this process</source>
-        <translation>规则 {0} 不适合此过程</translation>
+        <source>The rule {0} has no answer for this process; choose another one</source>
+        <translation>规则 {0} 不适合此过程；请选择其他规则</translation>
     </message>
     <message>
         <source>Unstable: the loop would swing up. Do not use this.</source>
@@ -5777,8 +5769,8 @@
         <translation>记录中有 {0} 次扰动，但没有可建立模型的阶跃；请手动改变一次设定值或输出并记录下来</translation>
     </message>
     <message>
-        <source>Change {0} is a disturbance: what caused it is not known, so it makes no model</source>
-        <translation>变化 {0} 是扰动：原因未知，因此无法建立模型</translation>
+        <source>Change {0} is a disturbance: what caused it is not known, so it makes no model; choose a change of the set point or of the output</source>
+        <translation>变化 {0} 是扰动：原因未知，因此无法建立模型；请选择设定值或输出的变化</translation>
     </message>
 </context>
 <context>
@@ -6018,8 +6010,8 @@
         <translation>%1 未保存</translation>
     </message>
     <message>
-        <source>%1 is no variable of the running program</source>
-        <translation>%1 不是运行中程序的变量</translation>
+        <source>%1 is not a variable of the running program; check the name, or press F5 to build the program</source>
+        <translation>%1 不是运行中程序的变量；请检查名称，或按 F5 编译程序</translation>
     </message>
     <message>
         <source>Force</source>
@@ -6058,8 +6050,8 @@
         <translation>请将光标放在某个问题上，或在列表中选择一个，然后再按 F1</translation>
     </message>
     <message>
-        <source>There is no page for %1</source>
-        <translation>没有关于 %1 的页面</translation>
+        <source>There is no page for %1; choose a code from the list</source>
+        <translation>没有关于 %1 的页面；请从列表中选择代码</translation>
     </message>
 </context>
 <context>
@@ -6273,8 +6265,8 @@ New panels are drawn in the designer: Project, Panels, New…</source>
 <context>
     <name>plc::app::MainWindow</name>
     <message>
-        <source>A panel&apos;s name cannot contain / or \</source>
-        <translation>画面名称就是文件名：不能含 / 和 \</translation>
+        <source>A panel&apos;s name cannot contain / or \; choose another name</source>
+        <translation>画面名称不能含 / 或 \；请使用其他名称</translation>
     </message>
     <message>
         <source>Name of the panel:</source>
@@ -6433,12 +6425,12 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>行（1 到 %1）</translation>
     </message>
     <message>
-        <source>Nothing is declared under this name</source>
-        <translation>没有以此名称声明的内容</translation>
+        <source>Nothing is declared under this name; declare it or check the name</source>
+        <translation>没有以此名称声明的内容；请声明或检查该名称</translation>
     </message>
     <message>
-        <source>There is no name at the cursor</source>
-        <translation>光标处没有名称</translation>
+        <source>There is no name at the cursor; put the cursor on one</source>
+        <translation>光标处没有名称；请将光标放在名称上</translation>
     </message>
     <message>
         <source>Rename</source>
@@ -6957,20 +6949,20 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>跟踪</translation>
     </message>
     <message>
-        <source>A file name cannot contain / or \</source>
-        <translation>文件名不能含 / 和 \</translation>
+        <source>A file name cannot contain / or \; choose another name</source>
+        <translation>文件名不能含 / 或 \；请使用其他名称</translation>
     </message>
     <message>
-        <source>A trace %1 already exists</source>
-        <translation>跟踪 %1 已存在</translation>
+        <source>A trace %1 already exists; choose another name</source>
+        <translation>跟踪 %1 已存在；请使用其他名称</translation>
     </message>
     <message>
         <source>New name of %1:</source>
         <translation>%1 的新名称：</translation>
     </message>
     <message>
-        <source>A file %1 already exists</source>
-        <translation>文件 %1 已存在</translation>
+        <source>A file %1 already exists; choose another name</source>
+        <translation>文件 %1 已存在；请使用其他名称</translation>
     </message>
     <message>
         <source>The file cannot be renamed; check the permissions of the folder</source>
@@ -7145,8 +7137,8 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>参数整定</translation>
     </message>
     <message>
-        <source>%1 is not a source of this project</source>
-        <translation>%1 不是此项目的源文件</translation>
+        <source>%1 is not a source of this project; open the project that contains it</source>
+        <translation>%1 不是此项目的源文件；请打开包含它的项目</translation>
     </message>
     <message>
         <source>Walk Through the Scan</source>
@@ -7197,8 +7189,8 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>慢速扫描</translation>
     </message>
     <message>
-        <source>What if? needs a running controller: a recording from a file cannot be resumed</source>
-        <translation>“假如”需要运行中的控制器：来自文件的记录不能继续运行</translation>
+        <source>What if? needs a running controller: a recording from a file cannot be resumed; press F5 to run the program</source>
+        <translation>“假如”需要运行中的控制器：来自文件的记录不能继续运行；按 F5 运行程序</translation>
     </message>
     <message>
         <source>Explain the Problem</source>
@@ -7226,7 +7218,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     </message>
     <message>
         <source>&lt;h3&gt;Stepwise %1&lt;/h3&gt;&lt;p&gt;An open PLC studio: IEC 61131-3 programs as native code, every scan recorded, operator panels in many languages.&lt;/p&gt;&lt;p&gt;Licence: GPL-3.0&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Stepwise %1&lt;/h3&gt;&lt;p&gt;开放的 PLC 工作室：IEC 61131-3 程序编译为本机代码，记录每个扫描周期，多语言操作画面。&lt;/p&gt;&lt;p&gt;许可证：GPL-3.0&lt;/p&gt;</translation>
+        <translation>&lt;h3&gt;Stepwise %1&lt;/h3&gt;&lt;p&gt;开放的 PLC 开发环境：IEC 61131-3 程序编译为本机代码，记录每个扫描周期，多语言操作画面。&lt;/p&gt;&lt;p&gt;许可证：GPL-3.0&lt;/p&gt;</translation>
     </message>
     <message>
         <source>High-Contrast Theme</source>
@@ -7359,8 +7351,8 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>请输入项目名称</translation>
     </message>
     <message>
-        <source>%1 already exists and is not empty</source>
-        <translation>%1 已存在且不为空</translation>
+        <source>%1 already exists and is not empty; choose another name</source>
+        <translation>%1 已存在且不为空；请使用其他名称</translation>
     </message>
     <message>
         <source>Will be created in %1</source>
@@ -7442,8 +7434,8 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>名称由字母、数字和 _ 组成，以字母开头，且不是关键字</translation>
     </message>
     <message>
-        <source>%1 already exists in the project</source>
-        <translation>%1 在项目中已存在</translation>
+        <source>%1 already exists in the project; choose another name</source>
+        <translation>%1 在项目中已存在；请使用其他名称</translation>
     </message>
     <message>
         <source>A file %1 already exists: choose it, or another name</source>
@@ -8148,8 +8140,8 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>从此处运行</translation>
     </message>
     <message>
-        <source>%1 has no value in this scan</source>
-        <translation>%1 在此扫描周期中没有值</translation>
+        <source>%1 has no value in this scan; choose another variable</source>
+        <translation>%1 在此扫描周期中没有值；请选择其他变量</translation>
     </message>
     <message>
         <source>Give at least one variable another value</source>
@@ -8187,8 +8179,8 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>全部移除</translation>
     </message>
     <message>
-        <source>The program that runs has no code at this line or below it</source>
-        <translation>运行中的程序在此行及以下没有代码</translation>
+        <source>The program that runs has no code at this line or below it; choose a line with a statement</source>
+        <translation>运行中的程序在此行及以下没有代码；请选择含有语句的行</translation>
     </message>
 </context>
 <context>
@@ -8223,7 +8215,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     </message>
     <message>
         <source>This scan has run to its end: it has no call stack.</source>
-        <translation>此扫描周期已执行完毕：没有调用栈。</translation>
+        <translation>此扫描周期已执行完毕：没有调用堆栈。</translation>
     </message>
 </context>
 <context>
@@ -8257,8 +8249,8 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>删除 (Del)</translation>
     </message>
     <message>
-        <source>The unit %1 is no longer in the text</source>
-        <translation>POU %1 已不在文本中</translation>
+        <source>The unit %1 is no longer in the text; undo the change or close this view</source>
+        <translation>POU %1 已不在文本中；请撤消该更改或关闭此视图</translation>
     </message>
     <message>
         <source>The text has errors: this is the last good drawing</source>
@@ -8353,8 +8345,8 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>步 %2 中的 %1</translation>
     </message>
     <message>
-        <source>A condition is a BOOL</source>
-        <translation>条件必须是 BOOL</translation>
+        <source>A condition is a BOOL; add a comparison</source>
+        <translation>条件必须是 BOOL；请添加比较</translation>
     </message>
     <message>
         <source>qualifier</source>
@@ -8421,8 +8413,8 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>请选择要剪切的内容</translation>
     </message>
     <message>
-        <source>The clipboard contains no step, action or transition</source>
-        <translation>剪贴板中没有步、动作或转换</translation>
+        <source>The clipboard contains no step, action or transition; copy one first</source>
+        <translation>剪贴板中没有步、动作或转换；请先复制一个</translation>
     </message>
     <message>
         <source>Select the step or transition to paste after</source>
@@ -8677,8 +8669,8 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
     </message>
     <message>
-        <source>%1 cannot be written</source>
-        <translation>无法写入 %1</translation>
+        <source>%1 cannot be written; choose a variable of the program</source>
+        <translation>无法写入 %1；请选择程序的变量</translation>
     </message>
     <message>
         <source>Print…</source>
@@ -8740,8 +8732,8 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>显示为梯形图</translation>
     </message>
     <message>
-        <source>%1 is no longer in the text</source>
-        <translation>%1 已不在文本中</translation>
+        <source>%1 is no longer in the text; undo the change or close this view</source>
+        <translation>%1 已不在文本中；请撤消该更改或关闭此视图</translation>
     </message>
     <message>
         <source>The text has errors: this is the last good drawing</source>
@@ -9068,8 +9060,8 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>优化</translation>
     </message>
     <message>
-        <source>There is no code at or below line %1 of %2</source>
-        <translation>%2 第 %1 行及以下没有代码</translation>
+        <source>There is no code at or below line %1 of %2; choose an earlier line</source>
+        <translation>%2 第 %1 行及以下没有代码；请选择前面的行</translation>
     </message>
     <message>
         <source>The condition of the breakpoint: %1</source>
@@ -9187,8 +9179,8 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>声明 %1</translation>
     </message>
     <message>
-        <source>There is no fix for this line</source>
-        <translation>此行没有可用的修正</translation>
+        <source>There is no fix for this line; press F1 for an explanation</source>
+        <translation>此行没有可用的修正；按 F1 查看说明</translation>
     </message>
     <message>
         <source>Go to Definition</source>
@@ -9455,8 +9447,8 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>请启动控制器；分析的是其记录。</translation>
     </message>
     <message>
-        <source>The program has no controller block.</source>
-        <translation>程序没有控制器块。</translation>
+        <source>The program has no controller block; call one, for example PID.</source>
+        <translation>程序没有控制器块；请调用一个，例如 PID。</translation>
     </message>
     <message>
         <source>Searching…</source>
@@ -9485,8 +9477,8 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>请至少选择一个阶跃。</translation>
     </message>
     <message>
-        <source>The rule has no answer for this process.</source>
-        <translation>该规则不适合此过程。</translation>
+        <source>The rule has no answer for this process; choose another rule.</source>
+        <translation>该规则不适合此过程；请选择其他规则。</translation>
     </message>
     <message>
         <source>any</source>
@@ -9630,7 +9622,7 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     </message>
     <message>
         <source>gain margin</source>
-        <translation>幅值裕度</translation>
+        <translation>增益裕度</translation>
     </message>
     <message>
         <source>phase margin</source>
@@ -10398,15 +10390,15 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     </message>
     <message>
         <source>Logged out after</source>
-        <translation>注销时间</translation>
+        <translation>自动注销时间</translation>
     </message>
     <message>
         <source>Logged out after </source>
-        <translation>注销时间 </translation>
+        <translation>自动注销时间 </translation>
     </message>
     <message>
         <source>Logged Out After</source>
-        <translation>注销时间</translation>
+        <translation>自动注销时间</translation>
     </message>
     <message>
         <source>Set Password</source>
@@ -10553,16 +10545,16 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>配方需要名称。</translation>
     </message>
     <message>
-        <source>There is a recipe &quot;%1&quot; already.</source>
-        <translation>已存在配方“%1”。</translation>
+        <source>The recipe &quot;%1&quot; already exists; choose another name.</source>
+        <translation>已存在配方“%1”；请使用其他名称。</translation>
     </message>
     <message>
         <source>A set needs a name.</source>
         <translation>数据组需要名称。</translation>
     </message>
     <message>
-        <source>There is a set &quot;%1&quot; already.</source>
-        <translation>已存在数据组“%1”。</translation>
+        <source>The set &quot;%1&quot; already exists; choose another name.</source>
+        <translation>已存在数据组“%1”；请使用其他名称。</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a number; a limit is written like 12.5.</source>
@@ -10573,8 +10565,8 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>每行需要一个变量；“移除行或数据组”可删除该行。</translation>
     </message>
     <message>
-        <source>%1 is in the recipe already.</source>
-        <translation>%1 已在配方中。</translation>
+        <source>%1 is already in the recipe; choose another variable.</source>
+        <translation>%1 已在配方中；请选择其他变量。</translation>
     </message>
 </context>
 <context>
@@ -11634,7 +11626,7 @@ Click selects, Ctrl+click shows or hides.</source>
     </message>
     <message>
         <source>Light tower</source>
-        <translation>信号灯塔</translation>
+        <translation>塔灯</translation>
     </message>
     <message>
         <source>Tuning a control loop</source>
@@ -12057,28 +12049,28 @@ Click selects, Ctrl+click shows or hides.</source>
         <translation>表中没有列 {0}；是否指 {1}？</translation>
     </message>
     <message>
-        <source>Line {0} has no number in column {1}</source>
-        <translation>第 {0} 行的列 {1} 中没有数字</translation>
+        <source>Line {0} has no number in column {1}; correct or remove the line</source>
+        <translation>第 {0} 行的列 {1} 中没有数字；请更正或删除该行</translation>
     </message>
     <message>
-        <source>The time in line {0} is before that of the line above</source>
-        <translation>第 {0} 行的时间早于上一行</translation>
+        <source>The time in line {0} is before that of the line above; sort the lines by time</source>
+        <translation>第 {0} 行的时间早于上一行；请按时间对各行排序</translation>
     </message>
     <message>
-        <source>The table has no column of numbers besides the time</source>
-        <translation>表中除时间外没有数字列</translation>
+        <source>The table has no column of numbers besides the time; add one with a heading</source>
+        <translation>表中除时间外没有数字列；请添加带标题的列</translation>
     </message>
     <message>
-        <source>The table has no rows under its headings</source>
-        <translation>表头下没有数据行</translation>
+        <source>The table has no rows under its headings; write one row per sample</source>
+        <translation>表头下没有数据行；每个采样写一行</translation>
     </message>
     <message>
         <source>The table cannot be shown as a recording: {0}</source>
         <translation>表不能作为记录显示：{0}</translation>
     </message>
     <message>
-        <source>the names of its columns cannot be variables</source>
-        <translation>其列名不能作为变量</translation>
+        <source>the names of its columns cannot be variables; use letters, digits and underscores</source>
+        <translation>其列名不能作为变量；请使用字母、数字和下划线</translation>
     </message>
     <message>
         <source>{0} {0:sample is|samples are} too few for a spectrum; show a longer stretch</source>
@@ -12101,8 +12093,8 @@ Click selects, Ctrl+click shows or hides.</source>
         <translation>{0} 的第二个实参必须是大于 0 的时间，例如 {1}</translation>
     </message>
     <message>
-        <source>{0} takes one expression</source>
-        <translation>{0} 只接受一个表达式</translation>
+        <source>{0} takes one expression; remove the others</source>
+        <translation>{0} 只接受一个表达式；请删除其余表达式</translation>
     </message>
 </context>
 <context>
@@ -12279,7 +12271,7 @@ Click selects, Ctrl+click shows or hides.</source>
     </message>
     <message>
         <source>Build</source>
-        <translation>编译</translation>
+        <translation>生成</translation>
     </message>
     <message>
         <source>Build a Native Program</source>
@@ -12318,11 +12310,11 @@ Click selects, Ctrl+click shows or hides.</source>
     <name>Remote</name>
     <message>
         <source>The request is not understood; studio and controller may be of different versions</source>
-        <translation>无法理解该请求；工作室与控制器的版本可能不同</translation>
+        <translation>无法理解该请求；开发环境与控制器的版本可能不同</translation>
     </message>
     <message>
         <source>There is no request {0}; studio and controller may be of different versions</source>
-        <translation>没有请求 {0}；工作室与控制器的版本可能不同</translation>
+        <translation>没有请求 {0}；开发环境与控制器的版本可能不同</translation>
     </message>
     <message>
         <source>Breakpoints stop a machine in the middle of a scan; `stepwise serve` allows them with --allow-breakpoints</source>
@@ -12337,7 +12329,7 @@ Click selects, Ctrl+click shows or hides.</source>
         <translation>{0} 未被强制</translation>
     </message>
     <message>
-        <source>Another program is being built for this controller; try again when it is in</source>
+        <source>Another program is being built for this controller; try again when it is loaded</source>
         <translation>正在为此控制器编译另一个程序；请在其载入后重试</translation>
     </message>
     <message>
@@ -12345,16 +12337,16 @@ Click selects, Ctrl+click shows or hides.</source>
         <translation>程序有 {0} 个错误；控制器继续运行旧程序</translation>
     </message>
     <message>
-        <source>The controller&apos;s program has no file {0}</source>
-        <translation>控制器的程序中没有文件 {0}</translation>
+        <source>The controller&apos;s program has no file {0}; load its program again</source>
+        <translation>控制器的程序中没有文件 {0}；请重新加载其程序</translation>
     </message>
     <message>
-        <source>A recording is being fetched already; wait until it has come</source>
+        <source>A recording is already being fetched; wait until it has arrived</source>
         <translation>正在获取一个记录；请等待其完成</translation>
     </message>
     <message>
-        <source>A controller that serves others is not put back in time; fetch its recording and go on from there</source>
-        <translation>正在为他人服务的控制器不会回退时间；请获取其记录并从那里继续</translation>
+        <source>A controller that serves others cannot be put back in time; fetch its recording and go on from there</source>
+        <translation>正在为他人服务的控制器不能回退时间；请获取其记录并从那里继续</translation>
     </message>
     <message>
         <source>{0} is not the address of a controller; write for example https://plant:8443/</source>
@@ -12389,12 +12381,12 @@ Click selects, Ctrl+click shows or hides.</source>
         <translation>无法从 {0} 读取证书；必须是 PEM 文件</translation>
     </message>
     <message>
-        <source>The connection to {0} is lost</source>
-        <translation>与 {0} 的连接已断开</translation>
+        <source>The connection to {0} is lost; check the network and the controller</source>
+        <translation>与 {0} 的连接已断开；请检查网络和控制器</translation>
     </message>
     <message>
-        <source>{0} does not answer</source>
-        <translation>{0} 没有应答</translation>
+        <source>{0} does not answer; check the address and whether the controller runs</source>
+        <translation>{0} 没有应答；请检查地址以及控制器是否运行</translation>
     </message>
     <message>
         <source>The controller&apos;s program cannot be built here as it is there; use the same version of Stepwise on both sides</source>

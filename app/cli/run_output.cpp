@@ -150,7 +150,7 @@ Result<void> CsvWriter::close() {
     const std::string part = m_path + ".part";
     if (bad) {
         if (!m_isDirect) std::remove(part.c_str());
-        return Error{errors::CsvDiskFull(errors::ofSystem(code)), m_path};
+        return Error{errors::CsvNotWritten(errors::ofSystem(code)), m_path};
     }
     if (m_isDirect) return {};
     if (std::rename(part.c_str(), m_path.c_str()) != 0)

@@ -252,7 +252,8 @@ void BreakpointView::reload() {
         item->setFlags(item->flags() | Qt::ItemIsEditable | Qt::ItemIsUserCheckable);
         if (!each.hasCode) {
             item->setForeground(0, kit::colors().muted);
-            item->setToolTip(0, tr("The program that runs has no code at this line or below it"));
+            item->setToolTip(
+                0, tr("The program that runs has no code at this line or below it; choose a line with a statement"));
         }
         item->setCheckState(0, each.isEnabled ? Qt::Checked : Qt::Unchecked);
         item->setData(0, Qt::UserRole, each.file);

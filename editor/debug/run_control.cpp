@@ -324,7 +324,8 @@ void RunControl::runTo(const QString& file, int line) {
             wanted = static_cast<uint32_t>(LineMap(textNow()(file, built), built.text()).nearest(line));
         }
         if (debug::sitesOfLine(*program, id, wanted).sites.empty())
-            emit messageAdded(tr("There is no code at or below line %1 of %2").arg(line).arg(file), true);
+            emit messageAdded(
+                tr("There is no code at or below line %1 of %2; choose an earlier line").arg(line).arg(file), true);
         else
             m_session->runTo(id, wanted);
     };

@@ -143,7 +143,7 @@ void ChartView::paste() {
     if (!m_chart || m_isStale) return;
     const Copied copied = readCopied(QApplication::clipboard()->text().toStdString());
     if (copied.step.empty() && copied.actions.empty() && copied.condition.empty())
-        return emit failed(tr("The clipboard contains no step, action or transition"));
+        return emit failed(tr("The clipboard contains no step, action or transition; copy one first"));
     if (p.kind == ChartScene::None) return emit failed(tr("Select the step or transition to paste after"));
     const auto pasteActions = [&](std::string text, const std::string& step) {
         const Result<std::string> made = withActions(std::move(text), m_unit.toStdString(), step, copied.actions);

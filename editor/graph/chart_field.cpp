@@ -99,7 +99,7 @@ QString ChartView::complaintOf(const QString& text) const {
         if (d.severity == diagnostics::Severity::Error) return kit::messageText(d.message);
     }
     if (checked.root && analysis.program->types->storageKind(checked.root->type) != types::TypeKind::Bool)
-        return tr("A condition is a BOOL");
+        return tr("A condition is a BOOL; add a comparison");
     return {};
 }
 

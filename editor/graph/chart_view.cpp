@@ -101,7 +101,8 @@ void ChartView::setText(const std::string& text) {
     auto kept = std::make_unique<std::string>(text);
     auto syntax = parse::parseFile(FileId(size_t(0)), *kept, sink);
     const ChartPlace place = findChart(*syntax, m_unit.toStdString());
-    if (!place.pou) return showStale(tr("The unit %1 is no longer in the text").arg(m_unit));
+    if (!place.pou)
+        return showStale(tr("The unit %1 is no longer in the text; undo the change or close this view").arg(m_unit));
     for (const diagnostics::Diagnostic& d : sink.all())
         if (d.severity == diagnostics::Severity::Error && d.range.begin >= place.pou->range.begin &&
             d.range.begin <= place.pou->range.end)

@@ -61,7 +61,7 @@ void GraphView::addSheetCommands() {
             onPaper([&] { good = m_canvas->exportPdf(path); });
         else
             good = path.endsWith(".png") ? m_canvas->exportPng(path) : m_canvas->exportSvg(path);
-        if (!good) emit failed(tr("%1 cannot be written").arg(path));
+        if (!good) emit failed(tr("%1 cannot be written; choose a variable of the program").arg(path));
     });
     addCommand(kit::Icon::Print, tr("Print…"), this, [this] {
         QPrinter printer;

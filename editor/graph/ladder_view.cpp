@@ -96,7 +96,8 @@ void LadderView::setText(const std::string& text) {
     kept.reserve(64); // on the heap, where a swap leaves the bytes that the tree views
     auto syntax = parse::parseFile(FileId(size_t(0)), kept, sink);
     const ladder::Unit place = ladder::findUnit(*syntax, m_unit.toStdString());
-    if (!place.body) return showStale(tr("%1 is no longer in the text").arg(m_unit));
+    if (!place.body)
+        return showStale(tr("%1 is no longer in the text; undo the change or close this view").arg(m_unit));
     for (const diagnostics::Diagnostic& d : sink.all())
         if (m_syntax && d.severity == diagnostics::Severity::Error && d.range.begin >= place.range.begin &&
             d.range.begin <= place.range.end)

@@ -234,7 +234,8 @@ void StEditor::applyFix() {
     }
     if (utf8() != m_analysedText) return; // the analysis is on its way; its places would not fit
     if (choices.empty()) {
-        QToolTip::showText(mapToGlobal(QPoint(40, 10)), tr("There is no fix for this line"), this);
+        QToolTip::showText(mapToGlobal(QPoint(40, 10)),
+                           tr("There is no fix for this line; press F1 for an explanation"), this);
         return;
     }
     const auto apply = [this](const Choice& choice) {

@@ -43,6 +43,12 @@ std::vector<QString> listed(const std::vector<analysis::CompletionItem>& items) 
     }
     return out;
 }
+
+/// Ctrl+/, for which many keyboards need Shift, or Ctrl+#, which has a key of its own on German ones.
+bool isCommentKey(const QKeyEvent& event) {
+    const Qt::KeyboardModifiers more = event.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier);
+    return more == Qt::ControlModifier && (event.key() == Qt::Key_Slash || event.key() == Qt::Key_NumberSign);
+}
 } // namespace
 
 void StEditor::keyPressEvent(QKeyEvent* event) {
@@ -69,7 +75,7 @@ void StEditor::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Space && event->modifiers() == Qt::ControlModifier) return triggerCompletion();
     if (event->key() == Qt::Key_Space && event->modifiers() == (Qt::ControlModifier | Qt::ShiftModifier))
         return showParameterHelp();
-    if (event->key() == Qt::Key_Slash && event->modifiers() == Qt::ControlModifier) return toggleComment();
+    if (isCommentKey(*event)) return toggleComment();
     if ((event->key() == Qt::Key_Up || event->key() == Qt::Key_Down) && event->modifiers() == Qt::AltModifier)
         return moveLines(event->key() == Qt::Key_Up ? -1 : 1);
     if (typeOverSemicolon(event->text())) return;

@@ -64,7 +64,7 @@ void TuningView::propose() {
     }
     m_formula->setText(kit::fromView(formula(process)));
     QStringList words;
-    if (!m_proposal) words << tr("The rule has no answer for this process.");
+    if (!m_proposal) words << tr("The rule has no answer for this process; choose another rule.");
     if (m_proposal)
         words << kit::messageText(robustnessWords(*m_proposal)) << kit::messageText(overshootWords(*m_proposal));
     if (const Message caution = cautionOf(rule); !caution.isEmpty()) words << kit::messageText(caution);

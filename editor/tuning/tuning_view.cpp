@@ -219,7 +219,7 @@ void TuningView::listLoops() {
     if (const int index = m_loop->findText(before); index >= 0) m_loop->setCurrentIndex(index);
     if (!m_isSearching)
         m_state->setText(!run ? tr("Start the controller or open a recording; it is looked at for steps.")
-                         : m_loop->count() == 0 ? tr("The program has no controller block.")
+                         : m_loop->count() == 0 ? tr("The program has no controller block; call one, for example PID.")
                                                 : QString());
     refreshButtons();
 }

@@ -156,7 +156,7 @@ void RecipeEditor::renameRecipe(int row, const QString& name) {
     const QString wanted = name.trimmed();
     if (wanted == recipe.name) return rebuild();
     if (wanted.isEmpty()) return refuse(tr("A recipe needs a name."));
-    if (after.find(wanted)) return refuse(tr("There is a recipe \"%1\" already.").arg(wanted));
+    if (after.find(wanted)) return refuse(tr("The recipe \"%1\" already exists; choose another name.").arg(wanted));
     const RecipeFile before = after;
     const QString title = tr("Rename Recipe"), old = std::exchange(recipe.name, wanted);
     m_current = wanted;
@@ -206,7 +206,7 @@ void RecipeEditor::renameSet(int column, const QString& name) {
     const QString wanted = name.trimmed();
     if (!recipe || column < FirstSet || index >= recipe->sets.size() || recipe->sets[index].name == wanted) return;
     if (wanted.isEmpty()) return refuse(tr("A set needs a name."));
-    if (recipe->find(wanted)) return refuse(tr("There is a set \"%1\" already.").arg(wanted));
+    if (recipe->find(wanted)) return refuse(tr("The set \"%1\" already exists; choose another name.").arg(wanted));
     edit(tr("Rename Set"), [&](Recipe& changed) { changed.sets[index].name = wanted; });
 }
 
@@ -234,7 +234,7 @@ void RecipeEditor::commit(int row, int column, const QString& typed) {
     if (column == Variable && text.isEmpty())
         return refuse(tr("A row needs a variable; Remove Row or Set takes the row away."));
     if (column == Variable && text != before && recipe->variable(text))
-        return refuse(tr("%1 is in the recipe already.").arg(text));
+        return refuse(tr("%1 is already in the recipe; choose another variable.").arg(text));
     std::optional<kit::MacroScope> macro;
     QString stored = text;
     if (column == Title) { // the text goes into the table of texts: one step with its key

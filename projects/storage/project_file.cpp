@@ -39,9 +39,7 @@ Result<void> writeNewFile(const std::string& path, std::string_view content) {
         return Error{errors::FileNotWritten(errors::ofSystem(errno)), path};
     if (isWritten) return {};
     if (isOpen) platform::removeFile(path);
-    Message why = errors::ofSystem(code);
-    if (code == ENOSPC) why = errors::FreeSpace(std::move(why));
-    return Error{errors::FileNotWritten(std::move(why)), path};
+    return Error{errors::FileNotWritten(errors::ofSystem(code)), path};
 }
 
 Result<void> writeFileAtomically(const std::string& path, std::string_view content) {
@@ -56,10 +54,7 @@ Result<void> writeFileAtomically(const std::string& path, std::string_view conte
     const auto fail = [&](const auto& what) -> Error {
         const int code = errno;
         platform::removeFile(temporary);
-        Message why = errors::ofSystem(code);
-        if (code == ENOSPC) why = errors::FreeSpace(std::move(why));
-        if (code == EACCES) why = errors::CheckPermissions(std::move(why));
-        return {what(std::move(why)), path};
+        return {what(errors::ofSystem(code)), path};
     };
     const int file = platform::openToWrite(temporary, platform::Existing::Emptied);
     if (file < 0) return fail(errors::FileNotWritten);

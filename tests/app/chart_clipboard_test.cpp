@@ -88,7 +88,7 @@ TEST_F(ChartClipboardTest, AStepThatIsCutGoesAndWhatIsNoStepIsRefusedWithAReason
     const std::string before = editor().utf8();
     select(editor::ChartScene::Step, 0);
     press("edit.paste");
-    EXPECT_EQ(said, "The clipboard contains no step, action or transition");
+    EXPECT_EQ(said, "The clipboard contains no step, action or transition; copy one first");
     EXPECT_EQ(editor().utf8(), before);
 }
 

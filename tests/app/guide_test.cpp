@@ -43,6 +43,21 @@ TEST_F(GuideTest, OnlyHeadingsAreHeadingsAlsoAfterTheWidthHasChanged) {
     EXPECT_EQ(GuideView::summaryOf(folder.path()), "It runs. Press Start.");
 }
 
+TEST_F(GuideTest, AReadmeInTheStudiosLanguageIsShownInsteadOfTheEnglishOne) {
+    write("README.md", "# A machine\n\nIt runs.\n");
+    write("README.de.md", "# Eine Maschine\n\nSie läuft.\n");
+    const QLocale before;
+    for (const auto& [language, summary] :
+         {std::pair("de", "Sie läuft."), std::pair("en", "It runs."), std::pair("fr", "It runs.")}) {
+        QLocale::setDefault(QLocale(language));
+        GuideView view;
+        ASSERT_TRUE(view.showProject(folder.path()));
+        EXPECT_EQ(GuideView::summaryOf(folder.path()), summary);
+        EXPECT_TRUE(view.toPlainText().contains(summary)) << language;
+    }
+    QLocale::setDefault(before);
+}
+
 TEST_F(GuideTest, FilesThatTheReadmeNamesOpenAndOtherPlacesAreLeftAlone) {
     QString wanted;
     GuideView view;

@@ -173,7 +173,7 @@ TEST_F(Recipes, WhatIsRefusedSaysWhy) {
     type(editor.table(), 0, RecipeEditor::Minimum, QStringLiteral("1,5"));
     isSaid("\"1,5\" is not a number");
     type(editor.table(), 1, RecipeEditor::Variable, QStringLiteral("Main.level"));
-    isSaid("Main.level is in the recipe already");
+    isSaid("Main.level is already in the recipe; choose another variable");
     type(editor.table(), 1, RecipeEditor::Variable, QString());
     isSaid("needs a variable");
     editor.renameSet(RecipeEditor::FirstSet + 1, QStringLiteral("set1"));

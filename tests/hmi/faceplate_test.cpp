@@ -189,13 +189,15 @@ TEST(FaceplateCheck, EachMistakeIsSaidWhereItIs) {
         {"no such panel", R"({"id": "g", "kind": "faceplate", "rect": [10, 10, 40, 60], "panel": "gone"})", kGate,
          "hmi/main.panel.json: g.panel: error H1013"},
         {"missing", open + "}", kGate,
-         "hmi/main.panel.json: g.arguments.gate: error H1019: The parameter $gate needs an argument of type Gate"},
+         "hmi/main.panel.json: g.arguments.gate: error H1019: The parameter $gate needs an argument of type Gate; "
+         "specify it in the faceplate"},
         {"other type", open + R"(, "arguments": {"gate": "Main.speed"}})", kGate,
          "hmi/main.panel.json: g.arguments.gate: error H1019: Main.speed is REAL; the parameter $gate needs Gate"},
         {"misspelled variable", open + R"(, "arguments": {"gate": "Main.gaets[1]"}})", kGate,
          "hmi/main.panel.json: g.arguments.gate: error H1019"},
         {"too much", open + R"(, "arguments": {"gate": "Main.gates[1]", "colour": "red"}})", kGate,
-         "hmi/main.panel.json: g.arguments.colour: error H1019: The panel gate has no parameter colour"},
+         "hmi/main.panel.json: g.arguments.colour: error H1019: The panel gate has no parameter colour; remove the "
+         "argument or add the parameter"},
         {"no such member", kOne,
          R"({"size": [40, 60], "parameters": [{"name": "gate", "type": "Gate"}], "elements": [{"id": "l", "kind": "lamp", "rect": [0, 0, 30, 30], "value": "$gate.IsOpne"}]})",
          "hmi/gate.panel.json: l.value: error H1012"},
@@ -204,7 +206,8 @@ TEST(FaceplateCheck, EachMistakeIsSaidWhereItIs) {
          "hmi/gate.panel.json: l.value: error H1012"},
         {"no such parameter", kOne,
          R"({"size": [40, 60], "parameters": [{"name": "gate", "type": "Gate"}], "elements": [{"id": "l", "kind": "lamp", "rect": [0, 0, 30, 30], "value": "$gat.IsOpen"}]})",
-         "hmi/gate.panel.json: l.value: error H1012: The panel gate has no parameter gat"},
+         "hmi/gate.panel.json: l.value: error H1012: The panel gate has no parameter gat; remove the argument or add "
+         "the parameter"},
         {"wrong type of binding", kOne,
          R"({"size": [40, 60], "parameters": [{"name": "gate", "type": "Gate"}], "elements": [{"id": "l", "kind": "lamp", "rect": [0, 0, 30, 30], "value": "$gate.Way"}]})",
          "hmi/gate.panel.json: l.value: error H1012: Main.gates[1].Way is REAL; a BOOL is needed here (tried with "

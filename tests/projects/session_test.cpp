@@ -84,7 +84,7 @@ TEST(Session, SteppedByTheCallerItRunsUntilItIsToldToStop) {
     session.write("y", dint(5));
     const std::vector<Error> refused = session.takeRefusals();
     ASSERT_EQ(refused.size(), 1u);
-    EXPECT_EQ(refused[0].english(), "y: there is no variable 'y'");
+    EXPECT_EQ(refused[0].english(), "y: there is no variable 'y'; check the name or declare it");
 }
 
 TEST(Session, TheScanThreadRunsInRealTimeAndStops) {

@@ -139,7 +139,8 @@ TEST_F(BuildCommand, WhatCannotBeBuiltLeavesNothingBehind) {
     expectRefused({main, "--output", kept, "--target", "z80"}, 2, "x86_64 or aarch64, not z80");
     expectRefused({main, "--output", path("no/where/x")}, 2, "cannot be a file");
     expectRefused({main, "--output", path("")}, 2, "cannot be a file");
-    expectRefused({main, "--output", kept, "--linker", "no-such-linker"}, 2, "There is no linker no-such-linker");
+    expectRefused({main, "--output", kept, "--linker", "no-such-linker"}, 2,
+                  "There is no linker no-such-linker; install it, or leave --linker out");
     expectRefused({main, "--output", kept, "--linker", "/bin/false"}, 2, "could not link");
     expectRefused({path("wrong.st"), "--output", kept}, 1, "");
 }

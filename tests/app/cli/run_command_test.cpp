@@ -85,7 +85,7 @@ TEST_F(RunCommand, AFullDiskLeavesTheOldTableAndIsTold) {
 TEST_F(RunCommand, AFolderIsNoTable) {
     fs::create_directory(path("folder"));
     EXPECT_EQ(run({path("main.st"), "--scans", "1", "--csv", path("folder")}), 2);
-    EXPECT_NE(err.find("it is a folder"), std::string::npos) << err;
+    EXPECT_NE(err.find("it is a folder; choose a file"), std::string::npos) << err;
     EXPECT_EQ(run({path("main.st"), "--scans", "1", "--csv", path("none/x.csv")}), 2);
     EXPECT_NE(err.find("none/x.csv"), std::string::npos) << err;
 }

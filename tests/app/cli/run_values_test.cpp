@@ -76,8 +76,8 @@ TEST_F(RunValues, WhatAValueWouldLoseIsRefusedAndTheMessageSaysWhatToWrite) {
         {"Main.d=D#2020-02-30", "write for example D#2026-01-31"},
         {"Main.ch='AB'", "write one character in quotes"},
         {"Main.a=[1,2,3,4]", "write all elements"},
-        {"Main.small=11", "11 is outside 0..10"},
-        {"Main.a[4]=1", "index 4 is outside 1..3"},
+        {"Main.small=11", "11 is outside 0..10; enter a value in this range"},
+        {"Main.a[4]=1", "index 4 is outside 1..3; use an index in this range or enlarge the array"},
         {"Mian.x=1", "did you mean"},
     };
     for (const auto& row : rows) {

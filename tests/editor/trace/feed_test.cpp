@@ -67,7 +67,7 @@ TEST_F(FeedTest, BadExpressionsSayWhyAndMayBecomeGood) {
     feed.setExpressions({"missing"});
     feed.pumpAll();
     EXPECT_FALSE(feed.source("missing"));
-    EXPECT_EQ(feed.problem("missing").english(), "there is no variable 'missing'");
+    EXPECT_EQ(feed.problem("missing").english(), "there is no variable 'missing'; check the name or declare it");
     recording.addReal("missing", [](double) { return 1; });
     feed.retryProblems();
     feed.pumpAll();

@@ -103,9 +103,10 @@ TEST_F(TraceViewTest, AddingIsUndone) {
 TEST_F(TraceViewTest, ABadExpressionIsShownAsSuch) {
     auto* entry = view.channels()->entry();
     QTest::keyClicks(entry, "Main.nothing");
-    EXPECT_EQ(entry->complaint(), "there is no variable 'Main.nothing'");
+    EXPECT_EQ(entry->complaint(), "there is no variable 'Main.nothing'; check the name or declare it");
     QTest::keyClick(entry, Qt::Key_Return);
-    EXPECT_EQ(view.plot()->model().curves[0].problem, "there is no variable 'Main.nothing'");
+    EXPECT_EQ(view.plot()->model().curves[0].problem,
+              "there is no variable 'Main.nothing'; check the name or declare it");
     recording.addReal("Main.nothing", [](double) { return 1; });
     view.programChanged();
     EXPECT_TRUE(view.plot()->model().curves[0].problem.isEmpty());

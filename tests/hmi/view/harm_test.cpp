@@ -101,9 +101,9 @@ TEST(HarmfulPicture, APackedPictureIsShownAndABombIsRefused) {
     EXPECT_EQ(project.complaint(project.write("good.svgz", packed(good))), "");
     const QByteArray bomb = kSvg + ">" + QByteArray(300 << 20, ' ') + "</svg>";
     EXPECT_EQ(project.complaint(project.write("bomb.svgz", packed(bomb))),
-              "The picture bomb.svgz unpacks to more than 16 MB");
+              "The picture bomb.svgz unpacks to more than 16 MB; use a smaller one");
     EXPECT_EQ(project.complaint(project.write("cut.svgz", packed(good).left(30))),
-              "cut.svgz is not a picture in a known format such as PNG, JPEG or SVG");
+              "cut.svgz is not a picture in a known format such as PNG, JPEG or SVG; save it as one of them");
 }
 
 TEST(HarmfulPicture, ShapesThatMultiplyOrContainThemselvesAreRefused) {
@@ -115,16 +115,18 @@ TEST(HarmfulPicture, ShapesThatMultiplyOrContainThemselvesAreRefused) {
                         .arg(i - 1)
                         .toLatin1();
     EXPECT_EQ(project.complaint(project.write("doubling.svg", doubling + "</svg>")),
-              "The picture doubling.svg draws more than 100000 shapes");
+              "The picture doubling.svg draws more than 100000 shapes; simplify it or save it as PNG");
     EXPECT_NE(project.complaint(project.write("self.svg", kSvg + "><g id=\"a\"><use xlink:href=\"#a\"/></g></svg>")),
               "");
     QByteArray deep = kSvg + ">";
     for (int i = 0; i < 100000; ++i) deep += "<g>";
     EXPECT_EQ(project.complaint(project.write("deep.svg", deep)),
-              "The shapes of the picture deep.svg are nested more than 64 deep or contain themselves");
-    EXPECT_EQ(project.complaint(project.write(
-                  "dashes.svg", kSvg + "><line x2=\"1000000\" stroke=\"red\" stroke-dasharray=\"0.00001\"/></svg>")),
-              "The picture dashes.svg has dashed lines of more than 100000 dashes");
+              "The shapes of the picture deep.svg are nested more than 64 deep or contain themselves; simplify it or "
+              "save it as PNG");
+    EXPECT_EQ(
+        project.complaint(project.write(
+            "dashes.svg", kSvg + "><line x2=\"1000000\" stroke=\"red\" stroke-dasharray=\"0.00001\"/></svg>")),
+        "The picture dashes.svg has dashed lines of more than 100000 dashes; make the dashes longer or save it as PNG");
 }
 
 TEST(HarmfulPicture, OtherFilesAreNotReadThroughAPicture) {
@@ -152,7 +154,7 @@ TEST(HarmfulPicture, ThePixelsOfAPictureAreCountedBeforeItIsRead) {
     ASSERT_EQ(::mkfifo((project.folder + "/pipe.png").toLocal8Bit().constData(), 0600), 0);
     EXPECT_NE(project.complaint("pipe.png"), "") << "opening a pipe would wait for ever";
     EXPECT_EQ(project.complaint(project.write("words.png", "no picture")),
-              "words.png is not a picture in a known format such as PNG, JPEG or SVG");
+              "words.png is not a picture in a known format such as PNG, JPEG or SVG; save it as one of them");
 }
 
 TEST(HarmfulPicture, ThePanelCheckSaysWhatIsWrongAndThePanelShowsThePlaceOfThePicture) {

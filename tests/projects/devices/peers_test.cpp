@@ -459,7 +459,8 @@ TEST(Mqtt, AMessageThatCannotBeReadMakesTheChannelBad) {
                                 {"name": "back", "variable": "Main.back", "topic": "x", "quality": "Main.code"})"));
     EXPECT_TRUE(run.scanUntil([&] { return run.value("Main.code") == "4"; })) << run.value("Main.code");
     EXPECT_EQ(run.value("Main.back"), "4");
-    EXPECT_EQ(run.status().problem.english(), "back: the message holds no value that can be read");
+    EXPECT_EQ(run.status().problem.english(),
+              "back: the message holds no value that can be read; check what the device publishes");
 }
 
 namespace {

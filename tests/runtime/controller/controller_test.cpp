@@ -180,7 +180,7 @@ TEST(Controller, AFaultStopsWithPlaceMessageAndCallPathAndMakesOutputsSafe) {
     ASSERT_TRUE(controller.fault());
     const Fault& fault = *controller.fault();
     EXPECT_EQ(fault.code, FaultCode::IndexOutOfRange);
-    EXPECT_EQ(fault.message.english(), "index 7 is outside 1..5");
+    EXPECT_EQ(fault.message.english(), "index 7 is outside 1..5; use an index in this range or enlarge the array");
     EXPECT_EQ(fault.task, "main");
     EXPECT_EQ(fault.scan, 1u);
     EXPECT_EQ(fault.time, 10ms);
@@ -309,18 +309,20 @@ TEST(Controller, WritesThatDoNotFitAreRefusedInWords) {
         const char* message; // "" = good
     };
     const Row rows[] = {
-        {"mode", integer(TypeKind::Dint, 70000), "70000 does not fit into a variable of type INT"},
+        {"mode", integer(TypeKind::Dint, 70000),
+         "70000 does not fit into a variable of type INT; enter a value in its range"},
         {"mode", integer(TypeKind::Dint, -32768), ""},
-        {"mode", Value{TypeTable::of(TypeKind::Lreal), 2.5}, "2.5 does not fit into a variable of type INT"},
+        {"mode", Value{TypeTable::of(TypeKind::Lreal), 2.5},
+         "2.5 does not fit into a variable of type INT; enter a value in its range"},
         {"mode", Value{TypeTable::of(TypeKind::Lreal), 2.0}, ""},
         {"real", integer(TypeKind::Int, 3), ""},
-        {"small", integer(TypeKind::Int, 12), "12 is outside 0..10"},
+        {"small", integer(TypeKind::Int, 12), "12 is outside 0..10; enter a value in this range"},
         {"text", Value{plain.made.types().string(80), std::string("abcdef")},
          "the text has 6 characters, the maximum is 5; shorten it"},
         {"text", Value{{}, std::string("abc")}, ""},
         {"delay", integer(TypeKind::Time, 5), ""},
-        {"delay", integer(TypeKind::Int, 5), "5 does not fit into a variable of type TIME"},
-        {"lamp", integer(TypeKind::Int, 2), "2 does not fit into a variable of type BOOL"},
+        {"delay", integer(TypeKind::Int, 5), "5 does not fit into a variable of type TIME; enter a value in its range"},
+        {"lamp", integer(TypeKind::Int, 2), "2 does not fit into a variable of type BOOL; enter a value in its range"},
         {"fixed", integer(TypeKind::Int, 2), "a constant cannot be written; change it in the program"},
         {"moude", integer(TypeKind::Int, 2), "there is no variable 'moude'; did you mean 'mode'?"},
     };

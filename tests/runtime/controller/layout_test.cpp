@@ -83,8 +83,9 @@ TEST_F(LayoutTest, SaysWhatIsWrongWithAPath) {
     EXPECT_EQ(failure("Maiin.speed"), "there is no variable 'Maiin'; did you mean 'Main'?");
     EXPECT_EQ(failure("GVL.Sped"), "'GVL' has no variable 'Sped'; did you mean 'Speed'?");
     EXPECT_EQ(failure("Speed"), "'Speed' is ambiguous; write one of GVL.Speed, Other.Speed");
-    EXPECT_EQ(failure("Main.points[4,0].x"), "index 4 is outside 1..3");
-    EXPECT_EQ(failure("GVL.Speed.16"), "bit 16 is outside 0..15");
+    EXPECT_EQ(failure("Main.points[4,0].x"),
+              "index 4 is outside 1..3; use an index in this range or enlarge the array");
+    EXPECT_EQ(failure("GVL.Speed.16"), "bit 16 is outside 0..15; use a bit in this range");
     EXPECT_EQ(failure("%QX20.0"), "the program does not use the address '%QX20.0'; declare a variable AT this address");
     EXPECT_NE(failure("Main."), "");
     EXPECT_NE(failure("Main.points[1"), "");

@@ -83,7 +83,7 @@ TEST_F(Fixture, ArithmeticIsThatOfItsType) {
     for (const auto& [op, a, b, expected] :
          {Row{BinaryOp::Add, 32767, 1, "-32768"}, Row{BinaryOp::Multiply, 300, 300, "24464"},
           Row{BinaryOp::Divide, -7, 2, "-3"}, Row{BinaryOp::Modulo, -7, 2, "-1"},
-          Row{BinaryOp::Divide, 1, 0, "division by zero"}, Row{BinaryOp::And, 6, 3, "2"}}) {
+          Row{BinaryOp::Divide, 1, 0, "division by zero; check the divisor first"}, Row{BinaryOp::And, 6, 3, "2"}}) {
         code = {};
         constant(integer, a);
         constant(integer, b);
@@ -119,8 +119,8 @@ TEST_F(Fixture, AnIndexIsGuarded) {
     };
     EXPECT_EQ(element(1, 0), "10");
     EXPECT_EQ(element(2, 2), "15");
-    EXPECT_EQ(element(3, 0), "index 3 is outside 1..2");
-    EXPECT_EQ(element(1, -1), "index -1 is outside 0..2");
+    EXPECT_EQ(element(3, 0), "index 3 is outside 1..2; use an index in this range or enlarge the array");
+    EXPECT_EQ(element(1, -1), "index -1 is outside 0..2; use an index in this range or enlarge the array");
 }
 
 TEST_F(Fixture, AReferenceIsChecked) {
@@ -173,8 +173,8 @@ TEST_F(Fixture, AnArrayOfOpenLengthBringsItsBounds) {
     };
     EXPECT_EQ(element(1, 0), "10");
     EXPECT_EQ(element(2, 1), "14");
-    EXPECT_EQ(element(2, 3), "index 3 is outside 0..2");
-    EXPECT_EQ(element(0, 0), "index 0 is outside 1..2");
+    EXPECT_EQ(element(2, 3), "index 3 is outside 0..2; use an index in this range or enlarge the array");
+    EXPECT_EQ(element(0, 0), "index 0 is outside 1..2; use an index in this range or enlarge the array");
     put<int64_t>(64, 0);
     EXPECT_EQ(element(1, 0), "a VAR_IN_OUT is not connected to a variable; connect it in the call");
     put<int64_t>(64, 200);
@@ -211,8 +211,8 @@ TEST_F(Fixture, ACharacterOfATextIsGuarded) {
     EXPECT_EQ(at(0), "97");
     EXPECT_EQ(at(2), "99");
     EXPECT_EQ(at(3), "0") << "the end mark";
-    EXPECT_EQ(at(4), "character 4 is outside 0..3 of the string");
-    EXPECT_EQ(at(-1), "character -1 is outside 0..3 of the string");
+    EXPECT_EQ(at(4), "character 4 is outside 0..3 of the string; use an index in this range");
+    EXPECT_EQ(at(-1), "character -1 is outside 0..3 of the string; use an index in this range");
 }
 
 TEST_F(Fixture, TheSecondOperandWaitsForTheFirst) {
@@ -229,7 +229,7 @@ TEST_F(Fixture, TheSecondOperandWaitsForTheFirst) {
         return shown(boolean);
     };
     EXPECT_EQ(andThen(0), "FALSE");
-    EXPECT_EQ(andThen(1), "division by zero");
+    EXPECT_EQ(andThen(1), "division by zero; check the divisor first");
 }
 
 TEST_F(Fixture, OneOfTwoWaysIsTaken) {

@@ -43,8 +43,9 @@ TEST(Conversion, ShowsStAsAList) {
     EXPECT_EQ(asList("IF a THEN i := 1; ELSE i := -2; END_IF\nt(IN := b);"),
               "          LD      a\n          JMPCN   l2\n          LD      1\n          ST      i\n          JMP     "
               "l1\nl2:       LD      -2\n          ST      i\nl1:       CAL     t(IN := b)\n");
-    EXPECT_EQ(asList("FOR i := 1 TO j DO ; END_FOR"),
-              "FOR with this end or step has no equivalent in an instruction list");
+    EXPECT_EQ(
+        asList("FOR i := 1 TO j DO ; END_FOR"),
+        "FOR with this end or step has no equivalent in an instruction list; write it with simpler statements first");
     EXPECT_EQ(asList("FOR i := 1 TO 3 DO j := i; END_FOR"),
               "          LD      1\n          ST      i\nl1:       LD      i\n          GT      3\n          JMPC    "
               "l3\n          LD      i\n          ST      j\n"
