@@ -7,7 +7,7 @@
 namespace plc::exchange {
 namespace {
 
-struct Unknown {}; // stops the reading: nothing is converted half
+struct UnknownPart {}; // stops the reading: nothing is converted half
 
 /// A pin, or what an element says of itself: "_KEY: value" by key.
 using Settings = std::map<std::string, std::string, std::less<>>;
@@ -50,10 +50,10 @@ public:
     }
 
     std::vector<CfcElement> read() {
-        if (next() != "_CFC_BODY") throw Unknown();
+        if (next() != "_CFC_BODY") throw UnknownPart();
         std::vector<CfcElement> out;
         while (m_at < m_lines.size()) {
-            if (next() != "_ELEMENT") throw Unknown();
+            if (next() != "_ELEMENT") throw UnknownPart();
             out.push_back(element());
         }
         return out;
@@ -61,7 +61,7 @@ public:
 
 private:
     const std::string& next() {
-        if (m_at == m_lines.size()) throw Unknown();
+        if (m_at == m_lines.size()) throw UnknownPart();
         return m_lines[m_at++];
     }
 
@@ -88,7 +88,7 @@ private:
     }
     static void set(Settings& settings, const std::string& line) {
         const size_t colon = line.find(':');
-        if (line.front() != '_' || colon == std::string::npos) throw Unknown();
+        if (line.front() != '_' || colon == std::string::npos) throw UnknownPart();
         settings[trimmed(std::string_view(line).substr(0, colon))] = trimmed(std::string_view(line).substr(colon + 1));
     }
 
@@ -121,7 +121,7 @@ private:
 
     void writeElement(const CfcElement& element) {
         const std::string type = element.text("_TYPE");
-        if (!element.text("_CONNECTOR").empty()) throw Unknown(); // marks instead of lines
+        if (!element.text("_CONNECTOR").empty()) throw UnknownPart(); // marks instead of lines
         if (type == "_INPUT")
             setText(add("inVariable", element).append_child("expression"), element.text("_TEXT"));
         else if (type == "_OUTPUT")
@@ -137,7 +137,7 @@ private:
         else if (type == "_COMMENT")
             setText(add("comment", element).append_child("content").append_child("xhtml"), element.text("_TEXT"));
         else
-            throw Unknown();
+            throw UnknownPart();
     }
 
     void writeTarget(const CfcElement& element) {
@@ -147,7 +147,7 @@ private:
         if (storage == "_SET" || storage == "_RESET")
             node.append_attribute("storage") = storage == "_SET" ? "set" : "reset";
         else if (!storage.empty() && storage != "_NONE" && storage != "_NOSETRESET" && storage != "_NO_SET")
-            throw Unknown();
+            throw UnknownPart();
         setText(node.append_child("expression"), element.text("_TEXT"));
     }
     void writeJump(const CfcElement& element, const char* kind) {
@@ -166,7 +166,7 @@ private:
         if (isEnabled) out = {{"EN"}, {"ENO"}};
         if (numberIn(box.settings, "_INSTANCE") == 1) {
             const std::optional<BlockPins> pins = m_pinsOf(box.text("_TYPENAME"));
-            if (!pins) throw Unknown();
+            if (!pins) throw UnknownPart();
             out.inputs.insert(out.inputs.end(), pins->inputs.begin(), pins->inputs.end());
             out.outputs.insert(out.outputs.end(), pins->outputs.begin(), pins->outputs.end());
         }
@@ -177,7 +177,7 @@ private:
         return out;
     }
     void writeBox(const CfcElement& element) {
-        if (numberIn(element.settings, "_PARAMETERS") > 0) throw Unknown();
+        if (numberIn(element.settings, "_PARAMETERS") > 0) throw UnknownPart();
         const Names names = namesOf(element);
         pugi::xml_node block = add("block", element);
         block.append_attribute("typeName") = element.text("_TYPENAME").c_str();
@@ -192,7 +192,7 @@ private:
         block.append_child("inOutVariables");
         pins = block.append_child("outputVariables");
         for (size_t i = 0; i < element.outputs.size(); ++i) {
-            if (!textIn(element.outputs[i], "_CONNECTOR").empty()) throw Unknown();
+            if (!textIn(element.outputs[i], "_CONNECTOR").empty()) throw UnknownPart();
             pugi::xml_node pin = pins.append_child("variable");
             pin.append_attribute("formalParameter") = names.outputs[i].c_str();
             pin.append_child("connectionPointOut");
@@ -215,7 +215,7 @@ private:
         if (negated) node.append_attribute("negated") = "true";
     }
     std::string outputName(const CfcElement& box, int index, bool& negated) const {
-        if (index < 0 || static_cast<size_t>(index) >= box.outputs.size()) throw Unknown();
+        if (index < 0 || static_cast<size_t>(index) >= box.outputs.size()) throw UnknownPart();
         if (isNegated(box.outputs[static_cast<size_t>(index)])) negated = !negated;
         return namesOf(box).outputs[static_cast<size_t>(index)];
     }
@@ -233,7 +233,7 @@ bool readCodesys2Cfc(std::string_view text, const PinsOfType& pinsOf, pugi::xml_
     try {
         CfcWriter(ElementReader(text).read(), pinsOf, document).write();
         return true;
-    } catch (const Unknown&) {
+    } catch (const UnknownPart&) {
         document.reset();
         return false;
     }

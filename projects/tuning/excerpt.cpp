@@ -2,17 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace plc::tuning {
 
 namespace {
-
-double meanOf(const std::vector<double>& values, size_t begin, size_t end) {
-    return std::accumulate(values.begin() + static_cast<std::ptrdiff_t>(begin),
-                           values.begin() + static_cast<std::ptrdiff_t>(end), 0.0) /
-           static_cast<double>(end - begin);
-}
 
 /// Cuts of the excerpt on the recording's own time.
 struct Grid {

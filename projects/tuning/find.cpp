@@ -101,13 +101,6 @@ bool staysPut(const std::vector<double>& values, size_t begin, size_t end, doubl
     return true;
 }
 
-double meanOf(const std::vector<double>& values, size_t begin, size_t end) {
-    if (begin >= end) return 0;
-    return std::accumulate(values.begin() + static_cast<std::ptrdiff_t>(begin),
-                           values.begin() + static_cast<std::ptrdiff_t>(end), 0.0) /
-           static_cast<double>(end - begin);
-}
-
 struct Context {
     const LoopSeries& series;
     double noise = 0; // of the output

@@ -14,12 +14,6 @@ constexpr size_t kLeast = 15;   // samples of a disturbance
 constexpr double kShare = 0.01; // of the output's range: less is nothing
 constexpr double kSigmas = 4;   // of the output's noise, for the moving mean
 
-double meanBetween(const std::vector<double>& values, size_t begin, size_t end) {
-    double sum = 0;
-    for (size_t i = begin; i < end; ++i) sum += values[i];
-    return end > begin ? sum / static_cast<double>(end - begin) : 0;
-}
-
 /// Measured less set point, averaged where there is noise.
 std::vector<double> errorOf(const LoopSeries& series, double noise) {
     const size_t count = series.size();
@@ -153,8 +147,8 @@ void LoadFinder::close(size_t settled, bool isOver) {
     for (size_t i = load.step; i < load.end; ++i)
         load.outputChange = std::max(load.outputChange, std::abs(m_error[i] - m_level));
     load.signalToNoise = m_noise > 0 ? load.outputChange / m_noise : 1e6;
-    load.from = meanBetween(m_series.input, load.begin, std::max(load.step, load.begin + 1));
-    load.to = meanBetween(m_series.input, std::min(load.settled, load.end - 1), load.end);
+    load.from = meanOf(m_series.input, load.begin, std::max(load.step, load.begin + 1));
+    load.to = meanOf(m_series.input, std::min(load.settled, load.end - 1), load.end);
     judge(load, isOver);
     m_out.push_back(std::move(load));
     m_load.reset();

@@ -65,4 +65,11 @@ Result<void> checkSeries(const LoopSeries& series) {
 
 double usualInterval(const LoopSeries& series) { return waveform::usualInterval(series.time); }
 
+double meanOf(const std::vector<double>& values, size_t begin, size_t end) {
+    if (begin >= end) return 0;
+    double sum = 0;
+    for (size_t i = begin; i < end; ++i) sum += values[i];
+    return sum / static_cast<double>(end - begin);
+}
+
 } // namespace plc::tuning

@@ -32,5 +32,7 @@ struct CsvColumns {
 [[nodiscard]] Result<void> checkSeries(const LoopSeries& series);
 /// The usual distance of two samples.
 [[nodiscard]] double usualInterval(const LoopSeries& series);
+/// Of the samples from `begin` up to `end`; 0 where there are none.
+[[nodiscard]] double meanOf(const std::vector<double>& values, size_t begin, size_t end);
 
 } // namespace plc::tuning

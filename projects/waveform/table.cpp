@@ -20,8 +20,6 @@ namespace plc::waveform {
 
 namespace {
 
-constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
-
 /// "2026-03-01 06:00:00.250" or with a T, in seconds since 1970.
 double dateOf(const std::string& cell) {
     int year = 0, month = 0, day = 0, hour = 0, minute = 0, used = 0;

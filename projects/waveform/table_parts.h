@@ -3,7 +3,11 @@
 #include "projects/waveform/samples.h"
 #include "projects/waveform/table.h"
 
+#include <limits>
+
 namespace plc::waveform {
+
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 /// Without blanks around it.
 [[nodiscard]] std::string trimmed(const std::string& text);
