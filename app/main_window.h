@@ -26,6 +26,7 @@ class BreakpointView;
 class CallPathView;
 class EventLog;
 class ForceView;
+class StEditor;
 class TaskMonitor;
 class WatchView;
 } // namespace plc::editor
@@ -164,7 +165,15 @@ private:
     void makeActions();
     void makeDocks();
     void makeStatusLine();
-    void connectParts();
+    void connectParts(); // main_window_connections.cpp, like those it calls
+    void connectStart();
+    void connectTree();
+    void connectDesigns();
+    void connectSearch();
+    void connectEditors();
+    void connectViews();
+    void connectRun();
+    void watchAtCaret(const editor::StEditor& editor, const QString& text);
     [[nodiscard]] std::vector<SearchView::PanelUse> usesInPanels(const sema::Symbol& symbol) const;
     void connectTests();
     void connectInside();

@@ -20,6 +20,7 @@ bool isSigned(Family f) { return f == Family::Signed || isTime(f); }
 
 } // namespace
 
+// Widened by the sign of where it comes from, cut without a question: wrapping is what the language says.
 llvm::Value* FunctionEmitter::castInteger(Value* value, types::TypeId from, llvm::Type* to) {
     if (value->getType() == to) return value;
     return isSigned(m.types().family(from)) ? b.CreateSExtOrTrunc(value, to) : b.CreateZExtOrTrunc(value, to);

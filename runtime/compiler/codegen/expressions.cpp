@@ -264,6 +264,7 @@ llvm::Value* FunctionEmitter::conditional(const Expr& expr) {
     return result;
 }
 
+// LOWER_BOUND and UPPER_BOUND of ARRAY[*]; of other arrays the checker has made constants.
 llvm::Value* FunctionEmitter::bound(const Expr& expr) {
     const Address a = address(*expr.place);
     const auto bounds = boundsOf(a);

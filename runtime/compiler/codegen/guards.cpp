@@ -39,6 +39,7 @@ void FunctionEmitter::raiseAlways(FaultCode code) {
     enter(newBlock("dead"));
 }
 
+// Subranges keep their promise at each assignment, so that indices of that type need no check.
 void FunctionEmitter::guardRange(Value* value, const tree::Expr& from, types::TypeId target) {
     // x : INT(1..10) := y with y of the same subrange needs no check; facts/ranges.h decides.
     if (!facts::mayLeaveRange(m.types(), from, target)) return;
@@ -152,10 +153,12 @@ void FunctionEmitter::chargeUnits(uint64_t units) {
     if (units > 0) charge(int64(static_cast<int64_t>(units)));
 }
 
+// Before a call and at the end: whoever runs next counts on in the context.
 void FunctionEmitter::flushBudget() {
     if (m_budget) storeContext(b.CreateLoad(m.i64, m_budget), offsetof(RuntimeContext, loopBudget));
 }
 
+// At the start and behind a call, which may have used some of it.
 void FunctionEmitter::reloadBudget() {
     if (m_budget) b.CreateStore(loadContext(m.i64, offsetof(RuntimeContext, loopBudget)), m_budget);
 }

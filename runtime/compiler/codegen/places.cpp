@@ -98,6 +98,7 @@ void FunctionEmitter::plainStore(const Address& a, Value* value) {
     tag(b.CreateAlignedStore(value, pointer(a), alignOf(a).valueOrOne()), a);
 }
 
+// Paid for by its size: copying a megabyte in a loop must reach the watchdog as soon as the same work in statements.
 void FunctionEmitter::copy(const Address& to, const Address& from, uint32_t size) {
     if (size == 0) return;
     chargeUnits(facts::copyUnits(size));

@@ -78,6 +78,7 @@ llvm::Value* FunctionEmitter::isFault(Value* left) {
     return b.CreateICmpUGT(left, int32(static_cast<uint32_t>(Leaving::Return)));
 }
 
+// Behind the statement the program goes on as if nothing had been, unless it was left or nobody caught the fault.
 void FunctionEmitter::protectedStatement(const tree::Stmt& stmt) {
     llvm::AllocaInst* left = newSlot(m.i32, "left");
     b.CreateStore(protectedPart(stmt.body), left);

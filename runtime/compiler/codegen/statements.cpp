@@ -228,6 +228,7 @@ void FunctionEmitter::ifStatement(const Stmt& first) {
     enter(done);
 }
 
+// Labels are constants: short ranges become cases of a switch, which LLVM makes a table of.
 void FunctionEmitter::caseStatement(const Stmt& stmt) {
     // A switch with a case for each value of 0..1000000 would be a table of that size.
     constexpr uint64_t kExpanded = 64; // wider ranges are compared

@@ -209,6 +209,7 @@ void FunctionEmitter::plainTextInto(const Expr& expr, const Text& target) {
 }
 
 /// The text operands of an intrinsic, all of one width; what a later operand could change is copied first.
+// One STRING beside a WSTRING makes all of them wide: no character is lost in the direction of WSTRING.
 std::vector<Text> FunctionEmitter::textOperands(const Expr& expr) {
     // Left to right, as every operand.
     std::vector<Text> texts;
@@ -301,7 +302,7 @@ llvm::Value* FunctionEmitter::textIntrinsicScalar(const Expr& expr) {
     default: { // CharAt
         Value* index = countOf(*expr.operands[1]);
         Value* length = b.CreateZExt(textCall("length", t.isWide, m.i32, {t.pointer, t.capacity}, false), m.i64);
-        // At the length itself stands the end mark, which reads as 0.
+        // At the length itself is the end mark, which reads as 0.
         guard(b.CreateICmpUGT(index, length), FaultCode::StringIndex, index, int64(0), length);
         Value* at = b.CreateInBoundsGEP(t.isWide ? m.i16 : m.i8, t.pointer, index);
         return b.CreateZExtOrTrunc(b.CreateAlignedLoad(t.isWide ? m.i16 : m.i8, at, llvm::Align(1)), wanted);

@@ -172,7 +172,7 @@ tree::Expr* held(Context& context, tree::Expr* value, std::vector<tree::Stmt*>& 
 tree::Expr* defaultOf(Context& context, Variable& parameter, SourceRange range) {
     const TypeId type = typeOf(context, parameter);
     if (parameter.declaration && parameter.declaration->initial) {
-        // The default is seen from where the parameter is declared, not from where the call stands, and was reported
+        // The default is seen from where the parameter is declared, not from where the call is, and was reported
         // there.
         Context inner(context, parameter.scope, context.sink, context.arena);
         inner.isMuted = true;
@@ -181,7 +181,7 @@ tree::Expr* defaultOf(Context& context, Variable& parameter, SourceRange range) 
         const Operand value = context.types.isAggregate(type)
                                   ? aggregate(inner, *parameter.declaration->initial, type)
                                   : converted(inner, expression(inner, *parameter.declaration->initial, type), type);
-        // A default that is not constant is computed by the callee at its start; here the type's own value stands for
+        // A default that is not constant is computed by the callee at its start; here the type's own value is given for
         // it.
         if (!value.isUnknown() && value.isConstant()) return value.expr;
     }
@@ -339,7 +339,7 @@ Operand callUnit(Context& context, const Denoted& callee, const syntax::Expr& e)
                 good = false;
                 continue;
             }
-            // Local 0 stands for "some value of this type": only convertibility is asked, the load is never emitted.
+            // Local 0 is "some value of this type": only convertibility is asked, the load is never emitted.
             Operand probe = load(context, localPlace(context, 0, type, argument->value->range), argument->value->range);
             if (target.kind == Denoted::Kind::Place && !argument->negated &&
                 target.place->kind != tree::PlaceKind::TextIndex) {

@@ -115,6 +115,8 @@ Space& childSpace(WorldBuilder& world, Space& parent, std::string_view name) {
     return *child;
 }
 
+// Files come in the order of the build: the program's first, then the libraries, so that numbers of its units stay the
+// same when a library grows.
 void declareFile(WorldBuilder& world, const syntax::SyntaxFile& file) {
     // By the file's number, with gaps: a text of the library may be given without a file.
     if (file.file.isValid()) {

@@ -436,6 +436,7 @@ private:
 
 } // namespace
 
+// First what is configured, then what runs by default: the second depends on whether the first names a program.
 void buildTasks(WorldBuilder& world) {
     TaskBook book(world);
     book.addConfigured();

@@ -362,6 +362,7 @@ std::optional<Denoted> namedBit(Context& context, const Denoted& from, tree::Pla
 }
 
 ///   ok:    %IX0.7      wrong: %IX99999999.0  (P2034)
+// A direct address in a body (%IX0.0) is a place like any other; its letter is its type.
 Denoted denoteAddress(Context& context, const syntax::Expr& e) {
     const auto address = addressIn(context.world, e.text);
     if (!address || address->isOpen) {

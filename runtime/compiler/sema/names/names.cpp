@@ -1,5 +1,5 @@
 // What names mean: NameRef, Member, Index, Deref, Bit, Address → a place, a value, a unit, a type…
-// A name is looked up once (lookup.cpp); what it means then depends on where it stands: `found` chooses among
+// A name is looked up once (lookup.cpp); what it means then depends on where it is used: `found` chooses among
 // everything of that name by the access that is wanted, in the order in which an outer thing is hidden by an inner one.
 #include "runtime/compiler/sema/names/names.h"
 
@@ -355,7 +355,7 @@ static void noteReadOnly(Context& context, Denoted& out, const Variable& variabl
 Denoted ofVariable(Context& context, Variable& declared, tree::Place* instance, SourceRange range, Access access) {
     const TypeId type = typeOf(context, declared);
     refer(context, range, declared.symbol, access);
-    // VAR_EXTERNAL: the global that it stands for.
+    // VAR_EXTERNAL: the global that it refers to.
     Variable& variable = declared.target ? *declared.target : declared;
     if (!context.isMuted && !context.isExpression) {
         // Both are used: the declaration in the unit and the global.

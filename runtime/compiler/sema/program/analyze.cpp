@@ -28,6 +28,7 @@ using Files = std::vector<std::shared_ptr<const syntax::SyntaxFile>>;
 static size_t build(WorldBuilder& world, const Files& files, const LastCheck* last, bool isKept);
 static void useNamesIn(WorldBuilder& world, SourceRange range);
 
+// The types of the program are those of the tree: both are filled here and read by everything behind.
 WorldBuilder::WorldBuilder(const SourceSet& theSources, const Options& theOptions,
                            const std::shared_ptr<tree::Program>& theProgram)
     : World(theSources, theOptions, theProgram), Gathered(*theProgram->types, theProgram->arena), program(theProgram) {
@@ -41,6 +42,7 @@ WorldBuilder::WorldBuilder(const SourceSet& theSources, const Options& theOption
     types.wstring(1);
 }
 
+// Symbols are numbered in the order of declaration; references name them by number.
 SymbolId addSymbol(Gathered& gathered, SymbolKind kind, std::string_view name, std::string_view owner,
                    SourceRange range, std::string_view comment) {
     Symbol& symbol = gathered.symbols.emplace_back();

@@ -51,6 +51,7 @@ size_t checkBodies(WorldBuilder& world) {
     return checked;
 }
 
+// What is true of a function before its body is looked at, so that calls from bodies before it find it.
 bool beginBody(Gathered& gathered, const Unit& unit) {
     if (!unit.isCode()) return false;
     tree::Function& function = gathered.functions[unit.function.index()];
@@ -95,6 +96,7 @@ void emitEdges(Context& checker, Unit& unit, std::vector<tree::Stmt*>& out) {
 }
 
 /// Initial values of a function's own locals.
+// Scalars have their value in the function's list of locals; what needs code is put in front of the body.
 void emitLocals(Context& checker, Unit& unit, std::vector<tree::Stmt*>& out) {
     const types::TypeTable& types = checker.types;
     for (Variable& variable : unit.variables) {

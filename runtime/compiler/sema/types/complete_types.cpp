@@ -99,7 +99,7 @@ bool completeArray(WorldBuilder& world, TypeId type, SourceRange usedAt) {
 
 void completeAlias(WorldBuilder& world, DeclaredType& declared, SourceRange usedAt) {
     const TypeId behind = world.aliasOf[declared.type];
-    // First, so that asking for it again below does not begin anew.
+    // First, so that asking for it again below does not start over.
     world.aliasesByType.erase(declared.type);
     completeType(world, behind, usedAt);
     noteNesting(world, declared.type, nestingOf(world, behind));

@@ -147,6 +147,7 @@ void strictMismatch(Context& context, SourceRange range, std::string what, TypeI
 }
 
 ///   wrong: i := c + 1;  with c of an enumeration with {attribute 'strict'} (P2039)
+// Asked before each operator: a strict enumeration has names and no numbers.
 bool isStrict(Context& context, const Operand& operand) {
     if (!context.isKind(operand.type(), TypeKind::Enum) || !context.types[operand.type()].isStrict) return false;
     const std::string function = "TO_" + std::string(types::spelling(context.types.storageKind(operand.type())));
@@ -339,7 +340,7 @@ std::optional<Operand> convertedObject(Context& context, const Operand& operand,
     case TypeKind::Interface:
         if (context.isKind(from, TypeKind::Block) && operand.expr->kind == tree::ExprKind::Load &&
             context.types.implements(from, to)) {
-            // An interface is the address of the block; which block it is stands at its beginning.
+            // An interface is the address of the block; which block it is, is written at its beginning.
             takeAddress(context, operand.expr->place);
             tree::Expr* e = context.arena.make<tree::Expr>();
             e->kind = tree::ExprKind::InterfaceOf;
@@ -435,6 +436,7 @@ bool tellNarrowing(Context& context, const Operand& operand, TypeId to) {
     return true;
 }
 
+// Every assignment, argument and condition comes by here: it either gives a value of type `to` or has said why not.
 Operand converted(Context& context, Operand operand, TypeId to) {
     if (operand.isUnknown() || context.isKind(to, TypeKind::Unknown))
         return operand.expr ? operand : unknown(context, {});

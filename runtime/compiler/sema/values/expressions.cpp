@@ -71,6 +71,7 @@ TypeId textType(Context& context, size_t length, bool isWide) {
     return isWide ? context.types.wstring(capacity) : context.types.string(capacity);
 }
 
+// The end of being a literal: from here on it has a type.
 Operand settled(Context& context, Operand operand, TypeId hint) {
     if (!operand.isFlexible) return operand;
     TypeId type = smallestType(context, operand);

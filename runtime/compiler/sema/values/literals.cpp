@@ -316,6 +316,7 @@ std::optional<Operand> quotedName(Context& context, const syntax::Expr& e, TypeI
     return value(context, found(context, result, {inner, e.range}, Access::Read, hint), e, hint);
 }
 
+// Its value may not be known yet: enumerations are completed when they are first asked for one.
 Operand enumerator(Context& context, const EnumeratorRef& ref, SourceRange range) {
     completeEnum(context, *ref.type);
     refer(context, range, ref.type->symbols[ref.index], Access::Read);

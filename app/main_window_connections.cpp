@@ -1,0 +1,193 @@
+// Who tells whom in the main window: each signal of a part and what answers it. No logic: an answer of more than a few
+// lines is a function of its own.
+#include "app/main_window.h"
+
+#include "app/design_findings.h"
+#include "app/device_connections.h"
+#include "app/editor_tabs.h"
+#include "app/live_views.h"
+#include "app/panel_files.h"
+#include "app/perspectives.h"
+#include "app/problems_view.h"
+#include "app/project_tree.h"
+#include "app/search_view.h"
+#include "app/start_page.h"
+#include "app/status_line.h"
+#include "editor/debug/debug_views.h"
+#include "editor/debug/watch_view.h"
+#include "editor/kit/work_strip.h"
+
+#include <QStatusBar>
+
+#include <map>
+
+namespace plc::app {
+
+void MainWindow::connectParts() {
+    connectStart();
+    connectTree();
+    connectDesigns();
+    connectSearch();
+    connectEditors();
+    connectViews();
+    connectRun();
+    connectTests();
+    connectInside();
+    connect(m_workspace, &editor::Workspace::opened, this, &MainWindow::updateActions);
+    connect(m_workspace, &editor::Workspace::closed, this, &MainWindow::updateActions);
+}
+
+void MainWindow::connectStart() {
+    connect(m_startPage, &StartPage::projectRequested, this, &MainWindow::openProject);
+    connect(m_startPage, &StartPage::exampleRequested, this, &MainWindow::openExample);
+    connect(m_startPage, &StartPage::newRequested, this, &MainWindow::newProject);
+    connect(m_startPage, &StartPage::openRequested, this, &MainWindow::chooseProject);
+    connect(m_startPage, &StartPage::tourRequested, this, &MainWindow::startTour);
+}
+
+void MainWindow::connectTree() {
+    connect(m_tree, &ProjectTree::placeRequested, this,
+            [this](const QString& file, uint32_t offset) { m_tabs->goTo(file, offset); });
+    connect(m_tree, &ProjectTree::chartRequested, m_tabs, &EditorTabs::showChart);
+    connect(m_tree, &ProjectTree::newUnitRequested, this, &MainWindow::newUnitIn);
+    connect(m_tree, &ProjectTree::renameRequested, this, &MainWindow::renameSymbol);
+    connect(m_tree, &ProjectTree::deleteRequested, this, &MainWindow::deleteUnit);
+    connect(m_tree, &ProjectTree::newPanelRequested, this, &MainWindow::newPanel);
+    connect(m_tree, &ProjectTree::newTraceRequested, this, &MainWindow::newTrace);
+    connect(m_tree, &ProjectTree::renameFileRequested, this, &MainWindow::renameProjectFile);
+    connect(m_tree, &ProjectTree::deleteFileRequested, this, &MainWindow::deleteProjectFile);
+    connect(m_tree, &ProjectTree::watchRequested, this, [this](const QString& path) {
+        m_watch->add(path);
+        showDock("watch");
+    });
+    connect(m_tree, &ProjectTree::instanceRequested, this, &MainWindow::showInstance);
+    m_tree->setInstances([this](const QString& path) { return m_control->instanceAt(path); },
+                         [this](const QString& block) { return m_control->instancesOf(block); });
+    connect(m_tree, &ProjectTree::librariesRequested, this, &MainWindow::chooseLibraries);
+    connect(m_tree, &ProjectTree::testsRequested, this, &MainWindow::runTests);
+    connect(m_tree, &ProjectTree::traceRequested, this, [this](const QString& name) {
+        m_live->openTrace(name);
+        showDock("trace");
+    });
+    connect(m_tree, &ProjectTree::panelRequested, this, [this](const QString& name) {
+        m_live->showPanel(name);
+        openDesigner(name);
+    });
+    connect(m_tree, &ProjectTree::textsRequested, this, &MainWindow::openTexts);
+    connect(m_tree, &ProjectTree::alarmsRequested, this, &MainWindow::openAlarms);
+    connect(m_tree, &ProjectTree::recipesRequested, this, &MainWindow::openRecipes);
+    connect(m_tree, &ProjectTree::peopleRequested, this, &MainWindow::openPeople);
+    connect(m_tree, &ProjectTree::devicesRequested, this, [this] { showDock("devices"); });
+}
+
+/// Panels, texts and alarms: their pages, their findings, their files.
+void MainWindow::connectDesigns() {
+    connect(m_live, &LiveViews::designsMustClose, this, [this] {
+        for (int i = m_tabs->count() - 1; i >= 0; --i) {
+            QWidget* page = m_tabs->widget(i);
+            const QString key = page->property("pageKey").toString();
+            if (!isDesignKey(key)) continue;
+            m_tabs->removeTab(i);
+            delete page;
+        }
+    });
+    connect(m_live, &LiveViews::message, this, &MainWindow::say);
+    m_findings = new DesignFindings(*m_live, *m_problems, this);
+    m_files = new PanelFiles(
+        *m_workspace, *m_live,
+        [this](const QString& file, const std::string& here, const std::string& onDisk) {
+            return askAboutDiskChange(file, here, onDisk, this);
+        },
+        this);
+    connect(m_files, &PanelFiles::message, this, &MainWindow::say);
+    connect(m_files, &PanelFiles::changedStateChanged, m_tabs, &EditorTabs::markPage);
+    connect(m_files, &PanelFiles::panelGone, this, [this](const QString& key) {
+        if (QWidget* page = m_tabs->pageByKey(key)) m_tabs->closePage(m_tabs->indexOf(page));
+    });
+    connect(m_workspace, &editor::Workspace::saved, m_findings, &DesignFindings::schedule);
+    connect(m_problems, &ProblemsView::elementRequested, this, &MainWindow::openDesignPlace);
+    m_tabs->setMayClose([this](QWidget* page) { return maySwitchAway(page); });
+}
+
+void MainWindow::connectSearch() {
+    connect(m_search, &SearchView::placeRequested, this,
+            [this](const QString& file, uint32_t offset, uint32_t length) { m_tabs->goTo(file, offset, length); });
+    connect(m_search, &SearchView::message, this, &MainWindow::say);
+    connect(m_search, &SearchView::panelPlaceRequested, this, &MainWindow::openDesignPlace);
+    m_search->setPanelTexts([this] {
+        std::map<QString, std::string> texts;
+        if (!m_live->design()) return texts;
+        const hmi::PanelProject& panels = m_live->panels();
+        for (const hmi::NamedPanel& panel : panels.panels)
+            texts[panels.placeOf(panels.panelPath(panel.name))] = panel.panel.write();
+        if (panels.hasAlarms) texts[panels.placeOf(panels.alarmsPath())] = panels.alarms.write();
+        return texts;
+    });
+    connect(m_search, &SearchView::textsReplaced, m_tabs,
+            [this](const std::map<QString, std::string>& texts) { m_tabs->applyTexts(texts); });
+}
+
+void MainWindow::connectEditors() {
+    connect(m_tabs, &EditorTabs::renameRequested, this, &MainWindow::renameTo);
+    connect(m_workspace, &editor::Workspace::encodingFound, this, [this](const QString& file, const QString& encoding) {
+        say(tr("%1 is written in %2 and is saved as it was found").arg(file, encoding), true);
+    });
+    connect(m_tabs, &EditorTabs::message, this, &MainWindow::say);
+    connect(m_tabs, &QTabWidget::tabBarDoubleClicked, m_perspectives, &Perspectives::toggleMaximised);
+    connect(m_tabs, &EditorTabs::saved, this, [this] {
+        if (m_settings.changeOnSave() && m_control->isRunning() && !m_control->isUpToDate()) m_control->onlineChange();
+    });
+    connect(m_tabs, &EditorTabs::editorMade, this, [this](editor::StEditor* made) {
+        connect(made, &editor::StEditor::definitionRequested, this, &MainWindow::findDefinition);
+        connect(made, &editor::StEditor::usesRequested, this, &MainWindow::findUses);
+        connect(made, &editor::StEditor::renameRequested, this, &MainWindow::renameSymbol);
+        connect(made, &editor::StEditor::watchRequested, this,
+                [this, made](const QString& text) { watchAtCaret(*made, text); });
+    });
+}
+
+/// A name inside a POU becomes the path of its instance.
+void MainWindow::watchAtCaret(const editor::StEditor& made, const QString& text) {
+    const QString pou = m_workspace->model()
+                            ? QString::fromStdString(m_workspace->model()->pouAt(
+                                  *m_workspace->model()->fileOf(made.file().toStdString()), made.cursorOffset()))
+                            : QString();
+    const QString instance = m_control->preferredInstance(pou);
+    const bool local = !instance.isEmpty() && m_control->value(text, instance).reason.isEmpty() &&
+                       !m_control->value(text).reason.isEmpty();
+    m_watch->add(local ? instance + "." + text : text);
+    showDock("watch");
+}
+
+void MainWindow::connectViews() {
+    connect(m_problems, &ProblemsView::placeRequested, this,
+            [this](const QString& file, uint32_t offset) { m_tabs->goTo(file, offset); });
+    connect(m_watch, &editor::WatchView::traceRequested, this, [this](const QString& expression) {
+        m_live->traceView().addChannel(expression);
+        showDock("trace");
+    });
+    connect(m_breakpoints, &editor::BreakpointView::lineRequested, this,
+            [this](const QString& file, int line) { m_tabs->goToLine(file, line); });
+    connect(m_log, &editor::EventLog::lineRequested, m_tabs, &EditorTabs::goToLine);
+    connect(m_watch, &editor::WatchView::instanceRequested, this, &MainWindow::showInstance);
+    connect(m_callPath, &editor::CallPathView::instanceChosen, m_control, &editor::RunControl::setPreferredInstance);
+    connect(m_callPath, &editor::CallPathView::placeRequested, this,
+            [this](const QString& file, uint32_t offset) { m_tabs->goTo(file, offset); });
+}
+
+void MainWindow::connectRun() {
+    connect(m_control, &editor::RunControl::messageAdded, this,
+            [this](const QString& text, bool isError) { statusBar()->showMessage(text, isError ? 8000 : 4000); });
+    connect(m_control, &editor::RunControl::onlineChangeFinished, this, [this](const QString& text) { say(text); });
+    connect(m_control, &editor::RunControl::workBegan, &m_status->work(), &kit::WorkStrip::begin);
+    connect(m_control, &editor::RunControl::workEnded, &m_status->work(), &kit::WorkStrip::end);
+    connect(m_control, &editor::RunControl::buildCancelled, this,
+            [this] { say(tr("The build was cancelled; everything is as it was")); });
+    connect(m_control, &editor::RunControl::buildFinished, this, [this](bool good, const QString& text) {
+        say(text, !good);
+        if (!good) showDock("problems");
+    });
+    connect(m_control, &editor::RunControl::halted, this, [this] { showDock("callPath"); });
+}
+
+} // namespace plc::app
