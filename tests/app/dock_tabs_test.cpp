@@ -61,14 +61,16 @@ protected:
 };
 
 TEST_F(DockTabsTest, NothingIsCutOnASmallScreenInAShortAndALongLanguage) {
-    for (const char* language : {"en", "de", "fr"})
+    for (const char* language : {"en", "de"}) {
+        ASSERT_NO_FATAL_FAILURE(show(language, {1024, 700}));
         for (const QSize size : {QSize(1024, 700), QSize(1366, 768)}) {
-            ASSERT_NO_FATAL_FAILURE(show(language, size));
+            window->resize(size);
             EXPECT_GE(bars().size(), 3);
             for (const QTabBar* bar : bars())
                 EXPECT_TRUE(waitFor([&] { return cut(*bar).isEmpty(); }))
                     << language << " at " << size.width() << ": " << cut(*bar).join(", ").toStdString();
         }
+    }
 }
 
 TEST_F(DockTabsTest, EachPictureSaysItsNameAndBringsItsDockToTheFront) {
