@@ -6,6 +6,7 @@
 
 #include <QAction>
 #include <QDockWidget>
+#include <QLineEdit>
 #include <QStyle>
 #include <QTabBar>
 
@@ -125,6 +126,14 @@ TEST_F(DockTabsTest, TheViewMenuBringsADockFromTheBackAndClosesTheOneInFront) {
     EXPECT_TRUE(waitFor([&] { return !window->dock("log")->isVisible() && !log->isChecked(); }));
     log->trigger();
     EXPECT_TRUE(waitFor([&] { return window->dock("log")->isVisible(); }));
+}
+
+TEST_F(DockTabsTest, TheFieldsOfTheSearchHaveRoomForWords) {
+    ASSERT_NO_FATAL_FAILURE(show("de", {1024, 700}));
+    window->showDock("search");
+    const auto fields = window->search().findChildren<QLineEdit*>();
+    ASSERT_EQ(fields.size(), 2);
+    for (const QLineEdit* field : fields) EXPECT_TRUE(waitFor([&] { return field->width() > 180; })) << field->width();
 }
 
 } // namespace
