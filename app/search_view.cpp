@@ -50,10 +50,12 @@ SearchView::SearchView(editor::Workspace& workspace, QWidget* parent) : QWidget(
     m_results->header()->setStretchLastSection(true);
     m_results->setColumnWidth(0, 190);
     m_results->setColumnWidth(1, 90);
+    auto* words = new QHBoxLayout; // a row of their own: beside the rest they have no room on a small screen
+    words->setContentsMargins(6, 4, 6, 0);
+    words->addWidget(m_text);
+    words->addWidget(m_replacement);
     auto* row = new QHBoxLayout;
     row->setContentsMargins(6, 4, 6, 4);
-    row->addWidget(m_text, 2);
-    row->addWidget(m_replacement, 2);
     row->addWidget(m_case);
     row->addWidget(m_regex);
     row->addWidget(find);
@@ -62,6 +64,7 @@ SearchView::SearchView(editor::Workspace& workspace, QWidget* parent) : QWidget(
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
+    layout->addLayout(words);
     layout->addLayout(row);
     layout->addWidget(m_results);
     connect(m_text, &QLineEdit::returnPressed, this, &SearchView::search);

@@ -407,7 +407,7 @@ void StudioStyle::drawControl(ControlElement element, const QStyleOption* option
         break;
     case CE_TabBarTabLabel:
         if (const QStyleOptionTab* tab = asPicture(option, widget)) {
-            tab->icon.paint(painter, tab->rect, Qt::AlignCenter);
+            tab->icon.paint(painter, alignedRect(tab->direction, Qt::AlignCenter, tab->iconSize, tab->rect));
             return;
         }
         break;

@@ -74,23 +74,23 @@ void addValueCommands(QMenu& menu, StEditor& editor, const StEditor::NamedValue&
 /// Undo and redo are those of the project, where changes of several files belong together.
 void addTextCommands(QMenu& menu, StEditor& editor, const std::function<void()>& undo,
                      const std::function<void()>& redo) {
-    const auto add = [&](const char* english, QKeySequence::StandardKey key, bool isPossible, auto&& run) {
+    const auto add = [&](const char* english, const QKeySequence& keys, bool isPossible, auto&& run) {
         QAction* action = menu.addAction(wordOfQt(english));
-        if (key != QKeySequence::UnknownKey) action->setShortcut(key);
+        action->setShortcut(keys);
         action->setEnabled(isPossible);
         QObject::connect(action, &QAction::triggered, &editor, run);
     };
     const bool mayWrite = !editor.isReadOnly(), hasSelection = editor.hasSelectedText();
     add("&Undo", QKeySequence::Undo, mayWrite && (undo || editor.isUndoAvailable()),
         [&editor, undo] { undo ? undo() : editor.undo(); });
-    add("&Redo", QKeySequence::Redo, mayWrite && (redo || editor.isRedoAvailable()),
+    add("&Redo", Qt::CTRL | Qt::Key_Y, mayWrite && (redo || editor.isRedoAvailable()),
         [&editor, redo] { redo ? redo() : editor.redo(); });
     menu.addSeparator();
     add("Cu&t", QKeySequence::Cut, mayWrite && hasSelection, [&editor] { editor.cut(); });
     add("&Copy", QKeySequence::Copy, hasSelection, [&editor] { editor.copy(); });
     add("&Paste", QKeySequence::Paste, mayWrite && editor.SendScintilla(S::SCI_CANPASTE) != 0,
         [&editor] { editor.paste(); });
-    add("Delete", QKeySequence::UnknownKey, mayWrite && hasSelection, [&editor] { editor.removeSelectedText(); });
+    add("Delete", {}, mayWrite && hasSelection, [&editor] { editor.removeSelectedText(); });
     menu.addSeparator();
     add("Select All", QKeySequence::SelectAll, editor.length() > 0, [&editor] { editor.selectAll(); });
 }

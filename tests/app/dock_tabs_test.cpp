@@ -6,6 +6,7 @@
 
 #include <QAction>
 #include <QDockWidget>
+#include <QLineEdit>
 #include <QStyle>
 #include <QTabBar>
 
@@ -61,14 +62,16 @@ protected:
 };
 
 TEST_F(DockTabsTest, NothingIsCutOnASmallScreenInAShortAndALongLanguage) {
-    for (const char* language : {"en", "de", "fr"})
+    for (const char* language : {"en", "de"}) {
+        ASSERT_NO_FATAL_FAILURE(show(language, {1024, 700}));
         for (const QSize size : {QSize(1024, 700), QSize(1366, 768)}) {
-            ASSERT_NO_FATAL_FAILURE(show(language, size));
+            window->resize(size);
             EXPECT_GE(bars().size(), 3);
             for (const QTabBar* bar : bars())
                 EXPECT_TRUE(waitFor([&] { return cut(*bar).isEmpty(); }))
                     << language << " at " << size.width() << ": " << cut(*bar).join(", ").toStdString();
         }
+    }
 }
 
 TEST_F(DockTabsTest, EachPictureSaysItsNameAndBringsItsDockToTheFront) {
@@ -123,6 +126,14 @@ TEST_F(DockTabsTest, TheViewMenuBringsADockFromTheBackAndClosesTheOneInFront) {
     EXPECT_TRUE(waitFor([&] { return !window->dock("log")->isVisible() && !log->isChecked(); }));
     log->trigger();
     EXPECT_TRUE(waitFor([&] { return window->dock("log")->isVisible(); }));
+}
+
+TEST_F(DockTabsTest, TheFieldsOfTheSearchHaveRoomForWords) {
+    ASSERT_NO_FATAL_FAILURE(show("de", {1024, 700}));
+    window->showDock("search");
+    const auto fields = window->search().findChildren<QLineEdit*>();
+    ASSERT_EQ(fields.size(), 2);
+    for (const QLineEdit* field : fields) EXPECT_TRUE(waitFor([&] { return field->width() > 180; })) << field->width();
 }
 
 } // namespace
