@@ -77,7 +77,7 @@ QString figures(const std::map<std::string, int>& counts) {
 }
 
 QString summaryOf(const exchange::Report& report) {
-    return ImportDialog::tr("Units: %1\nBodies: %2\nNot kept: %3")
+    return ImportDialog::tr("Objects: %1\nBodies: %2\nNot kept: %3")
         .arg(figures(report.units), figures(report.bodies))
         .arg(report.losses());
 }

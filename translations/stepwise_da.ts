@@ -6116,10 +6116,10 @@
         <translation>Rapport</translation>
     </message>
     <message>
-        <source>Units: %1
+        <source>Objects: %1
 Bodies: %2
 Not kept: %3</source>
-        <translation>Programenheder: %1
+        <translation>Objekter: %1
 Kroppe: %2
 Ikke bevaret: %3</translation>
     </message>

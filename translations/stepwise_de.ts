@@ -6116,10 +6116,10 @@
         <translation>Bericht</translation>
     </message>
     <message>
-        <source>Units: %1
+        <source>Objects: %1
 Bodies: %2
 Not kept: %3</source>
-        <translation>Bausteine: %1
+        <translation>Objekte: %1
 Rümpfe: %2
 Nicht erhalten: %3</translation>
     </message>

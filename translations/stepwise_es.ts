@@ -6116,10 +6116,10 @@
         <translation>Informe</translation>
     </message>
     <message>
-        <source>Units: %1
+        <source>Objects: %1
 Bodies: %2
 Not kept: %3</source>
-        <translation>POU: %1
+        <translation>Objetos: %1
 Cuerpos: %2
 No conservados: %3</translation>
     </message>

@@ -6116,10 +6116,10 @@
         <translation>Rapport</translation>
     </message>
     <message>
-        <source>Units: %1
+        <source>Objects: %1
 Bodies: %2
 Not kept: %3</source>
-        <translation>POU&#xa0;: %1
+        <translation>Objets&#xa0;: %1
 Corps&#xa0;: %2
 Non conservés&#xa0;: %3</translation>
     </message>

@@ -6111,10 +6111,10 @@
         <translation>报告</translation>
     </message>
     <message>
-        <source>Units: %1
+        <source>Objects: %1
 Bodies: %2
 Not kept: %3</source>
-        <translation>POU：%1
+        <translation>对象：%1
 主体：%2
 未保留：%3</translation>
     </message>

@@ -7,6 +7,7 @@
 #include <QCoreApplication>
 #include <QDropEvent>
 #include <QHeaderView>
+#include <QLocale>
 
 namespace plc::hmi {
 
@@ -19,7 +20,7 @@ QString titleOf(const Element& element, const DesignContext& context) {
     const QString kind = QCoreApplication::translate("Hmi", element.descriptor().title);
     for (const char* const words : {"text", "title", "label", "onText"})
         if (const QString text = context.shownText(element.text(words)).simplified(); !text.isEmpty())
-            return QStringLiteral("%1  “%2”").arg(kind, text.left(40));
+            return QStringLiteral("%1  %2").arg(kind, QLocale().quoteString(text.left(40)));
     for (const char* const bound : {"target", "value", "state", "file", "panel", "symbol"})
         if (const QString text = element.text(bound).simplified(); !text.isEmpty())
             return QStringLiteral("%1  %2").arg(kind, text.left(40));

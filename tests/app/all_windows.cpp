@@ -231,9 +231,12 @@ static void lookAtExplanation(MainWindow& window, const Look& look) {
     ASSERT_TRUE(waitFor([&] { return window.problems().errorCount() > 0; }));
     page->active().goTo(end + 2);
     page->active().setFocus();
-    window.action("help.explain")->trigger();
-    auto* dialog = window.findChild<ExplanationDialog*>();
-    ASSERT_NE(dialog, nullptr);
+    ExplanationDialog* dialog = nullptr;
+    ASSERT_TRUE(waitFor([&] { // the problem is known
+        window.action("help.explain")->trigger();
+        dialog = window.findChild<ExplanationDialog*>();
+        return dialog && dialog->isVisible();
+    }));
     look(*dialog, "explanation");
     dialog->close();
     window.workspace().revert("src/main.st");
