@@ -35,11 +35,11 @@ double dateOf(const std::string& cell) {
 
 /// "Level [m]" without its unit, which goes to `unit`.
 std::string nameOf(const std::string& cell, std::string& unit) {
-    const std::string text = withoutBlanks(cell);
+    const std::string text = trimmed(cell);
     const size_t open = text.rfind('[');
     if (open == std::string::npos || open == 0 || text.back() != ']' || text[open - 1] != ' ') return text;
     unit = text.substr(open + 1, text.size() - open - 2);
-    return withoutBlanks(text.substr(0, open));
+    return trimmed(text.substr(0, open));
 }
 
 /// The unit that a column of times is in [s]; none: not a column of times.
