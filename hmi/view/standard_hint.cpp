@@ -63,7 +63,8 @@ private:
 
 class HintSearch {
 public:
-    explicit HintSearch(const CheckInput& input) : m_input(input), m_panels(input.panelLookup()) {}
+    explicit HintSearch(const CheckInput& input)
+        : m_input(input), m_panels(input.panelLookup()), m_language(input.texts.settings().languages.value(0)) {}
 
     void look(const Panel& panel) {
         for (const Element& element : panel.elements()) {
@@ -86,25 +87,18 @@ private:
         m_controls += isControl;
         const bool changes = element.kind() == ElementKind::MultiState || !element.text("visible").isEmpty();
         forEachText(element, [&](const Found& text) {
-            for (const QString& words : inAllLanguages(text.text)) {
-                if (isControl)
-                    m_captions.add(words);
-                else if (changes)
-                    m_states += words;
-                m_hasSentence = m_hasSentence || (!isControl && isSentence(words));
-            }
+            const QString words = m_input.texts.text(text.text, m_language);
+            if (isControl)
+                m_captions.add(words);
+            else if (changes)
+                m_states += words;
+            m_hasSentence = m_hasSentence || (!isControl && isSentence(words));
         });
-    }
-
-    QStringList inAllLanguages(const QString& text) const {
-        if (!isTextKey(text)) return {text};
-        QStringList out;
-        for (const QString& tag : m_input.texts.table().tags()) out += m_input.texts.table().text(keyOf(text), tag);
-        return out;
     }
 
     const CheckInput& m_input;
     const PanelLookup m_panels;
+    const QString m_language; // the first: “marche” is a state in French and a caption, too
     int m_controls = 0;
     bool m_hasSentence = false;
     QStringList m_states;

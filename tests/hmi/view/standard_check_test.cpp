@@ -179,6 +179,31 @@ TEST(StandardCheck, AStartPanelSaysWhatToPress) {
         << "one control speaks for itself";
 }
 
+TEST(StandardCheck, TheHintIsLookedForInTheFirstLanguage) {
+    CheckInput input = project({panelOf(
+        QStringLiteral("main"), R"({"id":"a","kind":"button","rect":[0,0,120,48],"text":"@start","target":"M.s1"},
+            {"id":"b","kind":"button","rect":[0,60,120,48],"text":"@stop","target":"M.s2"},
+            {"id":"s","kind":"multiState","rect":[0,120,160,44],"value":"M.s",
+             "states":[{"value":"0","text":"@rest"},{"value":"1","text":"@runs"}]})")});
+    TextTable table;
+    for (const char* tag : {"en", "fr"}) table.addLanguage(QString::fromLatin1(tag));
+    const auto say = [&](const char* key, const char* english, const char* french) {
+        table.setText(QString::fromLatin1(key), QStringLiteral("en"), QString::fromUtf8(english));
+        table.setText(QString::fromLatin1(key), QStringLiteral("fr"), QString::fromUtf8(french));
+    };
+    say("start", "Start", "Marche");
+    say("stop", "Stop", "Arrêt");
+    say("rest", "At rest", "À l’arrêt");
+    say("runs", "Running", "En marche");
+    LanguageSettings settings;
+    settings.languages = {QStringLiteral("en"), QStringLiteral("fr")};
+    input.texts = TextCatalog(table, settings);
+    EXPECT_EQ(findings(input), "H1117 .") << "“En marche” is the name of a state";
+    table.setText(QStringLiteral("rest"), QStringLiteral("en"), QStringLiteral("Press Start"));
+    input.texts.setTable(table);
+    EXPECT_EQ(findings(input), "");
+}
+
 TEST(StandardCheck, TheHintMayBeOnTheFrameOrInAFaceplate) {
     const std::string buttons = R"({"id":"a","kind":"button","rect":[0,0,120,48],"text":"Open","target":"M.s1"},
                                    {"id":"b","kind":"button","rect":[0,60,120,48],"text":"Close","target":"M.s2"})",
