@@ -191,8 +191,9 @@ void Server::acceptStudio(QWebSocket* socket) {
 void Server::frames() {
     const qint64 begin = m_clock.elapsed();
     m_keeper.frame(std::chrono::steady_clock::now());
-    for (PanelLink* link : std::vector(m_links)) link->frame(now());
-    for (AttachLink* link : std::vector(m_attached)) link->frame(now());
+    const qint64 at = now(); // one moment for all: browsers that see the same share what is recorded of it
+    for (PanelLink* link : std::vector(m_links)) link->frame(at);
+    for (AttachLink* link : std::vector(m_attached)) link->frame(at);
     const qint64 took = m_clock.elapsed() - begin;
     const int wanted = static_cast<int>(std::clamp<qint64>(2 * took, kFrame, 500));
     if (wanted != m_timer.interval()) m_timer.setInterval(wanted);
