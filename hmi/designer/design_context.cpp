@@ -203,22 +203,51 @@ void DesignContext::closeDocument(const PanelDocument* document) {
     for (const QString& name : m_documents.keys(const_cast<PanelDocument*>(document))) m_documents.remove(name);
 }
 
+void DesignContext::rewritePanel(NamedPanel& panel, const QString& title, const Edit& change) {
+    if (PanelDocument* open = m_documents.value(panel.name)) return open->perform(title, change);
+    applyTo(panel.panel, change);
+    if (!m_changedPanels.contains(panel.name)) m_changedPanels += panel.name;
+    emit panelEdited(panel.name);
+}
+
+const Panel& DesignContext::latest(const NamedPanel& panel) const {
+    const PanelDocument* open = m_documents.value(panel.name);
+    return open ? open->panel() : panel.panel;
+}
+
 bool DesignContext::rewritePanels(const QString& title, const std::function<Edit(const Panel&)>& edit) {
     bool any = false;
     for (NamedPanel& panel : m_project.panels) {
-        PanelDocument* open = m_documents.value(panel.name);
-        const Edit change = edit(open ? open->panel() : panel.panel);
+        const Edit change = edit(latest(panel));
         if (change.isEmpty()) continue;
         any = true;
-        if (open) {
-            open->perform(title, change);
-            continue;
-        }
-        applyTo(panel.panel, change);
-        if (!m_changedPanels.contains(panel.name)) m_changedPanels += panel.name;
-        emit panelEdited(panel.name);
+        rewritePanel(panel, title, change);
     }
     return any;
+}
+
+DesignContext::NamesInPanels DesignContext::namesToRename(std::string_view key,
+                                                          const std::function<QString(const QString&)>& renamed) const {
+    NamesInPanels out;
+    for (const NamedPanel& panel : m_project.panels)
+        for (const Element& element : latest(panel).elements()) {
+            const QString before = element.text(key);
+            if (before.isEmpty()) continue;
+            if (const QString after = renamed(before); after != before)
+                out.push_back({panel.name, element.id(), std::string(key), before, after});
+        }
+    return out;
+}
+
+void DesignContext::putNames(const QString& title, const NamesInPanels& names, Names which) {
+    for (NamedPanel& panel : m_project.panels) {
+        EditList list;
+        for (const NameInPanel& one : names)
+            if (one.panel == panel.name)
+                list.edits.push_back(hmi::setProperty(latest(panel), one.element, one.key,
+                                                      toUtf8(which == Names::After ? one.after : one.before)));
+        if (!list.edits.empty()) rewritePanel(panel, title, {list});
+    }
 }
 
 bool DesignContext::renameVariable(const QString& from, const QString& to) {

@@ -69,6 +69,19 @@ public:
 
     /// An edit in every panel: as an undo step in those that are open, directly in the others. True if any changed.
     bool rewritePanels(const QString& title, const std::function<Edit(const Panel&)>& edit);
+    /// A place in a panel that names a recipe or roles.
+    struct NameInPanel {
+        QString panel;
+        ElementId element;
+        std::string key; // of the property
+        QString before, after;
+    };
+    using NamesInPanels = std::vector<NameInPanel>;
+    /// Where elements of all panels have a text under that key that `renamed` makes another.
+    NamesInPanels namesToRename(std::string_view key, const std::function<QString(const QString&)>& renamed) const;
+    enum class Names { Before, After };
+    /// Puts them in: as an undo step in panels that are open. Places that have gone are left out.
+    void putNames(const QString& title, const NamesInPanels& names, Names which);
     /// A variable was renamed in the code: bindings of panels and conditions of alarms follow.
     bool renameVariable(const QString& from, const QString& to);
     /// Where panels and alarms name a variable.
@@ -111,6 +124,9 @@ signals:
     void positionChanged();
 
 private:
+    /// With what is edited in an open designer.
+    const Panel& latest(const NamedPanel& panel) const;
+    void rewritePanel(NamedPanel& panel, const QString& title, const Edit& change);
     PanelProject& m_project;
     driver::Checked m_checked;
     session::Run* m_run = nullptr;

@@ -210,6 +210,7 @@ void PeopleEditor::commitRole(int row, int column, const QString& typed) {
         rebuild();
         return tell(text.isEmpty() ? errors::RoleWithoutName() : errors::RoleTwice(toUtf8(text)));
     }
+    if (column == RoleName) return renameRole(row, text);
     std::optional<kit::MacroScope> macro;
     QString title;
     if (column == RoleTitle) { // the text goes into the table of texts: one step with its key
@@ -220,12 +221,37 @@ void PeopleEditor::commitRole(int row, int column, const QString& typed) {
         Role& role = file.roles()[static_cast<size_t>(row)];
         if (column == RoleTitle) role.title = title;
         if (column == RoleStartPanel) role.startPanel = text;
-        if (column != RoleName) return;
-        role.name = text;
-        for (User& user : file.users())
-            for (QString& one : user.roles)
-                if (isSame(one, before.name)) one = text;
     });
+}
+
+/// Users who have it and elements that are kept for it follow, in the same step: else nobody could press them.
+void PeopleEditor::renameRole(int row, const QString& name) {
+    const PeopleFile before = m_context.project().people;
+    PeopleFile after = before;
+    const QString old = std::exchange(after.roles()[static_cast<size_t>(row)].name, name);
+    if (old == name) return rebuild();
+    const auto renamed = [&](QStringList roles) {
+        for (QString& one : roles)
+            if (isSame(one, old)) one = name;
+        return roles;
+    };
+    for (User& user : after.users()) user.roles = renamed(user.roles);
+    const auto names = m_context.namesToRename("access", [&](const QString& access) {
+        const QStringList roles = LogIn::rolesOf(access), now = renamed(roles);
+        return now == roles ? access : now.join(QStringLiteral(", "));
+    });
+    const QString title = tr("Rename Role");
+    using Names = DesignContext::Names;
+    m_undo.push(new kit::ClosureCommand(
+        title,
+        [=, this] {
+            m_context.setPeople(after);
+            m_context.putNames(title, names, Names::After);
+        },
+        [=, this] {
+            m_context.setPeople(before);
+            m_context.putNames(title, names, Names::Before);
+        }));
 }
 
 void PeopleEditor::rebuild() {

@@ -35,6 +35,7 @@ private:
     void edit(const QString& title, const std::function<void(PeopleFile&)>& change);
     void commitUser(int row, int column, const QString& text);
     void commitRole(int row, int column, const QString& text);
+    void renameRole(int row, const QString& name);
     void setRoles(int row, const QString& text);
     void askForPassword();
     void rebuild();

@@ -157,8 +157,22 @@ void RecipeEditor::renameRecipe(int row, const QString& name) {
     if (wanted == recipe.name) return rebuild();
     if (wanted.isEmpty()) return refuse(tr("A recipe needs a name."));
     if (after.find(wanted)) return refuse(tr("There is a recipe \"%1\" already.").arg(wanted));
-    recipe.name = m_current = wanted;
-    perform(tr("Rename Recipe"), std::move(after));
+    const RecipeFile before = after;
+    const QString title = tr("Rename Recipe"), old = std::exchange(recipe.name, wanted);
+    m_current = wanted;
+    // Panels that show it follow, in the same step.
+    const auto names = m_context.namesToRename("recipe", [&](const QString& one) { return one == old ? wanted : one; });
+    using Names = DesignContext::Names;
+    m_undo.push(new kit::ClosureCommand(
+        title,
+        [=, this] {
+            m_context.setRecipes(after);
+            m_context.putNames(title, names, Names::After);
+        },
+        [=, this] {
+            m_context.setRecipes(before);
+            m_context.putNames(title, names, Names::Before);
+        }));
 }
 
 void RecipeEditor::addVariable(const QString& path) {

@@ -133,6 +133,33 @@ TEST_F(Recipes, AreMadeNamedAndUndoneWithMouseAndKeys) {
     EXPECT_EQ(bytes(), before);
 }
 
+TEST_F(Recipes, AnotherNameFollowsIntoThePanelsAndBackInOneStep) {
+    editor.addRecipe();
+    editor.list().item(0)->setText(QStringLiteral("dough"));
+    const auto panelWith = [](const char* recipe) {
+        return panelOf(std::string(R"({"id": "r", "kind": "recipe", "rect": [8, 8, 520, 320], "recipe": ")") + recipe +
+                       R"("}, {"id": "other", "kind": "recipe", "rect": [8, 340, 520, 320], "recipe": "doughnut"})");
+    };
+    studio.project.panels.push_back({QStringLiteral("closed"), panelWith("dough")});
+    studio.designer->document().perform({}, {InsertElement{0, panelWith("dough").elements()[0].fields()}});
+    const auto names = [&] {
+        const Panel& closed = studio.project.panels.back().panel;
+        return (closed.elements()[0].text("recipe") + u' ' + closed.elements()[1].text("recipe") + u' ' +
+                studio.panel().elements()[0].text("recipe"))
+            .toStdString();
+    };
+    const int steps = editor.undoStack().count();
+    editor.list().item(0)->setText(QStringLiteral("bread"));
+    EXPECT_EQ(names(), "bread doughnut bread");
+    EXPECT_TRUE(studio.context->isPanelChanged(QStringLiteral("closed"))) << "it is saved with the rest";
+    EXPECT_EQ(editor.undoStack().count(), steps + 1);
+    editor.undoStack().undo();
+    EXPECT_EQ(names(), "dough doughnut dough");
+    EXPECT_EQ(only().name.toStdString(), "dough");
+    editor.undoStack().redo();
+    EXPECT_EQ(names(), "bread doughnut bread");
+}
+
 TEST_F(Recipes, WhatIsRefusedSaysWhy) {
     editor.addRecipe();
     editor.addVariable(QStringLiteral("Main.level"));
@@ -227,6 +254,25 @@ TEST_F(PeopleInTheEditor, UsersAndRolesAreTypedAndUndoneByteForByte) {
     EXPECT_EQ(people().write(), after);
     ASSERT_TRUE(studio.context->save());
     EXPECT_EQ(*projects::readFile(studio.project.peoplePath().toStdString()), after);
+}
+
+TEST_F(PeopleInTheEditor, ARenamedRoleIsTheOneThatElementsAreKeptFor) {
+    editor.addRole();
+    editor.addRole();
+    const std::string before = people().write();
+    studio.project.panels.push_back(
+        {QStringLiteral("closed"),
+         panelOf(R"({"id": "b", "kind": "button", "rect": [8, 8, 90, 40], "access": "role2, role"},
+                    {"id": "c", "kind": "button", "rect": [8, 60, 90, 40], "access": "role3"})")});
+    const auto access = [&](size_t index) {
+        return studio.project.panels.back().panel.elements()[index].text("access").toStdString();
+    };
+    type(editor.roles(), 0, PeopleEditor::RoleName, QStringLiteral("operator"));
+    EXPECT_EQ(access(0), "role2, operator");
+    EXPECT_EQ(access(1), "role3");
+    editor.undoStack().undo();
+    EXPECT_EQ(access(0), "role2, role");
+    EXPECT_EQ(people().write(), before);
 }
 
 TEST_F(PeopleInTheEditor, APasswordIsKeptHashedAndAWeakOneRefused) {
