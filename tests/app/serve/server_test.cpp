@@ -148,6 +148,28 @@ TEST(Server, ABrowserThatHangsGetsNothingMoreAndComesBackWithTheWholePicture) {
     EXPECT_TRUE(waitUntil([&] { return hanging.frames > frames + 10; }));
 }
 
+/// What one browser had recorded is the other's as well only if both are at the same moment. A clock that gives each
+/// that asks another half of the blinking would show the lamp on to one of them for ever, and off to the other.
+TEST(Server, AllBrowsersAreAtTheSameMoment) {
+    Served served;
+    ServerSettings settings;
+    qint64 asked = 0;
+    settings.clock = [&asked] { return asked++ % 2 * 500; };
+    served.panels = hmi::machineProject();
+    served.panels.panels.push_back(
+        {QStringLiteral("main"),
+         hmi::panelOf(R"({"id": "l", "kind": "lamp", "rect": [20, 20, 60, 60], "value": "TRUE", "blink": true})")});
+    served.panels.startPanel = QStringLiteral("main");
+    driver::BuildInput input;
+    input.files.push_back({"main.st", hmi::kMachine});
+    served.build(input, std::move(settings));
+    served.machine->startThread({session::Pace::Real});
+    Client one(served), two(served);
+    ASSERT_TRUE(waitUntil([&] { return one.frames > 0 && two.frames > 0; }));
+    const int first = one.frames, second = two.frames;
+    EXPECT_TRUE(waitUntil([&] { return one.frames > first + 6 && two.frames > second + 6; }));
+}
+
 /// Waits without turning the event loop: the server does nothing meanwhile.
 bool scansGoOn(const session::Session& machine, uint64_t count) {
     const uint64_t before = machine.status().scans;
