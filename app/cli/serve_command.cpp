@@ -126,7 +126,9 @@ int run(const Arguments& arguments) {
         if (!made) return wrongUse(made.error());
         engine = std::move(*made);
     }
+    serve::TrialEnd trialEnd;
     session::Session session(std::move(built), forSession);
+    if (settings->trial) trialEnd.watch(session, *settings->trial);
     if (engine) {
         engine->attach(session.controller());
         engine->connect();

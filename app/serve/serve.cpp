@@ -96,6 +96,16 @@ Result<std::unique_ptr<StateFolder>> StateFolder::open(const std::string& folder
 
 StateFolder::~StateFolder() { (void)platform::closeFile(m_lock); }
 
+void TrialEnd::watch(session::Session& session, std::chrono::nanoseconds length) {
+    m_session = &session;
+    m_length = length;
+    session.controller().addObserver(*this);
+}
+
+void TrialEnd::scanFinished(std::span<const std::byte>, uint64_t, std::chrono::nanoseconds time) {
+    if (m_session && time >= m_length) std::exchange(m_session, nullptr)->stop();
+}
+
 std::string retainFileOf(const ServeSettings& settings) {
     return (fs::path(settings.stateFolder) / "retained").string();
 }

@@ -19,6 +19,20 @@ struct ServeSettings {
     const devices::Engine* devices = nullptr; // none are connected
 };
 
+/// Stops a session at the scan with which a trial is over. Must outlive the session.
+class TrialEnd final : public controller::ScanObserver {
+public:
+    /// Before the scan thread starts.
+    void watch(session::Session& session, std::chrono::nanoseconds length);
+
+private:
+    void scanFinished(std::span<const std::byte> image, uint64_t scan, std::chrono::nanoseconds time) override;
+    void programChanged(std::shared_ptr<const image::CompiledProgram>) override {}
+    void eventHappened(const controller::Event&) override {}
+    session::Session* m_session = nullptr; // none: over, or there is no trial
+    std::chrono::nanoseconds m_length{};
+};
+
 /// The state folder, created when missing, for this process alone as long as this lives.
 class StateFolder {
 public:
