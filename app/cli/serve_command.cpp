@@ -49,7 +49,7 @@ Result<serve::ServeSettings> readSettings(const Arguments& arguments, const proj
     if (const auto text = arguments.value("--trial")) {
         const auto length = parseDuration(*text);
         if (!length) return length.error();
-        out.trial = *length;
+        out.trialLength = *length;
     }
     if (const auto text = arguments.value("--recording-size")) {
         const auto size = parseSize(*text);
@@ -126,9 +126,9 @@ int run(const Arguments& arguments) {
         if (!made) return wrongUse(made.error());
         engine = std::move(*made);
     }
-    serve::TrialEnd trialEnd;
+    serve::Trial trial;
     session::Session session(std::move(built), forSession);
-    if (settings->trial) trialEnd.watch(session, *settings->trial);
+    if (settings->trialLength) trial.watch(session, *settings->trialLength);
     if (engine) {
         engine->attach(session.controller());
         engine->connect();
@@ -137,6 +137,7 @@ int run(const Arguments& arguments) {
         std::cerr << "stepwise: " << problem << "\n";
     serve::ServeSettings forServer = *settings;
     forServer.devices = engine.get();
+    if (settings->trialLength) forServer.trial = &trial;
     const auto served = serve::serve(panels, session, forServer, isInterrupted);
     if (engine) engine->disconnect();
     if (!served) return wrongUse(served.error());
