@@ -157,6 +157,7 @@ DevicesView& DevicesView::of(const QWidget& window) { return *window.findChild<D
 DevicesView::DevicesView(DeviceConnections& connections, editor::Workspace& workspace, QWidget* parent)
     : QWidget(parent), m_connections(connections), m_workspace(workspace), m_tree(new QTreeWidget),
       m_fields(new QTableWidget(0, 2)), m_summary(new QLabel(this)) {
+    m_summary->setObjectName("devicesSummary");
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
@@ -166,10 +167,14 @@ DevicesView::DevicesView(DeviceConnections& connections, editor::Workspace& work
     m_tree->setHeaderLabels(
         {tr("Device or channel"), tr("Variable"), tr("Place"), tr("State"), tr("Value"), tr("Traffic")});
     m_tree->setAlternatingRowColors(true);
-    m_tree->setColumnWidth(Name, 170);
-    m_tree->setColumnWidth(Variable, 150);
-    m_tree->setColumnWidth(Where, 170);
-    m_tree->setColumnWidth(Column::State, 150);
+    m_tree->setColumnWidth(Name, 140);
+    m_tree->setColumnWidth(Column::State, 110);
+    m_tree->setColumnWidth(Value, 120);
+    m_tree->setColumnWidth(Variable, 130);
+    m_tree->setColumnWidth(Where, 150);
+    // What moves is beside the name: in a small window the rest is out of sight, not this.
+    m_tree->header()->moveSection(m_tree->header()->visualIndex(Column::State), 1);
+    m_tree->header()->moveSection(m_tree->header()->visualIndex(Value), 2);
     m_fields->setObjectName("deviceFields");
     m_fields->setAccessibleName(tr("Fields of the device or channel"));
     m_fields->setHorizontalHeaderLabels({tr("Field"), tr("Content")});
@@ -416,7 +421,8 @@ void DevicesView::showStatus() {
         const devices::Device& device = m_file.devices()[static_cast<size_t>(d)];
         item->setText(Column::State, status ? nameOf(status->state) : device.isEnabled ? QString() : tr("not enabled"));
         item->setToolTip(Column::State, status ? kit::messageText(status->problem) : QString());
-        item->setText(Value, status && !status->problem.isEmpty() ? kit::messageText(status->problem) : QString());
+        item->setText(Value, item->toolTip(Column::State));
+        item->setToolTip(Value, item->toolTip(Column::State));
         const bool isLost = status && status->state == devices::LinkState::Lost;
         item->setForeground(Column::State, isLost ? kit::colors().bad : kit::colors().text);
         item->setText(Traffic, status ? tr("%1 requests, %2 errors, %3 ms")
@@ -434,7 +440,10 @@ void DevicesView::showStatus() {
             child->setForeground(Column::State, isBad ? kit::colors().warning : kit::colors().text);
         }
     }
-    m_summary->setText(isConnected ? tr("connected") : tr("not connected"));
+    const auto online = std::count_if(all.begin(), all.end(), [](const devices::DeviceStatus& each) {
+        return each.state == devices::LinkState::Online;
+    });
+    m_summary->setText(isConnected ? tr("online: %1 of %2").arg(online).arg(all.size()) : tr("not connected"));
     updateActions();
 }
 

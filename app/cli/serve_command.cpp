@@ -49,7 +49,7 @@ Result<serve::ServeSettings> readSettings(const Arguments& arguments, const proj
     if (const auto text = arguments.value("--trial")) {
         const auto length = parseDuration(*text);
         if (!length) return length.error();
-        out.trial = *length;
+        out.trialLength = *length;
     }
     if (const auto text = arguments.value("--recording-size")) {
         const auto size = parseSize(*text);
@@ -126,7 +126,9 @@ int runServe(const Arguments& arguments) {
         if (!made) return wrongUse(made.error());
         engine = std::move(*made);
     }
+    serve::Trial trial;
     session::Session session(std::move(built), forSession);
+    if (settings->trialLength) trial.watch(session, *settings->trialLength);
     if (engine) {
         engine->attach(session.controller());
         engine->connect();
@@ -135,6 +137,7 @@ int runServe(const Arguments& arguments) {
         std::cerr << "stepwise: " << problem << "\n";
     serve::ServeSettings forServer = *settings;
     forServer.devices = engine.get();
+    if (settings->trialLength) forServer.trial = &trial;
     const auto served = serve::serve(panels, session, forServer, isInterrupted);
     if (engine) engine->disconnect();
     if (!served) return wrongUse(served.error());

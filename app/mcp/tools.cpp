@@ -137,13 +137,19 @@ bool fits(const Field& field, const Json& value) {
     return false;
 }
 
+Message noSuchArgument(std::string_view tool, const std::string& name, const std::vector<Field>& fields) {
+    std::vector<std::string> known;
+    for (const Field& field : fields) known.emplace_back(field.name);
+    return known.empty() ? errors::NoSuchArgument(tool, name) : errors::NoSuchArgumentBut(tool, name, known);
+}
+
 } // namespace
 
 Result<void> checkArguments(std::string_view tool, const std::vector<Field>& fields, const Json& arguments) {
     if (!arguments.is_object()) return Error{errors::WrongParameter(tool, Verbatim("arguments")), {}};
     for (const auto& [name, value] : arguments.items())
         if (std::none_of(fields.begin(), fields.end(), [&, &n = name](const Field& each) { return each.name == n; }))
-            return Error{errors::NoSuchArgument(tool, name), {}};
+            return Error{noSuchArgument(tool, name, fields), {}};
     for (const Field& field : fields) {
         const Json* value = protocol::find(arguments, field.name);
         if ((!value && field.isNeeded) || (value && !fits(field, *value)))

@@ -18,7 +18,8 @@ std::string outcome(const std::string& wish, bool isGranted) {
 std::vector<std::string> askForRealTime(const RealTimeWishes& wishes) {
     std::vector<std::string> out;
     out.push_back(outcome("memory locked", platform::lockMemory()));
-    const std::optional<int64_t> thread = platform::threadNamed("scan"); // as projects/session names it
+    // By the name that projects/session gives it.
+    const std::optional<int64_t> thread = platform::awaitThreadNamed("scan", std::chrono::seconds(5));
     if (!thread) {
         out.emplace_back("scan thread: not found");
         return out;

@@ -64,7 +64,7 @@ void RecordingRing::run(const std::stop_token& stop) {
     std::unique_lock lock(waiting);
     std::chrono::steady_clock::duration wait = m_settings.interval;
     while (!stop.stop_requested()) {
-        m_wake.wait_for(lock, stop, wait, [] { return false; });
+        m_wake.wait_for(lock, stop, wait, [this] { return m_isHurried.exchange(false); });
         if (stop.stop_requested()) return;
         const auto begin = std::chrono::steady_clock::now();
         write();
@@ -78,6 +78,7 @@ void RecordingRing::write() {
     const history::Position end = m_session.history().statistics().end;
     if (end == m_written) return;
     const Result<history::Position> saved = m_session.history().saveRange(m_file.string(), {m_first, end});
+    m_tried = end;
     if (saved) {
         m_written = end;
         // A piece of the recording is in one file as a whole: the next file begins with the one that still grows.
@@ -87,6 +88,23 @@ void RecordingRing::write() {
     keepWorst();
     const std::lock_guard lock(m_mutex);
     m_figures.problem = saved ? std::string() : saved.error().english();
+}
+
+/// By the bytes of an average scan.
+bool RecordingRing::isBehind() const {
+    const history::Statistics now = m_session.history().statistics();
+    const history::Position tried = m_tried;
+    if (now.end <= tried || now.end <= now.first) return false;
+    const double perScan = static_cast<double>(now.bytes) / static_cast<double>(now.end - now.first);
+    return perScan * static_cast<double>(now.end - tried) > static_cast<double>(m_settings.fileSize);
+}
+
+void RecordingRing::letCatchUp() {
+    while (isBehind()) {
+        m_isHurried = true;
+        m_wake.notify_one();
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
 }
 
 /// One file a second at most: of the first scans after a start each is among the worst for a while.

@@ -5,6 +5,7 @@
 #pragma once
 #include "projects/session/session.h"
 
+#include <atomic>
 #include <condition_variable>
 #include <filesystem>
 #include <mutex>
@@ -30,12 +31,16 @@ public:
         std::string problem; // why the last write failed; empty: it did not
     };
     [[nodiscard]] Figures figures() const;
+    /// The scans of a trial make in a second what real time makes in hours: the calling scan thread waits here while
+    /// more than a file of it is not yet written.
+    void letCatchUp();
 
 private:
     void run(const std::stop_token& stop);
     void write();
     void begin(history::Position first);
     void deleteOldest();
+    [[nodiscard]] bool isBehind() const;
     void keepWorst();
     void deleteOldestWorst();
     const session::Session& m_session;
@@ -44,6 +49,8 @@ private:
     uint64_t m_number = 0, m_start = 0; // of files; of the first of this start
     std::set<uint64_t> m_kept;          // numbers of scans
     history::Position m_first = 0, m_written = 0;
+    std::atomic<history::Position> m_tried = 0; // written, or refused by the disk
+    std::atomic<bool> m_isHurried = false;
     mutable std::mutex m_mutex;
     std::condition_variable_any m_wake;
     Figures m_figures;

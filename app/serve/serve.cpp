@@ -96,6 +96,22 @@ Result<std::unique_ptr<StateFolder>> StateFolder::open(const std::string& folder
 
 StateFolder::~StateFolder() { (void)platform::closeFile(m_lock); }
 
+void Trial::watch(session::Session& session, std::chrono::nanoseconds length) {
+    m_session = &session;
+    m_length = length;
+    session.controller().addObserver(*this);
+}
+
+bool Trial::isOver(const session::Status& now) const {
+    return now.time >= m_length || now.state == controller::State::Fault;
+}
+
+void Trial::scanFinished(std::span<const std::byte>, uint64_t scan, std::chrono::nanoseconds time) {
+    constexpr uint64_t kSeldom = 256; // often enough: a file holds many more
+    if (m_session && time >= m_length) std::exchange(m_session, nullptr)->stop();
+    if (m_ring && scan % kSeldom == 0) m_ring->letCatchUp();
+}
+
 std::string retainFileOf(const ServeSettings& settings) {
     return (fs::path(settings.stateFolder) / "retained").string();
 }
@@ -131,6 +147,7 @@ Result<void> serve(const hmi::PanelProject& project, session::Session& session, 
         figures.recordingFiles = now.files;
         figures.recordingProblem = now.problem;
     };
+    if (settings.trial && ring) settings.trial->waitFor(*ring);
     session.startThread({settings.trial ? session::Pace::Fastest : session::Pace::Real}, settings.realTime.has_value());
     if (settings.realTime) {
         for (const std::string& line : askForRealTime(*settings.realTime)) std::cout << line << "\n";
@@ -147,8 +164,7 @@ Result<void> serve(const hmi::PanelProject& project, session::Session& session, 
     Liveness liveness(*session.program());
     QTimer watch, watchdog;
     QObject::connect(&watch, &QTimer::timeout, &watch, [&] {
-        const session::Status now = session.status();
-        const bool isOver = settings.trial && (now.time >= *settings.trial || now.state == controller::State::Fault);
+        const bool isOver = settings.trial && settings.trial->isOver(session.status());
         if (isOver || isStopping()) QCoreApplication::quit();
     });
     QObject::connect(&watchdog, &QTimer::timeout, &watchdog, [&] {

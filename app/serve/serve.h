@@ -7,6 +7,24 @@
 
 namespace plc::serve {
 
+/// A session in virtual time: no faster than its recording gets to disk, and stopped at the scan with which the trial
+/// is over. Must outlive the session.
+class Trial final : public controller::ScanObserver {
+public:
+    /// Before the scan thread starts.
+    void watch(session::Session& session, std::chrono::nanoseconds length);
+    void waitFor(RecordingRing& ring) { m_ring = &ring; } // the same; the ring must outlive the scans
+    [[nodiscard]] bool isOver(const session::Status& now) const;
+
+private:
+    void scanFinished(std::span<const std::byte> image, uint64_t scan, std::chrono::nanoseconds time) override;
+    void programChanged(std::shared_ptr<const image::CompiledProgram>) override {}
+    void eventHappened(const controller::Event&) override {}
+    session::Session* m_session = nullptr; // none: over
+    RecordingRing* m_ring = nullptr;       // none: nothing is recorded on disk
+    std::chrono::nanoseconds m_length{};
+};
+
 struct ServeSettings {
     ServerSettings server;
     std::string stateFolder;                       // retained variables, access code, recording
@@ -15,7 +33,8 @@ struct ServeSettings {
     std::optional<RealTimeWishes> realTime;
     bool allowsBreakpoints = false; // for attached studios
     /// Virtual time as fast as the machine can, and the end after that much of it; none: real time.
-    std::optional<std::chrono::nanoseconds> trial;
+    std::optional<std::chrono::nanoseconds> trialLength;
+    Trial* trial = nullptr;                   // which watches the session when there is a length
     const devices::Engine* devices = nullptr; // none are connected
 };
 

@@ -53,6 +53,16 @@ Server::~Server() {
     for (AttachLink* link : m_attached) delete link;
 }
 
+namespace {
+
+/// A private key file holds the public half as well, in the very bytes that end the certificate's public key.
+bool belongTogether(const QSslCertificate& certificate, const QSslKey& key) {
+    constexpr qsizetype kEnough = 48; // of an elliptic key it is the point, of an RSA key the end of the modulus
+    return key.toDer().contains(certificate.publicKey().toDer().right(kEnough));
+}
+
+} // namespace
+
 Result<void> Server::useTls() {
     if (!QSslSocket::supportsSsl()) return Error{errors::TlsMissing(), {}};
     QFile certificateFile(m_settings.certificate), keyFile(m_settings.key);
@@ -64,6 +74,8 @@ Result<void> Server::useTls() {
     for (const QSsl::KeyAlgorithm algorithm : {QSsl::Rsa, QSsl::Ec}) {
         const QSslKey key(pem, algorithm);
         if (key.isNull()) continue;
+        if (!belongTogether(chain.front(), key))
+            return Error{errors::KeyOfAnother(m_settings.key.toStdString(), m_settings.certificate.toStdString()), {}};
         QSslConfiguration configuration = QSslConfiguration::defaultConfiguration();
         configuration.setLocalCertificateChain(chain);
         configuration.setPrivateKey(key);

@@ -124,6 +124,9 @@ void Checker::checkPair(size_t first, size_t second) {
     if (a.protocol != b.protocol || !a.isEnabled || !b.isEnabled) return;
     if (a.protocol == Protocol::ModbusServer && a.port == b.port && a.host == b.host)
         report(second, {}, "port", errors::PortTwice(a.name, b.name, b.port));
+    // Allowed, but as often a copy whose address was not changed.
+    if (a.protocol == Protocol::ModbusTcp && a.host == b.host && a.port == b.port && a.unit == b.unit)
+        report(second, {}, "unit", errors::SameStation(a.name, b.name, b.unit, b.host), false);
     if (a.protocol != Protocol::ModbusRtu || a.serial != b.serial || a.serial.empty()) return;
     if (a.unit == b.unit) report(second, {}, "unit", errors::UnitTwice(a.name, b.name, b.unit, b.serial));
     if (a.baud != b.baud || a.parity != b.parity || a.dataBits != b.dataBits || a.stopBits != b.stopBits)

@@ -5,6 +5,7 @@
 #include "runtime/platform/scheduling.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace plc::session {
 

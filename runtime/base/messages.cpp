@@ -124,7 +124,9 @@ Message ofSystem(int code) {
     case EPERM:
         return PermissionDenied();
     case ENOSPC:
+#ifdef EDQUOT // not every system has quotas
     case EDQUOT:
+#endif
         return NoSpaceLeft();
     case EISDIR:
         return IsAFolder();

@@ -7,6 +7,7 @@
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/types.h>
+#include <thread>
 
 namespace plc::platform {
 
@@ -27,6 +28,14 @@ std::optional<int64_t> threadNamed(const std::string& name) {
         if (std::getline(file, known) && known == name) return std::stoll(entry.path().filename().string());
     }
     return {};
+}
+
+std::optional<int64_t> awaitThreadNamed(const std::string& name, std::chrono::milliseconds atMost) {
+    const auto end = std::chrono::steady_clock::now() + atMost;
+    std::optional<int64_t> found;
+    while (!(found = threadNamed(name)) && std::chrono::steady_clock::now() < end)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return found;
 }
 
 bool lockMemory() { return ::mlockall(MCL_CURRENT | MCL_FUTURE) == 0; }

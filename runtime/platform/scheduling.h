@@ -17,6 +17,8 @@ void wakeExactly();
 
 /// The thread of this process with that name.
 [[nodiscard]] std::optional<int64_t> threadNamed(const std::string& name);
+/// The same of one that was started but may not have its name yet.
+[[nodiscard]] std::optional<int64_t> awaitThreadNamed(const std::string& name, std::chrono::milliseconds atMost);
 /// All memory of the process, now and later, stays in memory.
 [[nodiscard]] bool lockMemory();
 [[nodiscard]] bool bindToCore(int64_t thread, int core);

@@ -8,6 +8,8 @@
 #include "tests/support/settle.h"
 
 #include <QAction>
+#include <QHeaderView>
+#include <QLabel>
 #include <QTableWidget>
 #include <QTreeWidget>
 
@@ -149,6 +151,10 @@ TEST_F(DevicesDock, TheRunningProgramExchangesValuesOnlyWhenConnected) {
     EXPECT_TRUE(waitFor([&] { return server.status()[0].channels[0].value == "1234"; }, 30'000));
     EXPECT_TRUE(waitFor([&] { return view().tree().topLevelItem(0)->text(3) == "online"; }));
     EXPECT_TRUE(waitFor([&] { return view().tree().topLevelItem(0)->child(0)->text(4) == "1234"; }));
+    const auto* summary = view().findChild<QLabel*>("devicesSummary");
+    EXPECT_TRUE(waitFor([&] { return summary->text() == "online: 1 of 1"; })) << summary->text().toStdString();
+    const QHeaderView& header = *view().tree().header();
+    EXPECT_LT(header.sectionPosition(4) + header.sectionSize(4), 400) << "what is live is seen in a small window";
     if (const QString picture = qEnvironmentVariable("STEPWISE_PICTURE"); !picture.isEmpty()) {
         window->resize(1024, 700);
         window->dock("devices")->raise();

@@ -224,6 +224,8 @@ TEST(Mcp, ChecksRunsTestsAndExplains) {
                                                      {"at", "1.5s"},
                                                      {"set", QJsonArray{"Plant.StartButton=TRUE@1s"}}}));
     EXPECT_NE(why.find("Plant.StartButton"), std::string::npos) << why;
+    const std::string mistaken = textOf(peer.call("library", {{"name", "TON"}}));
+    EXPECT_NE(mistaken.find("has no argument name; it takes words"), std::string::npos) << mistaken;
     const std::string found = textOf(peer.call("library", {{"words", "TON"}}));
     EXPECT_NE(found.find("TON"), std::string::npos);
     EXPECT_EQ(peer.end(), 0);

@@ -276,10 +276,11 @@ TEST(Attach, TheCodeNeverCrossesANetworkUnprotected) {
 struct Certificate {
     QTemporaryDir folder;
     QString file = folder.filePath("plant.pem"), key = folder.filePath("plant.key");
-    Certificate() {
+    explicit Certificate(const QStringList& kind = {"ec", "-pkeyopt", "ec_paramgen_curve:prime256v1"}) {
         QProcess make;
-        make.start("openssl", {"req", "-x509", "-newkey", "ec", "-pkeyopt", "ec_paramgen_curve:prime256v1", "-nodes",
-                               "-days", "2", "-subj", "/CN=plant", "-keyout", key, "-out", file});
+        make.start("openssl",
+                   QStringList{"req", "-x509", "-newkey"} + kind +
+                       QStringList{"-nodes", "-days", "2", "-subj", "/CN=plant", "-keyout", key, "-out", file});
         EXPECT_TRUE(make.waitForFinished(60'000));
         EXPECT_EQ(make.exitCode(), 0) << make.readAllStandardError().toStdString();
     }
@@ -307,6 +308,27 @@ TEST(Attach, ByTlsOnlyWithACertificateThatIsTrusted) {
     address.url.setScheme("http");
     EXPECT_FALSE(isAttached(plain, address)) << "nothing is said without TLS";
     EXPECT_EQ(plant.server->figures().refusedLogIns, 0u) << "the code was not even heard";
+}
+
+TEST(Attach, ACertificateServesWithItsOwnKeyOnly) {
+    const QStringList curve384 = {"ec", "-pkeyopt", "ec_paramgen_curve:secp384r1"};
+    for (const QStringList& kind : {QStringList{"ec", "-pkeyopt", "ec_paramgen_curve:prime256v1"}, curve384,
+                                    QStringList{"rsa:2048"}, QStringList{"rsa:3072"}}) {
+        const Certificate certificate(kind), other(kind);
+        ServerSettings settings;
+        settings.certificate = certificate.file;
+        settings.key = certificate.key;
+        const Plant plant({kAttachCode}, settings);
+        RemoteController controller;
+        RemoteController::Address address = plant.address();
+        address.trustFile = certificate.file;
+        EXPECT_TRUE(isAttached(controller, address)) << controller.problem().english();
+        settings.key = other.key;
+        Server mistaken(plant.panels, *plant.machine, byAccessCode(kCode), settings);
+        const auto started = mistaken.start();
+        ASSERT_FALSE(started) << kind.join(' ').toStdString();
+        EXPECT_NE(started.error().english().find("does not belong to"), std::string::npos);
+    }
 }
 
 struct Words {

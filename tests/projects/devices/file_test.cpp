@@ -112,6 +112,8 @@ TEST(DeviceFile, EveryMistakeIsNamedWithItsRemedy) {
          "both unit 1"},
         {R"({"devices": [{"name": "a", "protocol": "modbus-rtu", "serial": "/dev/x"}, {"name": "b", "unit": 2, "baud": 9600, "protocol": "modbus-rtu", "serial": "/dev/x"}]})",
          "different baud rates"},
+        {R"({"devices": [{"name": "a", "protocol": "modbus-tcp", "host": "h"}, {"name": "b", "protocol": "modbus-tcp", "host": "h"}]})",
+         "a and b are both unit 1 at h", false},
     };
     for (const Row& row : rows) {
         bool isFound = false;

@@ -89,6 +89,22 @@ TEST(Scheduling, SleepEndsAtItsTimeAndAThreadIsFoundByItsName) {
     thread.join();
 }
 
+TEST(Scheduling, AThreadThatTakesItsNameLateIsWaitedFor) {
+    std::atomic<bool> isLookedFor = false, isOver = false;
+    std::thread thread([&] {
+        isLookedFor.wait(false);
+        platform::nameThread("latecomer");
+        isOver.wait(false);
+    });
+    EXPECT_FALSE(platform::awaitThreadNamed("latecomer", 5ms));
+    isLookedFor = true;
+    isLookedFor.notify_one();
+    EXPECT_TRUE(platform::awaitThreadNamed("latecomer", 60s));
+    isOver = true;
+    isOver.notify_one();
+    thread.join();
+}
+
 TEST(WakeUp, ASignalBeforeTheWaitIsNotLost) {
     platform::WakeUp wakeUp;
     wakeUp.signal();
