@@ -153,7 +153,19 @@ struct Stage {
     double start = 0; // time of the scan before the first
 };
 
-Result<Stage> stageFor(const history::History& history, const TrialPlan& plan) {
+/// What the call saw where the program computes the measured value after it: that of the scan before.
+void delayByAScan(Stage& stage, std::span<const std::byte> first) {
+    const auto delay = [&](Played& played) {
+        const auto place = stage.program->layout.find(played.path);
+        if (!place || played.values.empty()) return;
+        played.values.insert(played.values.begin(), exactly(*stage.program, first, *place));
+        played.values.pop_back();
+    };
+    delay(stage.measured);
+    for (Played& one : stage.others) delay(one);
+}
+
+Result<Stage> stageFor(const history::History& history, const TrialPlan& plan, bool isDelayed) {
     const auto input = history.inputOf(plan.from + 1);
     if (!input) return input.error();
     Stage out;
@@ -171,6 +183,7 @@ Result<Stage> stageFor(const history::History& history, const TrialPlan& plan) {
         if (!played) return played.error();
         out.others.push_back(std::move(*played));
     }
+    if (isDelayed) delayByAScan(out, first);
     auto controller = controllerAt(*input, first, *stamp, plan);
     if (!controller) return controller.error();
     out.controller = std::move(*controller);
@@ -179,9 +192,11 @@ Result<Stage> stageFor(const history::History& history, const TrialPlan& plan) {
 
 } // namespace
 
+namespace {
+
 Result<TrialRun> tryOut(const history::History& history, const TrialPlan& plan,
-                        const std::optional<tuning::ProcessModel>& process) {
-    auto stage = stageFor(history, plan);
+                        const std::optional<tuning::ProcessModel>& process, bool isDelayed) {
+    auto stage = stageFor(history, plan, isDelayed);
     if (!stage) return stage.error();
     Controller& controller = *stage->controller;
     const auto driven = placeOf(*stage->program, plan.input);
@@ -210,6 +225,26 @@ Result<TrialRun> tryOut(const history::History& history, const TrialPlan& plan,
         ++out.scans;
     }
     return out;
+}
+
+/// Whether only what the scan before left explains what the controller did; a short look without new settings says it.
+bool seesTheScanBefore(const history::History& history, TrialPlan plan) {
+    constexpr history::Position kLook = 200;
+    plan.to = std::min(plan.to, plan.from + kLook);
+    plan.writes.clear();
+    plan.program.reset();
+    const auto repeats = [&](bool isDelayed) {
+        const auto run = tryOut(history, plan, std::nullopt, isDelayed);
+        return run && !run->firstDifference;
+    };
+    return !repeats(false) && repeats(true);
+}
+
+} // namespace
+
+Result<TrialRun> tryOut(const history::History& history, const TrialPlan& plan,
+                        const std::optional<tuning::ProcessModel>& process) {
+    return tryOut(history, plan, process, seesTheScanBefore(history, plan));
 }
 
 Result<TrialPlan> planFor(const Loop& loop, const history::History& history, history::Position from,

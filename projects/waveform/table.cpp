@@ -137,7 +137,8 @@ bool readScopeHead(const std::string& text, Head& head) {
         if (word == "data-type") count = cells.size();
         if (word == "symbolname" && count > 0 && names.size() != count && cells.size() == count)
             names = symbolsOf(cells);
-        for (size_t i = 0; word == "unit" && i < std::min(cells.size(), names.size()); ++i)
+        const bool hasUnits = word == "unit" && (head.separator != ' ' || cells.size() == names.size());
+        for (size_t i = 0; hasUnits && i < std::min(cells.size(), names.size()); ++i)
             if (names[i] != "Name" && !names[i].empty() && cells[i] != "(None)" && !cells[i].empty())
                 names[i] += " [" + cells[i].substr(0, cells[i].find(' ')) + "]"; // "dV (Voltage)"
         at = next;

@@ -33,13 +33,15 @@ const Kind kKinds[] = {
      "i_rTd := 30.0, i_stPid := para);",
      "c.q_rPidOput", "Main.Kp"},
     {"Main.c.PI",
-     "c : FB_PI_PID; inner : stPIPIDOutLoop := (rKp := 0.9, tTn := T#700ms, rMaxLim := 60.0, rMinLim := -60.0); "
+     "c : FB_PI_PID; inner : stPIPIDOutLoop := (rKp := 0.9, tTn := T#700ms, tTd := T#20ms, rMaxLim := 60.0, rMinLim := "
+     "-60.0); "
      "outer : stPIPIDInLoop := (tCyclTime := T#20ms, rKp := 1.1, tTn := T#2s, rMaxLim := 80.0, rMinLim := -80.0);",
      "c(i_xEn := TRUE, i_rSp := SetPoint, i_rActValPI := Measured, i_rActValPID := Middle, i_stParaPID := inner, "
      "i_stParaPI := outer);",
      "c.q_rOput", "Main.outer.rKp"},
     {"Main.c.PID",
-     "c : FB_PI_PID; inner : stPIPIDOutLoop := (rKp := 0.9, tTn := T#700ms, rMaxLim := 60.0, rMinLim := -60.0); "
+     "c : FB_PI_PID; inner : stPIPIDOutLoop := (rKp := 0.9, tTn := T#700ms, tTd := T#20ms, rMaxLim := 60.0, rMinLim := "
+     "-60.0); "
      "outer : stPIPIDInLoop := (tCyclTime := T#20ms, rKp := 1.1, tTn := T#2s, rMaxLim := 80.0, rMinLim := -80.0);",
      "c(i_xEn := TRUE, i_rSp := SetPoint, i_rActValPI := Measured, i_rActValPID := Middle, i_stParaPID := inner, "
      "i_stParaPI := outer);",
@@ -53,7 +55,7 @@ const Kind kKinds[] = {
      "c.Y", "Main.Kp"},
     {"Main.c", "c : analog.PID;",
      "c(AUTO := TRUE, PV := Measured, SP := SetPoint, KP := -Kp, TR := 0.9, TD := 0.05, CYCLE := T#20ms);", "c.XOUT",
-     "Main.c.TR"},
+     "Main.Kp"},
 };
 
 std::string programOf(const Kind& kind) {

@@ -158,20 +158,22 @@ TEST(Identify, OtherParametersOfTheFamiliesWithFivePerCentOfNoiseWithinTenPerCen
 }
 
 TEST(Identify, TheBoundsHoldWhatIsTrue) {
+    // 95 per cent of the bounds, over parameters and noise; chance leaves a little
     int inside = 0, all = 0;
-    for (unsigned seed = 1; seed <= 20; ++seed) {
-        const auto found = identify({stepOf(equalLags(1, 2, 1, 3), 16, 0.03, seed)}, Structure::OneLagDelay);
-        ASSERT_TRUE(found);
+    const auto count = [&](const Bound& bound, double truth) {
+        ++all;
+        inside += std::abs(bound.value - truth) <= bound.halfWidth;
+        EXPECT_LT(bound.halfWidth, 0.5 * truth) << bound.name;
+    };
+    for (unsigned seed = 1; seed <= 40; ++seed) {
         const auto best = identify({stepOf(equalLags(1, 2, 1, 3), 16, 0.03, seed)});
-        for (const Bound& bound : best.front().bounds) {
-            if (bound.name != "gain") continue;
-            ++all;
-            inside += std::abs(bound.value - 3) <= bound.halfWidth;
-            EXPECT_LT(bound.halfWidth, 0.15);
-        }
+        ASSERT_FALSE(best.empty());
+        if (best.front().structure != Structure::OneLagDelay) continue;
+        for (const Bound& bound : best.front().bounds)
+            count(bound, bound.name == "gain" ? 3 : bound.name == "dead time" ? 1 : 2);
     }
-    EXPECT_EQ(all, 20);
-    EXPECT_GE(inside, 16);
+    EXPECT_GE(all, 90);
+    EXPECT_GE(inside * 100, all * 88) << inside << " of " << all;
 }
 
 TEST(Identify, SeveralStepsAreFittedTogetherAndTheLastIsForetold) {

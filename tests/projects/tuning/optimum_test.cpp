@@ -101,6 +101,25 @@ TEST(Optimum, NoOtherGainsOfTheFamiliesHaveMoreIntegralAtTheSameRobustness) {
     }
 }
 
+TEST(Optimum, OtherMembersOfTheFamiliesWithinOnePerCentOfAnotherSolver) {
+    // maximised by a search over a grid of gains and frequencies, written apart from this program
+    const std::vector<Known> rows = {
+        {"delay, lag 0.1", equalLags(1, 0.1, 1), 1.2, 0.10021, 0.24856},
+        {"delay, two lags of 200", equalLags(2, 200, 1), 2, 5.0938, 0.01638},
+        {"delay, two lags of 6", equalLags(2, 6, 1), 2, 1.9711, 0.24313},
+        {"four lags, 0.5", lags({1, 0.5, 0.25, 0.125}), 1.4, 0.66644, 0.57022},
+        {"delay, lag 6", equalLags(1, 6, 1), 1.59, 2.2408, 0.80713},
+        {"delay of 0.5, three lags", equalLags(3, 1, 0.5), 1.59, 0.54471, 0.29527},
+        {"delay, two lags of 0.3", equalLags(2, 0.3, 1), 1.4, 0.20854, 0.33195},
+    };
+    for (const Known& row : rows) {
+        const auto found = optimum(row.process, ControllerKind::Pi, row.sensitivity);
+        ASSERT_TRUE(found) << row.name;
+        EXPECT_NEAR(found->gain, row.gain, 0.01 * row.gain) << row.name;
+        EXPECT_NEAR(found->integralGain(), row.integral, 0.01 * row.integral) << row.name;
+    }
+}
+
 TEST(Optimum, ANegativeProcessGetsANegativeGain) {
     const auto found = optimum(equalLags(3, 1, 0, -2), ControllerKind::Pi, 1.4);
     ASSERT_TRUE(found);

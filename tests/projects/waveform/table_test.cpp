@@ -99,11 +99,13 @@ TEST(Table, OfAScopeSeparatedByAnyCharacter) {
 }
 
 TEST(Table, OfAScopeSeparatedByBlanksWithABlankInANameHasTheSymbolsInstead) {
-    const Table table = read("Name scope\n\nName the speed torque\nData-Type REAL32 REAL32\nSampleTime[ms] 1 1\n"
-                             "SymbolName MAIN.drive MAIN.drive\n\n0 1 10\n1 2 20\n");
+    const Table table =
+        read("Name scope\n\nName the speed torque\nData-Type REAL32 REAL32\nSampleTime[ms] 1 1\n"
+             "SymbolName MAIN.drive MAIN.drive\nUnit (None) V (Voltage)\nUnit ScaleFactor 1 1\n\n0 1 10\n1 2 20\n");
     ASSERT_EQ(table.columns.size(), 2U);
     EXPECT_EQ(table.columns[0].name, "MAIN.drive");
     EXPECT_EQ(table.columns[1].name, "MAIN.drive_2");
+    EXPECT_EQ(table.columns[0].unit + table.columns[1].unit, ""); // cannot be told apart
     EXPECT_EQ(table.columns[1].value, (std::vector<double>{10, 20}));
 }
 
