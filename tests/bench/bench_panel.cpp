@@ -117,12 +117,11 @@ void BM_Browsers(benchmark::State& state) {
     project.panels.push_back({QStringLiteral("big"), bigPanel()});
     project.startPanel = QStringLiteral("big");
     session::Session session(std::move(built));
-    PanelPlayer station(project, &session);
-    station.setStepped();
+    OperatorStation keeper(project, &session);
     web::PaintStore store;
     std::vector<std::unique_ptr<web::WebPanel>> browsers;
     for (int i = 0; i < state.range(0); ++i) {
-        browsers.push_back(std::make_unique<web::WebPanel>(project, session, store, station));
+        browsers.push_back(std::make_unique<web::WebPanel>(project, session, store, keeper));
         web::ClientMessage hello;
         hello.word = web::ClientWord::Hello;
         hello.number = 1;
