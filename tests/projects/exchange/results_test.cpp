@@ -105,9 +105,9 @@ std::vector<Row> rows() {
              action("21", "4", "N", named("p")) + action("22", "4", "S", named("q")) + transition("5", "b", "2") +
              step("6", "R", "5") + action("23", "6", "P1", written("x := x + m;")) + transition("7", "NOT a", "4") +
              transition("8", "NOT b", "6") + bar("selectionConvergence", "9", {"7", "8"}) + jump("10", "Init", "9"),
-         "s, old : INT;",
-         "CASE s OF 0: IF a THEN s := 1; ELSIF b THEN s := 2; END_IF; 1: IF NOT a THEN s := 0; END_IF; "
-         "2: IF NOT b THEN s := 0; END_IF; END_CASE; p := s = 1; q := (q OR s = 1) AND s <> 0; "
+         "s, old : INT; begun : BOOL;",
+         "IF begun THEN CASE s OF 0: IF a THEN s := 1; ELSIF b THEN s := 2; END_IF; 1: IF NOT a THEN s := 0; END_IF; "
+         "2: IF NOT b THEN s := 0; END_IF; END_CASE; END_IF; begun := TRUE; p := s = 1; q := (q OR s = 1) AND s <> 0; "
          "IF s = 2 AND old <> 2 THEN x := x + m; END_IF; old := s;"},
         {"ParallelSteps", "SFC",
          step("1", "Init", "", "initialStep=\"true\"") + transition("2", "a AND m > 0", "1") +
@@ -115,9 +115,10 @@ std::vector<Row> rows() {
              step("5", "R", "3") + transition("6", "n > 0", "5") + step("7", "Later", "6") +
              action("21", "7", "N", named("q")) + bar("simultaneousConvergence", "8", {"4", "7"}) +
              transition("9", "b", "8") + jump("10", "Init", "9"),
-         "s : INT;",
-         "CASE s OF 0: IF a AND m > 0 THEN s := 1; END_IF; 1: IF n > 0 THEN s := 2; END_IF; 2: IF b THEN s := 0; "
-         "END_IF; END_CASE; p := s > 0; q := s = 2;"},
+         "s : INT; begun : BOOL;",
+         "IF begun THEN CASE s OF 0: IF a AND m > 0 THEN s := 1; END_IF; 1: IF n > 0 THEN s := 2; END_IF; 2: IF b THEN "
+         "s := 0; "
+         "END_IF; END_CASE; END_IF; begun := TRUE; p := s > 0; q := s = 2;"},
     };
 }
 
