@@ -125,10 +125,10 @@ TEST(MessageText, EveryFaultIsTranslated) {
 }
 
 TEST(MessageText, PlacesAndWhatTheSystemSaysAreKeptAndTranslated) {
-    const Error error{errors::FileNotWritten(errors::CheckPermissions(errors::ofSystem(EACCES))), "/a/b.st"};
+    const Error error{errors::FileNotWritten(errors::ofSystem(EACCES)), "/a/b.st"};
     EXPECT_EQ(kit::messageText(error, "de"),
-              QString("/a/b.st: Die Datei kann nicht geschrieben werden: keine Berechtigung; prüfen Sie die Rechte des "
-                      "Ordners"));
+              QString("/a/b.st: Die Datei kann nicht geschrieben werden: keine Berechtigung; prüfen Sie die Rechte der "
+                      "Datei und ihres Ordners"));
     EXPECT_EQ(kit::messageText(errors::About(std::string("Main.x"), errors::ConstantNotWritten()), "de"),
               QString("Main.x: eine Konstante kann nicht geschrieben werden; ändern Sie sie im Programm"));
     EXPECT_EQ(kit::messageText(errors::NoVariableSuggest(std::string("a{0}b"), std::string("ab")), "de"),
