@@ -293,7 +293,7 @@
     </message>
     <message>
         <source>{0} and {1} are both unit {2} at {3}; if one was copied from the other, change its address</source>
-        <translation>{0} et {1} ont tous deux l’adresse {2} sur {3} ; si l’un a été copié de l’autre, changez son adresse</translation>
+        <translation>{0} et {1} ont tous deux l’adresse {2} sur {3}&#x202f;; si l’un a été copié de l’autre, changez son adresse</translation>
     </message>
 </context>
 <context>
@@ -2709,11 +2709,11 @@
     </message>
     <message>
         <source>The start panel has {0} controls, but no text says what to press when nothing moves; add a sentence, or a state text that names a control</source>
-        <translation>La vue de départ a {0} éléments de commande, mais aucun texte ne dit sur quoi appuyer quand rien ne bouge ; ajoutez une phrase, ou un texte d’état qui nomme un élément de commande</translation>
+        <translation>La vue de départ a {0} éléments de commande, mais aucun texte ne dit sur quoi appuyer quand rien ne bouge&#x202f;; ajoutez une phrase, ou un texte d’état qui nomme un élément de commande</translation>
     </message>
     <message>
         <source>A machine at rest looks the same whether it is broken or only waits. The panel that is seen first must say what to press next: a sentence below the title, or a state text such as “Ready: press S1”.</source>
-        <translation>Une machine à l’arrêt a le même aspect, qu’elle soit en panne ou qu’elle attende. La vue que l’on voit en premier doit dire sur quoi appuyer : une phrase sous le titre, ou un texte d’état tel que « Prêt : appuyez sur S1 ».</translation>
+        <translation>Une machine à l’arrêt a le même aspect, qu’elle soit en panne ou qu’elle attende. La vue que l’on voit en premier doit dire sur quoi appuyer&#xa0;: une phrase sous le titre, ou un texte d’état tel que «&#xa0;Prêt&#xa0;: appuyez sur S1&#xa0;».</translation>
     </message>
 </context>
 <context>
@@ -3291,27 +3291,27 @@
     </message>
     <message>
         <source>The file is empty; export it again</source>
-        <translation>Le fichier est vide ; exportez-le à nouveau</translation>
+        <translation>Le fichier est vide&#x202f;; exportez-le de nouveau</translation>
     </message>
     <message>
         <source>This is a ZIP archive, whatever its name says; unpack it and import the folder</source>
-        <translation>C’est une archive ZIP, quel que soit son nom ; décompressez-la et importez le dossier</translation>
+        <translation>C’est une archive ZIP, quel que soit son nom&#x202f;; décompressez-la et importez le dossier</translation>
     </message>
     <message>
         <source>The file is in the folder of the project {0}, which does not list it; it was left out</source>
-        <translation>Le fichier est dans le dossier du projet {0}, qui ne le mentionne pas ; il a été omis</translation>
+        <translation>Le fichier est dans le dossier du projet {0}, qui ne le mentionne pas&#x202f;; il a été omis</translation>
     </message>
     <message>
         <source>Several projects of the folder have a unit named {0}; each became a project of its own, together with the libraries it uses: this one is {1}</source>
-        <translation>Plusieurs projets du dossier ont un POU nommé {0} ; chacun est devenu un projet à part, avec les bibliothèques qu’il utilise : celui-ci est {1}</translation>
+        <translation>Plusieurs projets du dossier ont un POU nommé {0}&#x202f;; chacun est devenu un projet à part, avec les bibliothèques qu’il utilise&#xa0;: celui-ci est {1}</translation>
     </message>
     <message>
         <source>The program {0} of the library {1} was left out: the project that uses the library has one of that name</source>
-        <translation>Le programme {0} de la bibliothèque {1} a été omis : le projet qui utilise la bibliothèque en a un du même nom</translation>
+        <translation>Le programme {0} de la bibliothèque {1} a été omis&#xa0;: le projet qui utilise la bibliothèque en a un du même nom</translation>
     </message>
     <message>
         <source>The folder has no project named {0}; it has: {1}</source>
-        <translation>Le dossier ne contient aucun projet nommé {0} ; il contient : {1}</translation>
+        <translation>Le dossier ne contient aucun projet nommé {0}&#x202f;; il contient&#xa0;: {1}</translation>
     </message>
     <message>
         <source>The names of inputs and outputs that the configuration of the devices declares ({0} and so on) are in PLC_Configuration</source>
@@ -6430,23 +6430,23 @@
     </message>
     <message>
         <source>The file is not a table; a recording of Stepwise ends with .rec</source>
-        <translation>Le fichier n’est pas un tableau ; un enregistrement de Stepwise se termine par .rec</translation>
+        <translation>Le fichier n’est pas un tableau&#x202f;; un enregistrement de Stepwise se termine par .rec</translation>
     </message>
     <message>
         <source>Line {0} is not a sample of a variable: it needs a time and a value</source>
-        <translation>La ligne {0} n’est pas un échantillon d’une variable : il lui faut un temps et une valeur</translation>
+        <translation>La ligne {0} n’est pas un échantillon d’une variable&#xa0;: il lui faut un temps et une valeur</translation>
     </message>
     <message>
         <source>The trace cannot be read as XML: {0}; save it again</source>
-        <translation>La trace ne peut pas être lue comme XML : {0} ; enregistrez-la à nouveau</translation>
+        <translation>La trace ne peut pas être lue comme XML&#xa0;: {0}&#x202f;; enregistrez-la de nouveau</translation>
     </message>
     <message>
         <source>{0} has {1} {1:value|values} but {2} {2:time|times}; save the trace again</source>
-        <translation>{0} a {1} {1:valeur|valeurs} mais {2} {2:temps|temps} ; enregistrez la trace à nouveau</translation>
+        <translation>{0} a {1} {1:valeur|valeurs} mais {2} {2:temps|temps}&#x202f;; enregistrez la trace de nouveau</translation>
     </message>
     <message>
         <source>The times of {0} run backwards; save the trace again</source>
-        <translation>Les temps de {0} reculent ; enregistrez la trace à nouveau</translation>
+        <translation>Les temps de {0} reculent&#x202f;; enregistrez la trace de nouveau</translation>
     </message>
 </context>
 <context>
@@ -6709,7 +6709,7 @@
     </message>
     <message>
         <source>online: %1 of %2</source>
-        <translation>en ligne : %1 sur %2</translation>
+        <translation>en ligne&#xa0;: %1 sur %2</translation>
     </message>
 </context>
 <context>
