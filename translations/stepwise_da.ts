@@ -291,6 +291,10 @@
         <source>{0} and {1} both set {2} {3}; give each its own</source>
         <translation>{0} og {1} sætter begge {2} {3}; giv hver sit eget</translation>
     </message>
+    <message>
+        <source>{0} and {1} are both unit {2} at {3}; if one was copied from the other, change its address</source>
+        <translation>{0} og {1} har begge adressen {2} på {3}; er den ene kopieret fra den anden, så ret dens adresse</translation>
+    </message>
 </context>
 <context>
     <name>Diagnostics</name>
@@ -2703,6 +2707,385 @@
         <source>{0} suppresses alarms, but one press writes it; set &quot;Writes are confirmed&quot;</source>
         <translation>{0} undertrykker alarmer, men ét tryk skriver den; slå ”Skrivning bekræftes” til</translation>
     </message>
+    <message>
+        <source>The start panel has {0} controls, but no text says what to press when nothing moves; add a sentence, or a state text that names a control</source>
+        <translation>Startpanelet har {0} betjeningselementer, men ingen tekst siger, hvad man skal trykke på, når intet bevæger sig; tilføj en sætning eller en tilstandstekst, der nævner et betjeningselement</translation>
+    </message>
+    <message>
+        <source>A machine at rest looks the same whether it is broken or only waits. The panel that is seen first must say what to press next: a sentence below the title, or a state text such as “Ready: press S1”.</source>
+        <translation>En maskine, der holder stille, ser ens ud, hvad enten den er i stykker eller kun venter. Det panel, man ser først, skal sige, hvad man skal trykke på: med en sætning under titlen eller en tilstandstekst som ”Klar: tryk på S1”.</translation>
+    </message>
+</context>
+<context>
+    <name>Examples</name>
+    <message>
+        <source>Alarm texts in five languages</source>
+        <translation>Alarmtekster på fem sprog</translation>
+    </message>
+    <message>
+        <source>Heated tank with analog blocks</source>
+        <translation>Opvarmet tank med analoge blokke</translation>
+    </message>
+    <message>
+        <source>Bottling line</source>
+        <translation>Tappelinje</translation>
+    </message>
+    <message>
+        <source>Car park with a robot</source>
+        <translation>Parkeringshus med robot</translation>
+    </message>
+    <message>
+        <source>Car wash with recipes</source>
+        <translation>Bilvask med recepter</translation>
+    </message>
+    <message>
+        <source>Room heated by supply air</source>
+        <translation>Rum opvarmet med indblæsningsluft</translation>
+    </message>
+    <message>
+        <source>Motor valve with command monitor</source>
+        <translation>Motorventil med overvågning</translation>
+    </message>
+    <message>
+        <source>Conveyor with a sequence</source>
+        <translation>Transportbånd med sekvens</translation>
+    </message>
+    <message>
+        <source>Depalletiser</source>
+        <translation>Depalleteringsanlæg</translation>
+    </message>
+    <message>
+        <source>District-heating substation</source>
+        <translation>Fjernvarmeunit</translation>
+    </message>
+    <message>
+        <source>Dosing</source>
+        <translation>Dosering</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>Gravel plant</source>
+        <translation>Grusværk</translation>
+    </message>
+    <message>
+        <source>Heater and valve</source>
+        <translation>Varmelegeme og ventil</translation>
+    </message>
+    <message>
+        <source>Hour meter with reset and enable</source>
+        <translation>Timetæller med nulstilling og frigivelse</translation>
+    </message>
+    <message>
+        <source>Items per hour</source>
+        <translation>Emner pr. time</translation>
+    </message>
+    <message>
+        <source>Items and meters</source>
+        <translation>Emner og målere</translation>
+    </message>
+    <message>
+        <source>Level lamps</source>
+        <translation>Niveaulamper</translation>
+    </message>
+    <message>
+        <source>Light tower</source>
+        <translation>Lystårn</translation>
+    </message>
+    <message>
+        <source>Tuning a control loop</source>
+        <translation>Indstilling af en reguleringssløjfe</translation>
+    </message>
+    <message>
+        <source>Mixer for two liquids and two bricks</source>
+        <translation>Mixer til to væsker og to blokke</translation>
+    </message>
+    <message>
+        <source>Motor with self-holding</source>
+        <translation>Motor med selvhold</translation>
+    </message>
+    <message>
+        <source>Operation mode of an agitator</source>
+        <translation>Driftsform for en omrører</translation>
+    </message>
+    <message>
+        <source>PID loop on a first-order process</source>
+        <translation>PID-sløjfe på en førsteordensproces</translation>
+    </message>
+    <message>
+        <source>Two pumps in a well</source>
+        <translation>To pumper i en brønd</translation>
+    </message>
+    <message>
+        <source>Pulse width modulation of a sine</source>
+        <translation>Pulsbreddemodulation af en sinus</translation>
+    </message>
+    <message>
+        <source>Rack with a robot</source>
+        <translation>Reol med robot</translation>
+    </message>
+    <message>
+        <source>Robot and CNC machine</source>
+        <translation>Robot og CNC-maskine</translation>
+    </message>
+    <message>
+        <source>Robot that packs boxes</source>
+        <translation>Robot, der pakker kasser</translation>
+    </message>
+    <message>
+        <source>Two level sensors that watch each other</source>
+        <translation>To niveausensorer sammenlignes</translation>
+    </message>
+    <message>
+        <source>Pumping station with six pumps</source>
+        <translation>Pumpestation med seks pumper</translation>
+    </message>
+    <message>
+        <source>Motor with selector</source>
+        <translation>Motor med vælger</translation>
+    </message>
+    <message>
+        <source>Stack of integers</source>
+        <translation>Stak af heltal</translation>
+    </message>
+    <message>
+        <source>Tank that is filled, heated and emptied</source>
+        <translation>Tank, der fyldes, opvarmes og tømmes</translation>
+    </message>
+    <message>
+        <source>Tank, operated by hand</source>
+        <translation>Tank med manuel betjening</translation>
+    </message>
+    <message>
+        <source>Level and volume</source>
+        <translation>Niveau og volumen</translation>
+    </message>
+    <message>
+        <source>Traffic light</source>
+        <translation>Trafiklys</translation>
+    </message>
+    <message>
+        <source>Valve matrix</source>
+        <translation>Ventilmatrix</translation>
+    </message>
+    <message>
+        <source>Three kinds of valves</source>
+        <translation>Tre slags ventiler</translation>
+    </message>
+    <message>
+        <source>Pump in waves</source>
+        <translation>Pumpe i bølger</translation>
+    </message>
+    <message>
+        <source>Truck scale</source>
+        <translation>Lastbilvægt</translation>
+    </message>
+    <message>
+        <source>Workbook</source>
+        <translation>Arbejdsbog</translation>
+    </message>
+    <message>
+        <source>Tank over Modbus</source>
+        <translation>Tank over Modbus</translation>
+    </message>
+    <message>
+        <source>A vehicle between two limit switches, driven by two linked sequential function charts</source>
+        <translation>En vogn mellem to endestop, styret af to forbundne SFC-diagrammer</translation>
+    </message>
+    <message>
+        <source>A motor with three alarms that operators read in five languages</source>
+        <translation>En motor med tre alarmer, som operatøren kan læse på fem sprog</translation>
+    </message>
+    <message>
+        <source>One control loop with a block for each task: filter, monitor, ramp, PID, transfer</source>
+        <translation>En reguleringssløjfe med en blok til hver opgave: filter, overvågning, rampe, PID, omskift</translation>
+    </message>
+    <message>
+        <source>Filler, capper and labeller with buffers between them, controlled as PackML units</source>
+        <translation>Fylder, lukker og etiketteringsmaskine med buffere imellem, styret efter PackML</translation>
+    </message>
+    <message>
+        <source>A robot parks cars by their number plates and fetches them again</source>
+        <translation>En robot parkerer biler efter nummerplade og henter dem igen</translation>
+    </message>
+    <message>
+        <source>Five wash programmes, each with a price and a recipe that the owner can edit</source>
+        <translation>Fem vaskeprogrammer, hvert med pris og recept, som ejeren kan ændre</translation>
+    </message>
+    <message>
+        <source>Cascade control: a slow loop for the room, a fast one for the supply air</source>
+        <translation>Kaskaderegulering: en langsom sløjfe til rummet, en hurtig til indblæsningen</translation>
+    </message>
+    <message>
+        <source>A motor valve whose travel is monitored; if it takes too long, an alarm sounds</source>
+        <translation>En motorventil med overvåget gangtid; tager det for lang tid, lyder en alarm</translation>
+    </message>
+    <message>
+        <source>A belt carries an item to the right, waits ten seconds and carries it back</source>
+        <translation>Et transportbånd fører et emne til højre, venter ti sekunder og fører det tilbage</translation>
+    </message>
+    <message>
+        <source>Four belts take boxes off pallets; the settings of one can be copied to another</source>
+        <translation>Fire bånd tager kasser af paller; indstillingerne kan kopieres mellem dem</translation>
+    </message>
+    <message>
+        <source>Heating and hot water from a district-heating network, with frost protection and summer mode</source>
+        <translation>Varme og varmt brugsvand fra fjernvarme, med frostsikring og sommerdrift</translation>
+    </message>
+    <message>
+        <source>A valve doses in pulses and pauses until the batch is complete</source>
+        <translation>En ventil doserer i pulser og pauser, til batchen er fuldendt</translation>
+    </message>
+    <message>
+        <source>The pressure drop shows how dirty a filter is; an alarm reports when it is out of range</source>
+        <translation>Tryktabet viser, hvor snavset et filter er; uden for området kommer en alarm</translation>
+    </message>
+    <message>
+        <source>Silo, bin, conveyor and truck, controlled by three sequential function charts side by side</source>
+        <translation>Silo, beholder, transportbånd og lastbil, styret af tre SFC-diagrammer side om side</translation>
+    </message>
+    <message>
+        <source>Two on-off controls: a heater with a set point, and a valve that opens on a pump alarm</source>
+        <translation>To on/off-reguleringer: et varmelegeme med setpunkt og en ventil, der åbner ved pumpealarm</translation>
+    </message>
+    <message>
+        <source>An hour meter that is loaded, enabled and held, which draws a saw-tooth</source>
+        <translation>En timetæller, der indlæses, aktiveres og holdes: en savtand</translation>
+    </message>
+    <message>
+        <source>A press makes items; a table counts how many in each hour of the day</source>
+        <translation>En presse laver emner; en tabel tæller, hvor mange hver time</translation>
+    </message>
+    <message>
+        <source>Counts items, energy and water; the counts survive a power failure</source>
+        <translation>Tæller emner, energi og vand; tallene overlever et strømsvigt</translation>
+    </message>
+    <message>
+        <source>A level sensor of 4 to 20 mA, three lamps and the detection of a wire break</source>
+        <translation>En niveausensor på 4 til 20 mA, tre lamper og registrering af ledningsbrud</translation>
+    </message>
+    <message>
+        <source>Three signals of a machine on three lamps that flash or stay on</source>
+        <translation>Tre signaler fra en maskine på tre lamper, der blinker eller lyser</translation>
+    </message>
+    <message>
+        <source>A heat exchanger that oscillates; an experiment and its recording give better settings</source>
+        <translation>En varmeveksler svinger; et forsøg og dets optagelse giver bedre parametre</translation>
+    </message>
+    <message>
+        <source>Liquids are weighed while a belt brings two bricks; then the mixer turns and tips</source>
+        <translation>Væsker vejes, mens et bånd bringer to blokke; derefter blander og tipper mixeren</translation>
+    </message>
+    <message>
+        <source>Start, stop and a contactor that holds itself, written in four ways that agree</source>
+        <translation>Start, stop og en kontaktor med selvhold, skrevet på fire ens måder</translation>
+    </message>
+    <message>
+        <source>The local control box or the panel: one block decides which of them is in control</source>
+        <translation>Lokal betjening eller panel: en blok afgør, hvem der har styringen</translation>
+    </message>
+    <message>
+        <source>The same process with and without a PID controller, side by side in one trace</source>
+        <translation>Den samme proces med og uden PID-regulator, side om side i én trace</translation>
+    </message>
+    <message>
+        <source>One filter, two sines: the slow one passes, the fast one is damped and lags behind</source>
+        <translation>Ét filter, to sinussignaler: det langsomme passerer, det hurtige dæmpes og forsinkes</translation>
+    </message>
+    <message>
+        <source>A pump tries out its speeds and keeps the one with the least energy per cubic metre</source>
+        <translation>En pumpe prøver omdrejningstal og beholder det med mindst energi pr. kubikmeter</translation>
+    </message>
+    <message>
+        <source>Two pumps take turns; a float counts only after two steady seconds</source>
+        <translation>To pumper skiftes; en svømmer tæller først efter to rolige sekunder</translation>
+    </message>
+    <message>
+        <source>A sine becomes pulses for two outputs, as for a motor in two directions</source>
+        <translation>En sinus bliver til pulser på to udgange, som til en motor med to retninger</translation>
+    </message>
+    <message>
+        <source>A robot counts encoder pulses to store and fetch loads on twelve shelves</source>
+        <translation>En robot tæller encoderpulser for at lægge last på tolv hylder og hente den igen</translation>
+    </message>
+    <message>
+        <source>A robot takes 25 items one by one to a CNC machine and back</source>
+        <translation>En robot bringer 25 emner ét for ét til en CNC-maskine og tilbage</translation>
+    </message>
+    <message>
+        <source>A robot puts three items into each box; a camera checks the result</source>
+        <translation>En robot lægger tre emner i hver kasse; et kamera kontrollerer resultatet</translation>
+    </message>
+    <message>
+        <source>Two sensors are compared; a faulty one is replaced by the healthy one without a bump</source>
+        <translation>To sensorer sammenlignes; en defekt erstattes stødfrit af den raske</translation>
+    </message>
+    <message>
+        <source>Starts and stops six pumps by level and running hours, as a town&apos;s day flows in</source>
+        <translation>Starter og stopper seks pumper efter niveau og driftstimer gennem en bys døgn</translation>
+    </message>
+    <message>
+        <source>A rotary switch selects the speed of a motor, a number what a module does</source>
+        <translation>En drejekontakt vælger en motors omdrejningstal, et tal vælger et moduls funktion</translation>
+    </message>
+    <message>
+        <source>Last in, first out: push, pop and reset, in ST and as an instruction list</source>
+        <translation>Sidst ind, først ud: push, pop og reset, i ST og som instruktionsliste</translation>
+    </message>
+    <message>
+        <source>The same sequence twice: with CASE and as a chart of steps; either can be in control</source>
+        <translation>Det samme forløb to gange: med CASE og som SFC-diagram; begge kan styre</translation>
+    </message>
+    <message>
+        <source>Fill, empty and stir with three switches; two level switches prevent mistakes</source>
+        <translation>Fyld, tøm og rør med tre kontakter; to niveaukontakter forhindrer fejl</translation>
+    </message>
+    <message>
+        <source>A current of 4 to 20 mA becomes a level, and the level becomes a volume</source>
+        <translation>En strøm på 4 til 20 mA bliver til et niveau, og niveauet til et volumen</translation>
+    </message>
+    <message>
+        <source>Red, yellow and green from one counter of seconds, written in three ways</source>
+        <translation>Rødt, gult og grønt fra én sekundtæller, skrevet på tre måder</translation>
+    </message>
+    <message>
+        <source>Five tanks, three pipelines, fifteen valves; two tanks never feed the same pipeline</source>
+        <translation>Fem tanke, tre rørledninger, femten ventiler; aldrig to tanke på samme ledning</translation>
+    </message>
+    <message>
+        <source>A motor valve, a spring-return valve and a control valve, each with its block</source>
+        <translation>En motorventil, en ventil med fjederretur og en reguleringsventil, hver med sin blok</translation>
+    </message>
+    <message>
+        <source>A float in waves: the pump starts and stops only after five steady seconds</source>
+        <translation>En svømmer i bølger: pumpen kobler først efter fem rolige sekunder</translation>
+    </message>
+    <message>
+        <source>Four BCD digits become the net weight once the scale has come to rest</source>
+        <translation>Fire BCD-cifre bliver til nettovægten, når vægten er i ro</translation>
+    </message>
+    <message>
+        <source>Samples of the language on four pages, each a program of its own with a test</source>
+        <translation>Sprogeksempler på fire sider, hvert et program for sig med en test</translation>
+    </message>
+    <message>
+        <source>Automated guided vehicle</source>
+        <translation>Førerløst køretøj</translation>
+    </message>
+    <message>
+        <source>First-order filter and two sines</source>
+        <translation>Førsteordensfilter og to sinussignaler</translation>
+    </message>
+    <message>
+        <source>Pump at its most efficient speed</source>
+        <translation>Pumpe ved bedste omdrejningstal</translation>
+    </message>
+    <message>
+        <source>A controller and a tank, connected on this computer by real Modbus TCP</source>
+        <translation>En styring og en tank, forbundet med ægte Modbus TCP på denne computer</translation>
+    </message>
 </context>
 <context>
     <name>Exchange</name>
@@ -2905,6 +3288,148 @@
     <message>
         <source>The program uses __NEW; &quot;memoryForNew&quot; in project.json sets 65536 bytes aside for it</source>
         <translation>Programmet bruger __NEW; ”memoryForNew” i project.json afsætter 65536 byte til det</translation>
+    </message>
+    <message>
+        <source>The file is empty; export it again</source>
+        <translation>Filen er tom; eksporter den igen</translation>
+    </message>
+    <message>
+        <source>This is a ZIP archive, whatever its name says; unpack it and import the folder</source>
+        <translation>Dette er et ZIP-arkiv, uanset hvad det hedder; pak det ud, og importer mappen</translation>
+    </message>
+    <message>
+        <source>The file is in the folder of the project {0}, which does not list it; it was left out</source>
+        <translation>Filen er i mappen til projektet {0}, som ikke har den på sin liste; den blev udeladt</translation>
+    </message>
+    <message>
+        <source>Several projects of the folder have a unit named {0}; each became a project of its own, together with the libraries it uses: this one is {1}</source>
+        <translation>Flere projekter i mappen har en programenhed med navnet {0}; hvert blev til sit eget projekt sammen med de biblioteker, det bruger: dette er {1}</translation>
+    </message>
+    <message>
+        <source>The program {0} of the library {1} was left out: the project that uses the library has one of that name</source>
+        <translation>Programmet {0} i biblioteket {1} blev udeladt: projektet, der bruger biblioteket, har et med samme navn</translation>
+    </message>
+    <message>
+        <source>The folder has no project named {0}; it has: {1}</source>
+        <translation>Mappen har intet projekt med navnet {0}; den har: {1}</translation>
+    </message>
+    <message>
+        <source>The names of inputs and outputs that the configuration of the devices declares ({0} and so on) are in PLC_Configuration</source>
+        <translation>Navnene på de ind- og udgange, som enhedernes konfiguration erklærer ({0} osv.), er i PLC_Configuration</translation>
+    </message>
+</context>
+<context>
+    <name>FigureText</name>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 ved %2</translation>
+    </message>
+    <message>
+        <source>An XY plot draws one channel over another: add a second channel to the trace.</source>
+        <translation>Et XY-diagram tegner én kanal over en anden: tilføj en kanal mere til tracen.</translation>
+    </message>
+    <message>
+        <source>XY plot</source>
+        <translation>XY-diagram</translation>
+    </message>
+    <message>
+        <source>There are no samples in view: run the program or show another stretch.</source>
+        <translation>Der er ingen målepunkter i det viste område: kør programmet, eller vis et andet område.</translation>
+    </message>
+    <message>
+        <source>%L1 points over %2</source>
+        <translation>%L1 punkter over %2</translation>
+    </message>
+    <message>
+        <source>A spectrum shows the frequencies of the visible channels: add a channel.</source>
+        <translation>Et spektrum viser frekvenserne i de synlige kanaler: tilføj en kanal.</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>Frequency [Hz]</source>
+        <translation>Frekvens [Hz]</translation>
+    </message>
+    <message>
+        <source>amplitude</source>
+        <translation>amplitude</translation>
+    </message>
+    <message>
+        <source>%1: no peak, RMS %2</source>
+        <translation>%1: ingen top, RMS %2</translation>
+    </message>
+    <message>
+        <source>%1: %2, RMS %3</source>
+        <translation>%1: %2, RMS %3</translation>
+    </message>
+    <message>
+        <source>A frequency response compares an output with an input: add both as channels, and choose the input.</source>
+        <translation>En frekvensrespons sammenligner en udgang med en indgang: tilføj begge som kanaler, og vælg indgangen.</translation>
+    </message>
+    <message>
+        <source>Frequency response</source>
+        <translation>Frekvensrespons</translation>
+    </message>
+    <message>
+        <source>gain [dB]</source>
+        <translation>forstærkning [dB]</translation>
+    </message>
+    <message>
+        <source>phase [°]</source>
+        <translation>fase [°]</translation>
+    </message>
+    <message>
+        <source>coherence</source>
+        <translation>kohærens</translation>
+    </message>
+    <message>
+        <source>%1: %L2 of %L3 frequencies with a coherence above 0.8</source>
+        <translation>%1: %L2 af %L3 frekvenser med en kohærens over 0,8</translation>
+    </message>
+    <message>
+        <source>Runs are laid over each other at their triggers: enter a trigger in the properties of the trace.</source>
+        <translation>Kørsler lægges oven på hinanden ved deres trigger: angiv en trigger i tracens egenskaber.</translation>
+    </message>
+    <message>
+        <source>The trigger has not fired in this recording yet.</source>
+        <translation>Triggeren er endnu ikke udløst i denne optagelse.</translation>
+    </message>
+    <message>
+        <source>Runs of the visible channels are laid over each other: add a channel.</source>
+        <translation>Kørsler af de synlige kanaler lægges oven på hinanden: tilføj en kanal.</translation>
+    </message>
+    <message>
+        <source>Time since the trigger [s]</source>
+        <translation>Tid siden trigger [s]</translation>
+    </message>
+    <message>
+        <source>%1: runs differ most %2 after the trigger, by %3</source>
+        <translation>%1: kørslerne afviger mest %2 efter trigger, med %3</translation>
+    </message>
+    <message>
+        <source>Charts over Time Only</source>
+        <translation>Kun tidsdiagrammer</translation>
+    </message>
+    <message>
+        <source>XY Plot</source>
+        <translation>XY-diagram</translation>
+    </message>
+    <message>
+        <source>Frequency Response (Bode)</source>
+        <translation>Frekvensrespons (Bode)</translation>
+    </message>
+    <message>
+        <source>Runs over Each Other</source>
+        <translation>Kørsler oven på hinanden</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n run(s)</source>
+        <translation>
+            <numerusform>%n kørsel</numerusform>
+            <numerusform>%n kørsler</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5481,6 +6006,93 @@
     </message>
 </context>
 <context>
+    <name>Remote</name>
+    <message>
+        <source>The request is not understood; studio and controller may be of different versions</source>
+        <translation>Forespørgslen forstås ikke; studiet og styringen har måske forskellige versioner</translation>
+    </message>
+    <message>
+        <source>There is no request {0}; studio and controller may be of different versions</source>
+        <translation>Der er ingen forespørgsel {0}; studiet og styringen har måske forskellige versioner</translation>
+    </message>
+    <message>
+        <source>Breakpoints stop a machine in the middle of a scan; `stepwise serve` allows them with --allow-breakpoints</source>
+        <translation>Stoppunkter stopper en maskine midt i et scan; ”stepwise serve” tillader dem med --allow-breakpoints</translation>
+    </message>
+    <message>
+        <source>{0} is forced; release it before writing</source>
+        <translation>{0} er forceret; ophæv forceringen før skrivning</translation>
+    </message>
+    <message>
+        <source>{0} is not forced</source>
+        <translation>{0} er ikke forceret</translation>
+    </message>
+    <message>
+        <source>Another program is being built for this controller; try again when it is loaded</source>
+        <translation>Et andet program oversættes til denne styring; prøv igen, når det er indlæst</translation>
+    </message>
+    <message>
+        <source>The program has {0} {0:error|errors}; the controller goes on with the old one</source>
+        <translation>Programmet har {0} fejl; styringen fortsætter med det gamle</translation>
+    </message>
+    <message>
+        <source>The controller&apos;s program has no file {0}; load its program again</source>
+        <translation>Styringens program har ingen fil {0}; hent dens program igen</translation>
+    </message>
+    <message>
+        <source>A recording is already being fetched; wait until it has arrived</source>
+        <translation>En optagelse hentes allerede; vent, til den er modtaget</translation>
+    </message>
+    <message>
+        <source>A controller that serves others cannot be put back in time; fetch its recording and go on from there</source>
+        <translation>En styring, der betjener andre, kan ikke sættes tilbage i tiden; hent dens optagelse, og fortsæt derfra</translation>
+    </message>
+    <message>
+        <source>{0} is not the address of a controller; write for example https://plant:8443/</source>
+        <translation>{0} er ikke adressen på en styring; skriv for eksempel https://plant:8443/</translation>
+    </message>
+    <message>
+        <source>{0} cannot be reached: {1}</source>
+        <translation>{0} kan ikke nås: {1}</translation>
+    </message>
+    <message>
+        <source>{0} refuses the connection: {1}</source>
+        <translation>{0} afviser forbindelsen: {1}</translation>
+    </message>
+    <message>
+        <source>The code is wrong; it is in the file attach-code of the controller&apos;s state folder</source>
+        <translation>Koden er forkert; den findes i filen attach-code i styringens tilstandsmappe</translation>
+    </message>
+    <message>
+        <source>There were too many wrong codes from this computer; wait a minute</source>
+        <translation>Der kom for mange forkerte koder fra denne computer; vent et minut</translation>
+    </message>
+    <message>
+        <source>The code would cross the network unprotected; use an https address, and start the controller with --certificate</source>
+        <translation>Koden ville gå ubeskyttet over nettet; brug en https-adresse, og start styringen med --certificate</translation>
+    </message>
+    <message>
+        <source>The certificate of {0} is not trusted: {1}; name the file of the certificate that you trust</source>
+        <translation>Certifikatet for {0} er ikke betroet: {1}; angiv filen med det certifikat, du har tillid til</translation>
+    </message>
+    <message>
+        <source>The certificate cannot be read from {0}; it must be a PEM file</source>
+        <translation>Certifikatet kan ikke læses fra {0}; det skal være en PEM-fil</translation>
+    </message>
+    <message>
+        <source>The connection to {0} is lost; check the network and the controller</source>
+        <translation>Forbindelsen til {0} er afbrudt; kontroller netværket og styringen</translation>
+    </message>
+    <message>
+        <source>{0} does not answer; check the address and whether the controller runs</source>
+        <translation>{0} svarer ikke; kontroller adressen, og om styringen kører</translation>
+    </message>
+    <message>
+        <source>The controller&apos;s program cannot be built here as it is there; use the same version of Stepwise on both sides</source>
+        <translation>Styringens program kan ikke oversættes her, som det er dér; brug samme version af Stepwise på begge sider</translation>
+    </message>
+</context>
+<context>
     <name>TraceText</name>
     <message>
         <source>Triggered at %1.</source>
@@ -5493,26 +6105,6 @@
 </context>
 <context>
     <name>Tuning</name>
-    <message>
-        <source>The table has no column of times; name one time_s (seconds) or time_ms</source>
-        <translation>Tabellen har ingen kolonne med tider; kald en time_s (sekunder) eller time_ms</translation>
-    </message>
-    <message>
-        <source>The table has no column {0}; it has {1}</source>
-        <translation>Tabellen har ingen kolonne {0}; den har {1}</translation>
-    </message>
-    <message>
-        <source>The table has no column {0}; did you mean {1}?</source>
-        <translation>Tabellen har ingen kolonne {0}; mente du {1}?</translation>
-    </message>
-    <message>
-        <source>Line {0} has no number in column {1}; correct or remove the line</source>
-        <translation>Linje {0} har intet tal i kolonne {1}; ret eller fjern linjen</translation>
-    </message>
-    <message>
-        <source>The time in line {0} is before that of the line above; sort the lines by time</source>
-        <translation>Tiden i linje {0} er før tiden i linjen ovenover; sorter linjerne efter tid</translation>
-    </message>
     <message>
         <source>{0} {0:sample is|samples are} too few for a model; record for longer</source>
         <translation>{0} {0:måling er|målinger er} for lidt til en model; optag i længere tid</translation>
@@ -5775,6 +6367,171 @@
     </message>
 </context>
 <context>
+    <name>Waveform</name>
+    <message>
+        <source>The table has no column of times; name one time_s (seconds) or time_ms</source>
+        <translation>Tabellen har ingen kolonne med tider; kald en time_s (sekunder) eller time_ms</translation>
+    </message>
+    <message>
+        <source>The table has no column {0}; it has {1}</source>
+        <translation>Tabellen har ingen kolonne {0}; den har {1}</translation>
+    </message>
+    <message>
+        <source>The table has no column {0}; did you mean {1}?</source>
+        <translation>Tabellen har ingen kolonne {0}; mente du {1}?</translation>
+    </message>
+    <message>
+        <source>Line {0} has no number in column {1}; correct or remove the line</source>
+        <translation>Linje {0} har intet tal i kolonne {1}; ret eller fjern linjen</translation>
+    </message>
+    <message>
+        <source>The time in line {0} is before that of the line above; sort the lines by time</source>
+        <translation>Tiden i linje {0} er før tiden i linjen ovenover; sorter linjerne efter tid</translation>
+    </message>
+    <message>
+        <source>The table has no column of numbers besides the time; add one with a heading</source>
+        <translation>Tabellen har ingen kolonne med tal ud over tiden; tilføj en med overskrift</translation>
+    </message>
+    <message>
+        <source>The table has no rows under its headings; write one row per sample</source>
+        <translation>Tabellen har ingen rækker under overskrifterne; skriv én række pr. måling</translation>
+    </message>
+    <message>
+        <source>The table cannot be shown as a recording: {0}</source>
+        <translation>Tabellen kan ikke vises som en optagelse: {0}</translation>
+    </message>
+    <message>
+        <source>the names of its columns cannot be variables; use letters, digits and underscores</source>
+        <translation>navnene på dens kolonner kan ikke være variabler; brug bogstaver, cifre og understreger</translation>
+    </message>
+    <message>
+        <source>{0} {0:sample is|samples are} too few for a spectrum; show a longer stretch</source>
+        <translation>{0} {0:målepunkt|målepunkter} er for lidt til et spektrum; vis et længere område</translation>
+    </message>
+    <message>
+        <source>{0} {0:sample is|samples are} too few for a frequency response; show a longer stretch</source>
+        <translation>{0} {0:målepunkt|målepunkter} er for lidt til en frekvensrespons; vis et længere område</translation>
+    </message>
+    <message>
+        <source>The input does not move here; there is nothing to answer to</source>
+        <translation>Indgangen ændrer sig ikke her; der er intet at reagere på</translation>
+    </message>
+    <message>
+        <source>{0} needs a closing parenthesis at the end; it goes around the whole expression</source>
+        <translation>{0} kræver en afsluttende parentes til sidst; den omslutter hele udtrykket</translation>
+    </message>
+    <message>
+        <source>{0} needs a time above 0 as its second argument, for example {1}</source>
+        <translation>{0} kræver en tid over 0 som andet argument, for eksempel {1}</translation>
+    </message>
+    <message>
+        <source>{0} takes one expression; remove the others</source>
+        <translation>{0} tager ét udtryk; fjern de andre</translation>
+    </message>
+    <message>
+        <source>The file is not a table; a recording of Stepwise ends with .rec</source>
+        <translation>Filen er ikke en tabel; en optagelse fra Stepwise ender på .rec</translation>
+    </message>
+    <message>
+        <source>Line {0} is not a sample of a variable: it needs a time and a value</source>
+        <translation>Linje {0} er ikke et målepunkt for en variabel: den skal have en tid og en værdi</translation>
+    </message>
+    <message>
+        <source>The trace cannot be read as XML: {0}; save it again</source>
+        <translation>Tracen kan ikke læses som XML: {0}; gem den igen</translation>
+    </message>
+    <message>
+        <source>{0} has {1} {1:value|values} but {2} {2:time|times}; save the trace again</source>
+        <translation>{0} har {1} {1:værdi|værdier}, men {2} {2:tid|tider}; gem tracen igen</translation>
+    </message>
+    <message>
+        <source>The times of {0} run backwards; save the trace again</source>
+        <translation>Tiderne for {0} løber baglæns; gem tracen igen</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::AttachDialog</name>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Kode</translation>
+    </message>
+    <message>
+        <source>Attach to a Controller</source>
+        <translation>Forbind med en styring</translation>
+    </message>
+    <message>
+        <source>from the file attach-code of the controller</source>
+        <translation>fra filen attach-code på styringen</translation>
+    </message>
+    <message>
+        <source>only for certificates that this computer does not know</source>
+        <translation>kun til certifikater, som denne computer ikke kender</translation>
+    </message>
+    <message>
+        <source>…</source>
+        <translation>…</translation>
+    </message>
+    <message>
+        <source>Choose a certificate</source>
+        <translation>Vælg et certifikat</translation>
+    </message>
+    <message>
+        <source>Trusted certificate</source>
+        <translation>Betroet certifikat</translation>
+    </message>
+    <message>
+        <source>Attach</source>
+        <translation>Forbind</translation>
+    </message>
+    <message>
+        <source>Choose a Certificate</source>
+        <translation>Vælg et certifikat</translation>
+    </message>
+    <message>
+        <source>Certificates (*.pem *.crt *.cer);;All files (*)</source>
+        <translation>Certifikater (*.pem *.crt *.cer);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Attaching…</source>
+        <translation>Forbinder…</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::Attachment</name>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 ved %2</translation>
+    </message>
+    <message>
+        <source>Detach</source>
+        <translation>Afbryd</translation>
+    </message>
+    <message>
+        <source>Attached to %1</source>
+        <translation>Forbundet med %1</translation>
+    </message>
+    <message>
+        <source>Attached to %1; its program is not the one that is open here</source>
+        <translation>Forbundet med %1; dens program er ikke det, der er åbent her</translation>
+    </message>
+    <message>
+        <source>%1 is lost – connecting again…</source>
+        <translation>Forbindelsen til %1 er afbrudt – forbinder igen…</translation>
+    </message>
+    <message>
+        <source>Attaching to %1…</source>
+        <translation>Forbinder med %1…</translation>
+    </message>
+    <message>
+        <source>The controller runs there; what is written and forced here acts there</source>
+        <translation>Styringen kører dér; det, der skrives og forceres her, virker dér</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::ConversionDialog</name>
     <message>
         <source>%1 as ST</source>
@@ -5947,12 +6704,12 @@
         <translation>%1 forespørgsler, %2 fejl, %3 ms</translation>
     </message>
     <message>
-        <source>connected</source>
-        <translation>forbundet</translation>
-    </message>
-    <message>
         <source>not connected</source>
         <translation>ikke forbundet</translation>
+    </message>
+    <message>
+        <source>online: %1 of %2</source>
+        <translation>online: %1 af %2</translation>
     </message>
 </context>
 <context>
@@ -6089,6 +6846,10 @@
         <source>To:</source>
         <translation>Til:</translation>
     </message>
+    <message>
+        <source>This file exists and will be replaced</source>
+        <translation>Filen findes og bliver erstattet</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::GuideView</name>
@@ -6198,6 +6959,18 @@ Ikke bevaret: %3</translation>
     <message>
         <source>PLCopen XML, TwinCAT, CODESYS, ST</source>
         <translation>PLCopen XML, TwinCAT, CODESYS, ST</translation>
+    </message>
+    <message>
+        <source>Reading %1…</source>
+        <translation>Læser %1…</translation>
+    </message>
+    <message>
+        <source>Becomes a project of its own, with the libraries it uses</source>
+        <translation>Bliver sit eget projekt med de biblioteker, det bruger</translation>
+    </message>
+    <message>
+        <source>Writing the project…</source>
+        <translation>Skriver projektet…</translation>
     </message>
 </context>
 <context>
@@ -7245,6 +8018,33 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
 </context>
 <context>
+    <name>plc::app::Menu</name>
+    <message>
+        <source>File</source>
+        <translation>Fil</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Rediger</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Kør</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tid</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vis</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hjælp</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::MergeDialog</name>
     <message>
         <source>Compare %1</source>
@@ -7285,6 +8085,49 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Difference %1 of %2</source>
         <translation>Forskel %1 af %2</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::NativeProgramDialog</name>
+    <message>
+        <source>File</source>
+        <translation>Fil</translation>
+    </message>
+    <message>
+        <source>Build</source>
+        <translation>Byg</translation>
+    </message>
+    <message>
+        <source>Build a Native Program</source>
+        <translation>Byg et selvstændigt program</translation>
+    </message>
+    <message>
+        <source>…</source>
+        <translation>…</translation>
+    </message>
+    <message>
+        <source>Choose the file</source>
+        <translation>Vælg filen</translation>
+    </message>
+    <message>
+        <source>Native Program</source>
+        <translation>Selvstændigt program</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Maskine</translation>
+    </message>
+    <message>
+        <source>The program runs without Stepwise on a machine with Linux: its PLC code and a small runner in one file.</source>
+        <translation>Programmet kører uden Stepwise på en maskine med Linux: dets PLC-kode og et lille kørselssystem i én fil.</translation>
+    </message>
+    <message>
+        <source>Building…</source>
+        <translation>Bygger…</translation>
+    </message>
+    <message>
+        <source>%1 is built</source>
+        <translation>%1 er bygget</translation>
     </message>
 </context>
 <context>
@@ -9457,10 +10300,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Setpunkt</translation>
     </message>
     <message>
-        <source>Start the controller; its recording is what is looked at.</source>
-        <translation>Start styringen; det er dens optagelse, der undersøges.</translation>
-    </message>
-    <message>
         <source>The program has no controller block; call one, for example PID.</source>
         <translation>Programmet har ingen regulatorblok; kald en, for eksempel PID.</translation>
     </message>
@@ -9588,10 +10427,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Spring i lasten</translation>
     </message>
     <message>
-        <source>The last step with these settings</source>
-        <translation>Det sidste spring med disse indstillinger</translation>
-    </message>
-    <message>
         <source>Tuning</source>
         <translation>Regulatorindstilling</translation>
     </message>
@@ -9674,6 +10509,14 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>disturbance</source>
         <translation>forstyrrelse</translation>
+    </message>
+    <message>
+        <source>gain [dB]</source>
+        <translation>forstærkning [dB]</translation>
+    </message>
+    <message>
+        <source>phase [°]</source>
+        <translation>fase [°]</translation>
     </message>
 </context>
 <context>
@@ -10435,6 +11278,10 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>Without users, everybody may do everything.</source>
         <translation>Uden brugere må alle alt.</translation>
     </message>
+    <message>
+        <source>Rename Role</source>
+        <translation>Omdøb rolle</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::PropertySheet</name>
@@ -10543,18 +11390,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Maximum</source>
         <translation>Maksimum</translation>
-    </message>
-    <message>
-        <source>A double click renames the set</source>
-        <translation>Et dobbeltklik omdøber sættet</translation>
-    </message>
-    <message>
-        <source>Remove the Set %1</source>
-        <translation>Fjern sættet %1</translation>
-    </message>
-    <message>
-        <source>Remove the Row %1</source>
-        <translation>Fjern rækken %1</translation>
     </message>
     <message>
         <source>A recipe needs a name.</source>
@@ -10797,19 +11632,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
 </context>
 <context>
-    <name>plc::kit::PlotView</name>
-    <message>
-        <source>Chart</source>
-        <translation>Diagram</translation>
-    </message>
-    <message>
-        <source>%1
-Click selects, Ctrl+click shows or hides.</source>
-        <translation>%1
-Klik vælger, Ctrl+klik viser eller skjuler.</translation>
-    </message>
-</context>
-<context>
     <name>plc::kit::PropertyGrid</name>
     <message>
         <source>Choose a variable</source>
@@ -10900,6 +11722,19 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     <message>
         <source>Cancel: %1</source>
         <translation>Annuller: %1</translation>
+    </message>
+</context>
+<context>
+    <name>plc::plot::PlotView</name>
+    <message>
+        <source>Chart</source>
+        <translation>Diagram</translation>
+    </message>
+    <message>
+        <source>%1
+Click selects, Ctrl+click shows or hides.</source>
+        <translation>%1
+Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
 </context>
 <context>
@@ -11138,6 +11973,77 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
 </context>
 <context>
+    <name>plc::trace::FigurePane</name>
+    <message>
+        <source>Save as %1</source>
+        <translation>Gem som %1</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Tilpas</translation>
+    </message>
+    <message>
+        <source>Copy as picture</source>
+        <translation>Kopier som billede</translation>
+    </message>
+    <message>
+        <source>Save as %1…</source>
+        <translation>Gem som %1…</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Vinduesfunktion</translation>
+    </message>
+    <message>
+        <source>Hann window</source>
+        <translation>Hann-vindue</translation>
+    </message>
+    <message>
+        <source>Flat top: exact amplitudes</source>
+        <translation>Flat top: nøjagtige amplituder</translation>
+    </message>
+    <message>
+        <source>No window</source>
+        <translation>Intet vindue</translation>
+    </message>
+    <message>
+        <source>Logarithmic</source>
+        <translation>Logaritmisk</translation>
+    </message>
+    <message>
+        <source>Charts over time only</source>
+        <translation>Kun tidsdiagrammer</translation>
+    </message>
+    <message>
+        <source>Horizontal value</source>
+        <translation>Vandret værdi</translation>
+    </message>
+    <message>
+        <source>Window of the spectrum</source>
+        <translation>Spektrets vinduesfunktion</translation>
+    </message>
+    <message>
+        <source>Logarithmic axes</source>
+        <translation>Logaritmiske akser</translation>
+    </message>
+    <message>
+        <source>Input:</source>
+        <translation>Indgang:</translation>
+    </message>
+    <message>
+        <source>Horizontal:</source>
+        <translation>Vandret:</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Indgang</translation>
+    </message>
+    <message>
+        <source>Measure between Points</source>
+        <translation>Mål mellem punkter</translation>
+    </message>
+</context>
+<context>
     <name>plc::trace::TimeBar</name>
     <message>
         <source>Time</source>
@@ -11348,10 +12254,6 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
         <translation>Optagelse, der tegnes nedenunder</translation>
     </message>
     <message>
-        <source>Recordings (*.rec);;All files (*)</source>
-        <translation>Optagelser (*.rec);;Alle filer (*)</translation>
-    </message>
-    <message>
         <source>Trace configuration</source>
         <translation>Traceopsætning</translation>
     </message>
@@ -11511,10 +12413,6 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
         <translation>Træk fra ét punkt til et andet: tid, værdi, hældning og frekvens mellem dem (M)</translation>
     </message>
     <message>
-        <source>Recordings and tables (*.rec *.csv *.tsv *.txt);;All files (*)</source>
-        <translation>Optagelser og tabeller (*.rec *.csv *.tsv *.txt);;Alle filer (*)</translation>
-    </message>
-    <message>
         <source>XY plot, spectrum, frequency response, runs</source>
         <translation>XY-diagram, spektrum, frekvensrespons, kørsler</translation>
     </message>
@@ -11570,876 +12468,9 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
         <source>File to add a channel of</source>
         <translation>Fil, som en kanal tilføjes fra</translation>
     </message>
-</context>
-<context>
-    <name>Examples</name>
     <message>
-        <source>Alarm texts in five languages</source>
-        <translation>Alarmtekster på fem sprog</translation>
-    </message>
-    <message>
-        <source>Heated tank with analog blocks</source>
-        <translation>Opvarmet tank med analoge blokke</translation>
-    </message>
-    <message>
-        <source>Bottling line</source>
-        <translation>Tappelinje</translation>
-    </message>
-    <message>
-        <source>Car park with a robot</source>
-        <translation>Parkeringshus med robot</translation>
-    </message>
-    <message>
-        <source>Car wash with recipes</source>
-        <translation>Bilvask med recepter</translation>
-    </message>
-    <message>
-        <source>Room heated by supply air</source>
-        <translation>Rum opvarmet med indblæsningsluft</translation>
-    </message>
-    <message>
-        <source>Motor valve with command monitor</source>
-        <translation>Motorventil med overvågning</translation>
-    </message>
-    <message>
-        <source>Conveyor with a sequence</source>
-        <translation>Transportbånd med sekvens</translation>
-    </message>
-    <message>
-        <source>Depalletiser</source>
-        <translation>Depalleteringsanlæg</translation>
-    </message>
-    <message>
-        <source>District-heating substation</source>
-        <translation>Fjernvarmeunit</translation>
-    </message>
-    <message>
-        <source>Dosing</source>
-        <translation>Dosering</translation>
-    </message>
-    <message>
-        <source>Filter</source>
-        <translation>Filter</translation>
-    </message>
-    <message>
-        <source>Gravel plant</source>
-        <translation>Grusværk</translation>
-    </message>
-    <message>
-        <source>Heater and valve</source>
-        <translation>Varmelegeme og ventil</translation>
-    </message>
-    <message>
-        <source>Hour meter with reset and enable</source>
-        <translation>Timetæller med nulstilling og frigivelse</translation>
-    </message>
-    <message>
-        <source>Items per hour</source>
-        <translation>Emner pr. time</translation>
-    </message>
-    <message>
-        <source>Items and meters</source>
-        <translation>Emner og målere</translation>
-    </message>
-    <message>
-        <source>Level lamps</source>
-        <translation>Niveaulamper</translation>
-    </message>
-    <message>
-        <source>Light tower</source>
-        <translation>Lystårn</translation>
-    </message>
-    <message>
-        <source>Tuning a control loop</source>
-        <translation>Indstilling af en reguleringssløjfe</translation>
-    </message>
-    <message>
-        <source>Mixer for two liquids and two bricks</source>
-        <translation>Mixer til to væsker og to blokke</translation>
-    </message>
-    <message>
-        <source>Motor with self-holding</source>
-        <translation>Motor med selvhold</translation>
-    </message>
-    <message>
-        <source>Operation mode of an agitator</source>
-        <translation>Driftsform for en omrører</translation>
-    </message>
-    <message>
-        <source>PID loop on a first-order process</source>
-        <translation>PID-sløjfe på en førsteordensproces</translation>
-    </message>
-    <message>
-        <source>Two pumps in a well</source>
-        <translation>To pumper i en brønd</translation>
-    </message>
-    <message>
-        <source>Pulse width modulation of a sine</source>
-        <translation>Pulsbreddemodulation af en sinus</translation>
-    </message>
-    <message>
-        <source>Rack with a robot</source>
-        <translation>Reol med robot</translation>
-    </message>
-    <message>
-        <source>Robot and CNC machine</source>
-        <translation>Robot og CNC-maskine</translation>
-    </message>
-    <message>
-        <source>Robot that packs boxes</source>
-        <translation>Robot, der pakker kasser</translation>
-    </message>
-    <message>
-        <source>Two level sensors that watch each other</source>
-        <translation>To niveausensorer sammenlignes</translation>
-    </message>
-    <message>
-        <source>Pumping station with six pumps</source>
-        <translation>Pumpestation med seks pumper</translation>
-    </message>
-    <message>
-        <source>Motor with selector</source>
-        <translation>Motor med vælger</translation>
-    </message>
-    <message>
-        <source>Stack of integers</source>
-        <translation>Stak af heltal</translation>
-    </message>
-    <message>
-        <source>Tank that is filled, heated and emptied</source>
-        <translation>Tank, der fyldes, opvarmes og tømmes</translation>
-    </message>
-    <message>
-        <source>Tank, operated by hand</source>
-        <translation>Tank med manuel betjening</translation>
-    </message>
-    <message>
-        <source>Level and volume</source>
-        <translation>Niveau og volumen</translation>
-    </message>
-    <message>
-        <source>Traffic light</source>
-        <translation>Trafiklys</translation>
-    </message>
-    <message>
-        <source>Valve matrix</source>
-        <translation>Ventilmatrix</translation>
-    </message>
-    <message>
-        <source>Three kinds of valves</source>
-        <translation>Tre slags ventiler</translation>
-    </message>
-    <message>
-        <source>Pump in waves</source>
-        <translation>Pumpe i bølger</translation>
-    </message>
-    <message>
-        <source>Truck scale</source>
-        <translation>Lastbilvægt</translation>
-    </message>
-    <message>
-        <source>Workbook</source>
-        <translation>Arbejdsbog</translation>
-    </message>
-    <message>
-        <source>Tank over Modbus</source>
-        <translation>Tank over Modbus</translation>
-    </message>
-    <message>
-        <source>A vehicle between two limit switches, driven by two linked sequential function charts</source>
-        <translation>En vogn mellem to endestop, styret af to forbundne SFC-diagrammer</translation>
-    </message>
-    <message>
-        <source>A motor with three alarms that operators read in five languages</source>
-        <translation>En motor med tre alarmer, som operatøren kan læse på fem sprog</translation>
-    </message>
-    <message>
-        <source>One control loop with a block for each task: filter, monitor, ramp, PID, transfer</source>
-        <translation>En reguleringssløjfe med en blok til hver opgave: filter, overvågning, rampe, PID, omskift</translation>
-    </message>
-    <message>
-        <source>Filler, capper and labeller with buffers between them, controlled as PackML units</source>
-        <translation>Fylder, lukker og etiketteringsmaskine med buffere imellem, styret efter PackML</translation>
-    </message>
-    <message>
-        <source>A robot parks cars by their number plates and fetches them again</source>
-        <translation>En robot parkerer biler efter nummerplade og henter dem igen</translation>
-    </message>
-    <message>
-        <source>Five wash programmes, each with a price and a recipe that the owner can edit</source>
-        <translation>Fem vaskeprogrammer, hvert med pris og recept, som ejeren kan ændre</translation>
-    </message>
-    <message>
-        <source>Cascade control: a slow loop for the room, a fast one for the supply air</source>
-        <translation>Kaskaderegulering: en langsom sløjfe til rummet, en hurtig til indblæsningen</translation>
-    </message>
-    <message>
-        <source>A motor valve whose travel is monitored; if it takes too long, an alarm sounds</source>
-        <translation>En motorventil med overvåget gangtid; tager det for lang tid, lyder en alarm</translation>
-    </message>
-    <message>
-        <source>A belt carries an item to the right, waits ten seconds and carries it back</source>
-        <translation>Et transportbånd fører et emne til højre, venter ti sekunder og fører det tilbage</translation>
-    </message>
-    <message>
-        <source>Four belts take boxes off pallets; the settings of one can be copied to another</source>
-        <translation>Fire bånd tager kasser af paller; indstillingerne kan kopieres mellem dem</translation>
-    </message>
-    <message>
-        <source>Heating and hot water from a district-heating network, with frost protection and summer mode</source>
-        <translation>Varme og varmt brugsvand fra fjernvarme, med frostsikring og sommerdrift</translation>
-    </message>
-    <message>
-        <source>A valve doses in pulses and pauses until the batch is complete</source>
-        <translation>En ventil doserer i pulser og pauser, til batchen er fuldendt</translation>
-    </message>
-    <message>
-        <source>The pressure drop shows how dirty a filter is; an alarm reports when it is out of range</source>
-        <translation>Tryktabet viser, hvor snavset et filter er; uden for området kommer en alarm</translation>
-    </message>
-    <message>
-        <source>Silo, bin, conveyor and truck, controlled by three sequential function charts side by side</source>
-        <translation>Silo, beholder, transportbånd og lastbil, styret af tre SFC-diagrammer side om side</translation>
-    </message>
-    <message>
-        <source>Two on-off controls: a heater with a set point, and a valve that opens on a pump alarm</source>
-        <translation>To on/off-reguleringer: et varmelegeme med setpunkt og en ventil, der åbner ved pumpealarm</translation>
-    </message>
-    <message>
-        <source>An hour meter that is loaded, enabled and held, which draws a saw-tooth</source>
-        <translation>En timetæller, der indlæses, aktiveres og holdes: en savtand</translation>
-    </message>
-    <message>
-        <source>A press makes items; a table counts how many in each hour of the day</source>
-        <translation>En presse laver emner; en tabel tæller, hvor mange hver time</translation>
-    </message>
-    <message>
-        <source>Counts items, energy and water; the counts survive a power failure</source>
-        <translation>Tæller emner, energi og vand; tallene overlever et strømsvigt</translation>
-    </message>
-    <message>
-        <source>A level sensor of 4 to 20 mA, three lamps and the detection of a wire break</source>
-        <translation>En niveausensor på 4 til 20 mA, tre lamper og registrering af ledningsbrud</translation>
-    </message>
-    <message>
-        <source>Three signals of a machine on three lamps that flash or stay on</source>
-        <translation>Tre signaler fra en maskine på tre lamper, der blinker eller lyser</translation>
-    </message>
-    <message>
-        <source>A heat exchanger that oscillates; an experiment and its recording give better settings</source>
-        <translation>En varmeveksler svinger; et forsøg og dets optagelse giver bedre parametre</translation>
-    </message>
-    <message>
-        <source>Liquids are weighed while a belt brings two bricks; then the mixer turns and tips</source>
-        <translation>Væsker vejes, mens et bånd bringer to blokke; derefter blander og tipper mixeren</translation>
-    </message>
-    <message>
-        <source>Start, stop and a contactor that holds itself, written in four ways that agree</source>
-        <translation>Start, stop og en kontaktor med selvhold, skrevet på fire ens måder</translation>
-    </message>
-    <message>
-        <source>The local control box or the panel: one block decides which of them is in control</source>
-        <translation>Lokal betjening eller panel: en blok afgør, hvem der har styringen</translation>
-    </message>
-    <message>
-        <source>The same process with and without a PID controller, side by side in one trace</source>
-        <translation>Den samme proces med og uden PID-regulator, side om side i én trace</translation>
-    </message>
-    <message>
-        <source>One filter, two sines: the slow one passes, the fast one is damped and lags behind</source>
-        <translation>Ét filter, to sinussignaler: det langsomme passerer, det hurtige dæmpes og forsinkes</translation>
-    </message>
-    <message>
-        <source>A pump tries out its speeds and keeps the one with the least energy per cubic metre</source>
-        <translation>En pumpe prøver omdrejningstal og beholder det med mindst energi pr. kubikmeter</translation>
-    </message>
-    <message>
-        <source>Two pumps take turns; a float counts only after two steady seconds</source>
-        <translation>To pumper skiftes; en svømmer tæller først efter to rolige sekunder</translation>
-    </message>
-    <message>
-        <source>A sine becomes pulses for two outputs, as for a motor in two directions</source>
-        <translation>En sinus bliver til pulser på to udgange, som til en motor med to retninger</translation>
-    </message>
-    <message>
-        <source>A robot counts encoder pulses to store and fetch loads on twelve shelves</source>
-        <translation>En robot tæller encoderpulser for at lægge last på tolv hylder og hente den igen</translation>
-    </message>
-    <message>
-        <source>A robot takes 25 items one by one to a CNC machine and back</source>
-        <translation>En robot bringer 25 emner ét for ét til en CNC-maskine og tilbage</translation>
-    </message>
-    <message>
-        <source>A robot puts three items into each box; a camera checks the result</source>
-        <translation>En robot lægger tre emner i hver kasse; et kamera kontrollerer resultatet</translation>
-    </message>
-    <message>
-        <source>Two sensors are compared; a faulty one is replaced by the healthy one without a bump</source>
-        <translation>To sensorer sammenlignes; en defekt erstattes stødfrit af den raske</translation>
-    </message>
-    <message>
-        <source>Starts and stops six pumps by level and running hours, as a town&apos;s day flows in</source>
-        <translation>Starter og stopper seks pumper efter niveau og driftstimer gennem en bys døgn</translation>
-    </message>
-    <message>
-        <source>A rotary switch selects the speed of a motor, a number what a module does</source>
-        <translation>En drejekontakt vælger en motors omdrejningstal, et tal vælger et moduls funktion</translation>
-    </message>
-    <message>
-        <source>Last in, first out: push, pop and reset, in ST and as an instruction list</source>
-        <translation>Sidst ind, først ud: push, pop og reset, i ST og som instruktionsliste</translation>
-    </message>
-    <message>
-        <source>The same sequence twice: with CASE and as a chart of steps; either can be in control</source>
-        <translation>Det samme forløb to gange: med CASE og som SFC-diagram; begge kan styre</translation>
-    </message>
-    <message>
-        <source>Fill, empty and stir with three switches; two level switches prevent mistakes</source>
-        <translation>Fyld, tøm og rør med tre kontakter; to niveaukontakter forhindrer fejl</translation>
-    </message>
-    <message>
-        <source>A current of 4 to 20 mA becomes a level, and the level becomes a volume</source>
-        <translation>En strøm på 4 til 20 mA bliver til et niveau, og niveauet til et volumen</translation>
-    </message>
-    <message>
-        <source>Red, yellow and green from one counter of seconds, written in three ways</source>
-        <translation>Rødt, gult og grønt fra én sekundtæller, skrevet på tre måder</translation>
-    </message>
-    <message>
-        <source>Five tanks, three pipelines, fifteen valves; two tanks never feed the same pipeline</source>
-        <translation>Fem tanke, tre rørledninger, femten ventiler; aldrig to tanke på samme ledning</translation>
-    </message>
-    <message>
-        <source>A motor valve, a spring-return valve and a control valve, each with its block</source>
-        <translation>En motorventil, en ventil med fjederretur og en reguleringsventil, hver med sin blok</translation>
-    </message>
-    <message>
-        <source>A float in waves: the pump starts and stops only after five steady seconds</source>
-        <translation>En svømmer i bølger: pumpen kobler først efter fem rolige sekunder</translation>
-    </message>
-    <message>
-        <source>Four BCD digits become the net weight once the scale has come to rest</source>
-        <translation>Fire BCD-cifre bliver til nettovægten, når vægten er i ro</translation>
-    </message>
-    <message>
-        <source>Samples of the language on four pages, each a program of its own with a test</source>
-        <translation>Sprogeksempler på fire sider, hvert et program for sig med en test</translation>
-    </message>
-    <message>
-        <source>Automated guided vehicle</source>
-        <translation>Førerløst køretøj</translation>
-    </message>
-    <message>
-        <source>First-order filter and two sines</source>
-        <translation>Førsteordensfilter og to sinussignaler</translation>
-    </message>
-    <message>
-        <source>Pump at its most efficient speed</source>
-        <translation>Pumpe ved bedste omdrejningstal</translation>
-    </message>
-    <message>
-        <source>A controller and a tank, connected on this computer by real Modbus TCP</source>
-        <translation>En styring og en tank, forbundet med ægte Modbus TCP på denne computer</translation>
-    </message>
-</context>
-<context>
-    <name>FigureText</name>
-    <message>
-        <source>%1 at %2</source>
-        <translation>%1 ved %2</translation>
-    </message>
-    <message>
-        <source>An XY plot draws one channel over another: add a second channel to the trace.</source>
-        <translation>Et XY-diagram tegner én kanal over en anden: tilføj en kanal mere til tracen.</translation>
-    </message>
-    <message>
-        <source>XY plot</source>
-        <translation>XY-diagram</translation>
-    </message>
-    <message>
-        <source>There are no samples in view: run the program or show another stretch.</source>
-        <translation>Der er ingen målepunkter i det viste område: kør programmet, eller vis et andet område.</translation>
-    </message>
-    <message>
-        <source>%L1 points over %2</source>
-        <translation>%L1 punkter over %2</translation>
-    </message>
-    <message>
-        <source>A spectrum shows the frequencies of the visible channels: add a channel.</source>
-        <translation>Et spektrum viser frekvenserne i de synlige kanaler: tilføj en kanal.</translation>
-    </message>
-    <message>
-        <source>Spectrum</source>
-        <translation>Spektrum</translation>
-    </message>
-    <message>
-        <source>Frequency [Hz]</source>
-        <translation>Frekvens [Hz]</translation>
-    </message>
-    <message>
-        <source>amplitude</source>
-        <translation>amplitude</translation>
-    </message>
-    <message>
-        <source>%1: no peak, RMS %2</source>
-        <translation>%1: ingen top, RMS %2</translation>
-    </message>
-    <message>
-        <source>%1: %2, RMS %3</source>
-        <translation>%1: %2, RMS %3</translation>
-    </message>
-    <message>
-        <source>A frequency response compares an output with an input: add both as channels, and choose the input.</source>
-        <translation>En frekvensrespons sammenligner en udgang med en indgang: tilføj begge som kanaler, og vælg indgangen.</translation>
-    </message>
-    <message>
-        <source>Frequency response</source>
-        <translation>Frekvensrespons</translation>
-    </message>
-    <message>
-        <source>gain [dB]</source>
-        <translation>forstærkning [dB]</translation>
-    </message>
-    <message>
-        <source>phase [°]</source>
-        <translation>fase [°]</translation>
-    </message>
-    <message>
-        <source>coherence</source>
-        <translation>kohærens</translation>
-    </message>
-    <message>
-        <source>%1: %L2 of %L3 frequencies with a coherence above 0.8</source>
-        <translation>%1: %L2 af %L3 frekvenser med en kohærens over 0,8</translation>
-    </message>
-    <message>
-        <source>Runs are laid over each other at their triggers: enter a trigger in the properties of the trace.</source>
-        <translation>Kørsler lægges oven på hinanden ved deres trigger: angiv en trigger i tracens egenskaber.</translation>
-    </message>
-    <message>
-        <source>The trigger has not fired in this recording yet.</source>
-        <translation>Triggeren er endnu ikke udløst i denne optagelse.</translation>
-    </message>
-    <message>
-        <source>Runs of the visible channels are laid over each other: add a channel.</source>
-        <translation>Kørsler af de synlige kanaler lægges oven på hinanden: tilføj en kanal.</translation>
-    </message>
-    <message>
-        <source>Time since the trigger [s]</source>
-        <translation>Tid siden trigger [s]</translation>
-    </message>
-    <message>
-        <source>%1: runs differ most %2 after the trigger, by %3</source>
-        <translation>%1: kørslerne afviger mest %2 efter trigger, med %3</translation>
-    </message>
-    <message>
-        <source>Charts over Time Only</source>
-        <translation>Kun tidsdiagrammer</translation>
-    </message>
-    <message>
-        <source>XY Plot</source>
-        <translation>XY-diagram</translation>
-    </message>
-    <message>
-        <source>Frequency Response (Bode)</source>
-        <translation>Frekvensrespons (Bode)</translation>
-    </message>
-    <message>
-        <source>Runs over Each Other</source>
-        <translation>Kørsler oven på hinanden</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n run(s)</source>
-        <translation>
-            <numerusform>%n kørsel</numerusform>
-            <numerusform>%n kørsler</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>Waveform</name>
-    <message>
-        <source>The table has no column of times; name one time_s (seconds) or time_ms</source>
-        <translation>Tabellen har ingen kolonne med tider; kald en time_s (sekunder) eller time_ms</translation>
-    </message>
-    <message>
-        <source>The table has no column {0}; it has {1}</source>
-        <translation>Tabellen har ingen kolonne {0}; den har {1}</translation>
-    </message>
-    <message>
-        <source>The table has no column {0}; did you mean {1}?</source>
-        <translation>Tabellen har ingen kolonne {0}; mente du {1}?</translation>
-    </message>
-    <message>
-        <source>Line {0} has no number in column {1}; correct or remove the line</source>
-        <translation>Linje {0} har intet tal i kolonne {1}; ret eller fjern linjen</translation>
-    </message>
-    <message>
-        <source>The time in line {0} is before that of the line above; sort the lines by time</source>
-        <translation>Tiden i linje {0} er før tiden i linjen ovenover; sorter linjerne efter tid</translation>
-    </message>
-    <message>
-        <source>The table has no column of numbers besides the time; add one with a heading</source>
-        <translation>Tabellen har ingen kolonne med tal ud over tiden; tilføj en med overskrift</translation>
-    </message>
-    <message>
-        <source>The table has no rows under its headings; write one row per sample</source>
-        <translation>Tabellen har ingen rækker under overskrifterne; skriv én række pr. måling</translation>
-    </message>
-    <message>
-        <source>The table cannot be shown as a recording: {0}</source>
-        <translation>Tabellen kan ikke vises som en optagelse: {0}</translation>
-    </message>
-    <message>
-        <source>the names of its columns cannot be variables; use letters, digits and underscores</source>
-        <translation>navnene på dens kolonner kan ikke være variabler; brug bogstaver, cifre og understreger</translation>
-    </message>
-    <message>
-        <source>{0} {0:sample is|samples are} too few for a spectrum; show a longer stretch</source>
-        <translation>{0} {0:målepunkt|målepunkter} er for lidt til et spektrum; vis et længere område</translation>
-    </message>
-    <message>
-        <source>{0} {0:sample is|samples are} too few for a frequency response; show a longer stretch</source>
-        <translation>{0} {0:målepunkt|målepunkter} er for lidt til en frekvensrespons; vis et længere område</translation>
-    </message>
-    <message>
-        <source>The input does not move here; there is nothing to answer to</source>
-        <translation>Indgangen ændrer sig ikke her; der er intet at reagere på</translation>
-    </message>
-    <message>
-        <source>{0} needs a closing parenthesis at the end; it goes around the whole expression</source>
-        <translation>{0} kræver en afsluttende parentes til sidst; den omslutter hele udtrykket</translation>
-    </message>
-    <message>
-        <source>{0} needs a time above 0 as its second argument, for example {1}</source>
-        <translation>{0} kræver en tid over 0 som andet argument, for eksempel {1}</translation>
-    </message>
-    <message>
-        <source>{0} takes one expression; remove the others</source>
-        <translation>{0} tager ét udtryk; fjern de andre</translation>
-    </message>
-</context>
-<context>
-    <name>plc::plot::PlotView</name>
-    <message>
-        <source>Chart</source>
-        <translation>Diagram</translation>
-    </message>
-    <message>
-        <source>%1
-Click selects, Ctrl+click shows or hides.</source>
-        <translation>%1
-Klik vælger, Ctrl+klik viser eller skjuler.</translation>
-    </message>
-</context>
-<context>
-    <name>plc::trace::FigurePane</name>
-    <message>
-        <source>Save as %1</source>
-        <translation>Gem som %1</translation>
-    </message>
-    <message>
-        <source>Fit</source>
-        <translation>Tilpas</translation>
-    </message>
-    <message>
-        <source>Copy as picture</source>
-        <translation>Kopier som billede</translation>
-    </message>
-    <message>
-        <source>Save as %1…</source>
-        <translation>Gem som %1…</translation>
-    </message>
-    <message>
-        <source>Window</source>
-        <translation>Vinduesfunktion</translation>
-    </message>
-    <message>
-        <source>Hann window</source>
-        <translation>Hann-vindue</translation>
-    </message>
-    <message>
-        <source>Flat top: exact amplitudes</source>
-        <translation>Flat top: nøjagtige amplituder</translation>
-    </message>
-    <message>
-        <source>No window</source>
-        <translation>Intet vindue</translation>
-    </message>
-    <message>
-        <source>Logarithmic</source>
-        <translation>Logaritmisk</translation>
-    </message>
-    <message>
-        <source>Charts over time only</source>
-        <translation>Kun tidsdiagrammer</translation>
-    </message>
-    <message>
-        <source>Horizontal value</source>
-        <translation>Vandret værdi</translation>
-    </message>
-    <message>
-        <source>Window of the spectrum</source>
-        <translation>Spektrets vinduesfunktion</translation>
-    </message>
-    <message>
-        <source>Logarithmic axes</source>
-        <translation>Logaritmiske akser</translation>
-    </message>
-    <message>
-        <source>Input:</source>
-        <translation>Indgang:</translation>
-    </message>
-    <message>
-        <source>Horizontal:</source>
-        <translation>Vandret:</translation>
-    </message>
-    <message>
-        <source>Input</source>
-        <translation>Indgang</translation>
-    </message>
-    <message>
-        <source>Measure between Points</source>
-        <translation>Mål mellem punkter</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::AttachDialog</name>
-    <message>
-        <source>Address</source>
-        <translation>Adresse</translation>
-    </message>
-    <message>
-        <source>Code</source>
-        <translation>Kode</translation>
-    </message>
-    <message>
-        <source>Attach to a Controller</source>
-        <translation>Forbind med en styring</translation>
-    </message>
-    <message>
-        <source>from the file attach-code of the controller</source>
-        <translation>fra filen attach-code på styringen</translation>
-    </message>
-    <message>
-        <source>only for certificates that this computer does not know</source>
-        <translation>kun til certifikater, som denne computer ikke kender</translation>
-    </message>
-    <message>
-        <source>…</source>
-        <translation>…</translation>
-    </message>
-    <message>
-        <source>Choose a certificate</source>
-        <translation>Vælg et certifikat</translation>
-    </message>
-    <message>
-        <source>Trusted certificate</source>
-        <translation>Betroet certifikat</translation>
-    </message>
-    <message>
-        <source>Attach</source>
-        <translation>Forbind</translation>
-    </message>
-    <message>
-        <source>Choose a Certificate</source>
-        <translation>Vælg et certifikat</translation>
-    </message>
-    <message>
-        <source>Certificates (*.pem *.crt *.cer);;All files (*)</source>
-        <translation>Certifikater (*.pem *.crt *.cer);;Alle filer (*)</translation>
-    </message>
-    <message>
-        <source>Attaching…</source>
-        <translation>Forbinder…</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::Attachment</name>
-    <message>
-        <source>%1 at %2</source>
-        <translation>%1 ved %2</translation>
-    </message>
-    <message>
-        <source>Detach</source>
-        <translation>Afbryd</translation>
-    </message>
-    <message>
-        <source>Attached to %1</source>
-        <translation>Forbundet med %1</translation>
-    </message>
-    <message>
-        <source>Attached to %1; its program is not the one that is open here</source>
-        <translation>Forbundet med %1; dens program er ikke det, der er åbent her</translation>
-    </message>
-    <message>
-        <source>%1 is lost – connecting again…</source>
-        <translation>Forbindelsen til %1 er afbrudt – forbinder igen…</translation>
-    </message>
-    <message>
-        <source>Attaching to %1…</source>
-        <translation>Forbinder med %1…</translation>
-    </message>
-    <message>
-        <source>The controller runs there; what is written and forced here acts there</source>
-        <translation>Styringen kører dér; det, der skrives og forceres her, virker dér</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::NativeProgramDialog</name>
-    <message>
-        <source>File</source>
-        <translation>Fil</translation>
-    </message>
-    <message>
-        <source>Build</source>
-        <translation>Byg</translation>
-    </message>
-    <message>
-        <source>Build a Native Program</source>
-        <translation>Byg et selvstændigt program</translation>
-    </message>
-    <message>
-        <source>…</source>
-        <translation>…</translation>
-    </message>
-    <message>
-        <source>Choose the file</source>
-        <translation>Vælg filen</translation>
-    </message>
-    <message>
-        <source>Native Program</source>
-        <translation>Selvstændigt program</translation>
-    </message>
-    <message>
-        <source>Machine</source>
-        <translation>Maskine</translation>
-    </message>
-    <message>
-        <source>The program runs without Stepwise on a machine with Linux: its PLC code and a small runner in one file.</source>
-        <translation>Programmet kører uden Stepwise på en maskine med Linux: dets PLC-kode og et lille kørselssystem i én fil.</translation>
-    </message>
-    <message>
-        <source>Building…</source>
-        <translation>Bygger…</translation>
-    </message>
-    <message>
-        <source>%1 is built</source>
-        <translation>%1 er bygget</translation>
-    </message>
-</context>
-<context>
-    <name>Remote</name>
-    <message>
-        <source>The request is not understood; studio and controller may be of different versions</source>
-        <translation>Forespørgslen forstås ikke; studiet og styringen har måske forskellige versioner</translation>
-    </message>
-    <message>
-        <source>There is no request {0}; studio and controller may be of different versions</source>
-        <translation>Der er ingen forespørgsel {0}; studiet og styringen har måske forskellige versioner</translation>
-    </message>
-    <message>
-        <source>Breakpoints stop a machine in the middle of a scan; `stepwise serve` allows them with --allow-breakpoints</source>
-        <translation>Stoppunkter stopper en maskine midt i et scan; ”stepwise serve” tillader dem med --allow-breakpoints</translation>
-    </message>
-    <message>
-        <source>{0} is forced; release it before writing</source>
-        <translation>{0} er forceret; ophæv forceringen før skrivning</translation>
-    </message>
-    <message>
-        <source>{0} is not forced</source>
-        <translation>{0} er ikke forceret</translation>
-    </message>
-    <message>
-        <source>Another program is being built for this controller; try again when it is loaded</source>
-        <translation>Et andet program oversættes til denne styring; prøv igen, når det er indlæst</translation>
-    </message>
-    <message>
-        <source>The program has {0} {0:error|errors}; the controller goes on with the old one</source>
-        <translation>Programmet har {0} fejl; styringen fortsætter med det gamle</translation>
-    </message>
-    <message>
-        <source>The controller&apos;s program has no file {0}; load its program again</source>
-        <translation>Styringens program har ingen fil {0}; hent dens program igen</translation>
-    </message>
-    <message>
-        <source>A recording is already being fetched; wait until it has arrived</source>
-        <translation>En optagelse hentes allerede; vent, til den er modtaget</translation>
-    </message>
-    <message>
-        <source>A controller that serves others cannot be put back in time; fetch its recording and go on from there</source>
-        <translation>En styring, der betjener andre, kan ikke sættes tilbage i tiden; hent dens optagelse, og fortsæt derfra</translation>
-    </message>
-    <message>
-        <source>{0} is not the address of a controller; write for example https://plant:8443/</source>
-        <translation>{0} er ikke adressen på en styring; skriv for eksempel https://plant:8443/</translation>
-    </message>
-    <message>
-        <source>{0} cannot be reached: {1}</source>
-        <translation>{0} kan ikke nås: {1}</translation>
-    </message>
-    <message>
-        <source>{0} refuses the connection: {1}</source>
-        <translation>{0} afviser forbindelsen: {1}</translation>
-    </message>
-    <message>
-        <source>The code is wrong; it is in the file attach-code of the controller&apos;s state folder</source>
-        <translation>Koden er forkert; den findes i filen attach-code i styringens tilstandsmappe</translation>
-    </message>
-    <message>
-        <source>There were too many wrong codes from this computer; wait a minute</source>
-        <translation>Der kom for mange forkerte koder fra denne computer; vent et minut</translation>
-    </message>
-    <message>
-        <source>The code would cross the network unprotected; use an https address, and start the controller with --certificate</source>
-        <translation>Koden ville gå ubeskyttet over nettet; brug en https-adresse, og start styringen med --certificate</translation>
-    </message>
-    <message>
-        <source>The certificate of {0} is not trusted: {1}; name the file of the certificate that you trust</source>
-        <translation>Certifikatet for {0} er ikke betroet: {1}; angiv filen med det certifikat, du har tillid til</translation>
-    </message>
-    <message>
-        <source>The certificate cannot be read from {0}; it must be a PEM file</source>
-        <translation>Certifikatet kan ikke læses fra {0}; det skal være en PEM-fil</translation>
-    </message>
-    <message>
-        <source>The connection to {0} is lost; check the network and the controller</source>
-        <translation>Forbindelsen til {0} er afbrudt; kontroller netværket og styringen</translation>
-    </message>
-    <message>
-        <source>{0} does not answer; check the address and whether the controller runs</source>
-        <translation>{0} svarer ikke; kontroller adressen, og om styringen kører</translation>
-    </message>
-    <message>
-        <source>The controller&apos;s program cannot be built here as it is there; use the same version of Stepwise on both sides</source>
-        <translation>Styringens program kan ikke oversættes her, som det er dér; brug samme version af Stepwise på begge sider</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::Menu</name>
-    <message>
-        <source>File</source>
-        <translation>Fil</translation>
-    </message>
-    <message>
-        <source>Edit</source>
-        <translation>Rediger</translation>
-    </message>
-    <message>
-        <source>Run</source>
-        <translation>Kør</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Tid</translation>
-    </message>
-    <message>
-        <source>View</source>
-        <translation>Vis</translation>
-    </message>
-    <message>
-        <source>Help</source>
-        <translation>Hjælp</translation>
+        <source>Recordings and tables (*.rec *.csv *.tsv *.txt *.trace);;All files (*)</source>
+        <translation>Optagelser og tabeller (*.rec *.csv *.tsv *.txt *.trace);;Alle filer (*)</translation>
     </message>
 </context>
 </TS>

@@ -291,6 +291,10 @@
         <source>{0} and {1} both set {2} {3}; give each its own</source>
         <translation>{0} und {1} setzen beide {2} {3}; geben Sie jedem ein eigenes</translation>
     </message>
+    <message>
+        <source>{0} and {1} are both unit {2} at {3}; if one was copied from the other, change its address</source>
+        <translation>{0} und {1} haben beide die Adresse {2} an {3}; wurde eines vom anderen kopiert, ändern Sie seine Adresse</translation>
+    </message>
 </context>
 <context>
     <name>Diagnostics</name>
@@ -2703,6 +2707,385 @@
         <source>{0} suppresses alarms, but one press writes it; set &quot;Writes are confirmed&quot;</source>
         <translation>{0} unterdrückt Alarme, doch ein Druck schreibt es; aktivieren Sie „Schreiben wird bestätigt“</translation>
     </message>
+    <message>
+        <source>The start panel has {0} controls, but no text says what to press when nothing moves; add a sentence, or a state text that names a control</source>
+        <translation>Das Startpanel hat {0} Bedienelemente, aber kein Text sagt, was zu drücken ist, wenn sich nichts bewegt; fügen Sie einen Satz hinzu oder einen Zustandstext, der ein Bedienelement nennt</translation>
+    </message>
+    <message>
+        <source>A machine at rest looks the same whether it is broken or only waits. The panel that is seen first must say what to press next: a sentence below the title, or a state text such as “Ready: press S1”.</source>
+        <translation>Eine stillstehende Maschine sieht gleich aus, ob sie defekt ist oder nur wartet. Das Panel, das man zuerst sieht, muss sagen, was als Nächstes zu drücken ist: mit einem Satz unter dem Titel oder einem Zustandstext wie „Bereit: S1 drücken“.</translation>
+    </message>
+</context>
+<context>
+    <name>Examples</name>
+    <message>
+        <source>Alarm texts in five languages</source>
+        <translation>Alarmtexte in fünf Sprachen</translation>
+    </message>
+    <message>
+        <source>Heated tank with analog blocks</source>
+        <translation>Behälter mit Analogbausteinen</translation>
+    </message>
+    <message>
+        <source>Bottling line</source>
+        <translation>Abfüllanlage</translation>
+    </message>
+    <message>
+        <source>Car park with a robot</source>
+        <translation>Parkhaus mit Roboter</translation>
+    </message>
+    <message>
+        <source>Car wash with recipes</source>
+        <translation>Autowaschanlage mit Rezepturen</translation>
+    </message>
+    <message>
+        <source>Room heated by supply air</source>
+        <translation>Raumheizung über Zuluft</translation>
+    </message>
+    <message>
+        <source>Motor valve with command monitor</source>
+        <translation>Motorventil mit Laufzeitüberwachung</translation>
+    </message>
+    <message>
+        <source>Conveyor with a sequence</source>
+        <translation>Förderband mit Ablauf</translation>
+    </message>
+    <message>
+        <source>Depalletiser</source>
+        <translation>Depalettierer</translation>
+    </message>
+    <message>
+        <source>District-heating substation</source>
+        <translation>Fernwärme-Übergabestation</translation>
+    </message>
+    <message>
+        <source>Dosing</source>
+        <translation>Dosierung</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>Gravel plant</source>
+        <translation>Kieswerk</translation>
+    </message>
+    <message>
+        <source>Heater and valve</source>
+        <translation>Heizung und Ventil</translation>
+    </message>
+    <message>
+        <source>Hour meter with reset and enable</source>
+        <translation>Betriebsstundenzähler</translation>
+    </message>
+    <message>
+        <source>Items per hour</source>
+        <translation>Teile pro Stunde</translation>
+    </message>
+    <message>
+        <source>Items and meters</source>
+        <translation>Teile und Zähler</translation>
+    </message>
+    <message>
+        <source>Level lamps</source>
+        <translation>Füllstandslampen</translation>
+    </message>
+    <message>
+        <source>Light tower</source>
+        <translation>Signalsäule</translation>
+    </message>
+    <message>
+        <source>Tuning a control loop</source>
+        <translation>Einstellen eines Regelkreises</translation>
+    </message>
+    <message>
+        <source>Mixer for two liquids and two bricks</source>
+        <translation>Mischer für Flüssigkeiten und Briketts</translation>
+    </message>
+    <message>
+        <source>Motor with self-holding</source>
+        <translation>Motor mit Selbsthaltung</translation>
+    </message>
+    <message>
+        <source>Operation mode of an agitator</source>
+        <translation>Betriebsart eines Rührwerks</translation>
+    </message>
+    <message>
+        <source>PID loop on a first-order process</source>
+        <translation>PID-Regelkreis an einer PT1-Strecke</translation>
+    </message>
+    <message>
+        <source>Two pumps in a well</source>
+        <translation>Zwei Pumpen in einem Schacht</translation>
+    </message>
+    <message>
+        <source>Pulse width modulation of a sine</source>
+        <translation>Pulsweitenmodulation eines Sinus</translation>
+    </message>
+    <message>
+        <source>Rack with a robot</source>
+        <translation>Regal mit Roboter</translation>
+    </message>
+    <message>
+        <source>Robot and CNC machine</source>
+        <translation>Roboter und CNC-Maschine</translation>
+    </message>
+    <message>
+        <source>Robot that packs boxes</source>
+        <translation>Roboter packt Kartons</translation>
+    </message>
+    <message>
+        <source>Two level sensors that watch each other</source>
+        <translation>Zwei Füllstandsensoren im Vergleich</translation>
+    </message>
+    <message>
+        <source>Pumping station with six pumps</source>
+        <translation>Pumpstation mit sechs Pumpen</translation>
+    </message>
+    <message>
+        <source>Motor with selector</source>
+        <translation>Motor mit Wahlschalter</translation>
+    </message>
+    <message>
+        <source>Stack of integers</source>
+        <translation>Stapel für ganze Zahlen</translation>
+    </message>
+    <message>
+        <source>Tank that is filled, heated and emptied</source>
+        <translation>Behälter füllen, heizen und leeren</translation>
+    </message>
+    <message>
+        <source>Tank, operated by hand</source>
+        <translation>Behälter mit Handbedienung</translation>
+    </message>
+    <message>
+        <source>Level and volume</source>
+        <translation>Füllstand und Volumen</translation>
+    </message>
+    <message>
+        <source>Traffic light</source>
+        <translation>Ampel</translation>
+    </message>
+    <message>
+        <source>Valve matrix</source>
+        <translation>Ventilmatrix</translation>
+    </message>
+    <message>
+        <source>Three kinds of valves</source>
+        <translation>Drei Arten von Ventilen</translation>
+    </message>
+    <message>
+        <source>Pump in waves</source>
+        <translation>Pumpe bei Wellengang</translation>
+    </message>
+    <message>
+        <source>Truck scale</source>
+        <translation>Lkw-Waage</translation>
+    </message>
+    <message>
+        <source>Workbook</source>
+        <translation>Übungsbuch</translation>
+    </message>
+    <message>
+        <source>Tank over Modbus</source>
+        <translation>Behälter über Modbus</translation>
+    </message>
+    <message>
+        <source>A vehicle between two limit switches, driven by two linked sequential function charts</source>
+        <translation>Ein Fahrzeug zwischen zwei Endschaltern, gesteuert von zwei verknüpften Schrittketten</translation>
+    </message>
+    <message>
+        <source>A motor with three alarms that operators read in five languages</source>
+        <translation>Ein Motor mit drei Alarmen, die der Bediener in fünf Sprachen liest</translation>
+    </message>
+    <message>
+        <source>One control loop with a block for each task: filter, monitor, ramp, PID, transfer</source>
+        <translation>Ein Regelkreis mit einem Baustein je Aufgabe: Filter, Überwachung, Rampe, PID, Umschaltung</translation>
+    </message>
+    <message>
+        <source>Filler, capper and labeller with buffers between them, controlled as PackML units</source>
+        <translation>Füller, Verschließer und Etikettierer mit Puffern dazwischen, gesteuert nach PackML</translation>
+    </message>
+    <message>
+        <source>A robot parks cars by their number plates and fetches them again</source>
+        <translation>Ein Roboter parkt Autos nach ihrem Kennzeichen ein und holt sie wieder</translation>
+    </message>
+    <message>
+        <source>Five wash programmes, each with a price and a recipe that the owner can edit</source>
+        <translation>Fünf Waschprogramme, jedes mit Preis und Rezeptur, die der Betreiber ändern kann</translation>
+    </message>
+    <message>
+        <source>Cascade control: a slow loop for the room, a fast one for the supply air</source>
+        <translation>Kaskadenregelung: ein langsamer Kreis für den Raum, ein schneller für die Zuluft</translation>
+    </message>
+    <message>
+        <source>A motor valve whose travel is monitored; if it takes too long, an alarm sounds</source>
+        <translation>Ein Motorventil mit Laufzeitüberwachung; dauert es zu lange, ertönt ein Alarm</translation>
+    </message>
+    <message>
+        <source>A belt carries an item to the right, waits ten seconds and carries it back</source>
+        <translation>Ein Förderband bringt ein Teil nach rechts, wartet zehn Sekunden und bringt es zurück</translation>
+    </message>
+    <message>
+        <source>Four belts take boxes off pallets; the settings of one can be copied to another</source>
+        <translation>Vier Bänder nehmen Kartons von Paletten; Einstellungen lassen sich kopieren</translation>
+    </message>
+    <message>
+        <source>Heating and hot water from a district-heating network, with frost protection and summer mode</source>
+        <translation>Heizung und Warmwasser aus Fernwärme, mit Frostschutz und Sommerbetrieb</translation>
+    </message>
+    <message>
+        <source>A valve doses in pulses and pauses until the batch is complete</source>
+        <translation>Ein Ventil dosiert in Impulsen und Pausen, bis die Charge vollständig ist</translation>
+    </message>
+    <message>
+        <source>The pressure drop shows how dirty a filter is; an alarm reports when it is out of range</source>
+        <translation>Der Druckverlust zeigt, wie verschmutzt ein Filter ist; außerhalb des Bereichs folgt ein Alarm</translation>
+    </message>
+    <message>
+        <source>Silo, bin, conveyor and truck, controlled by three sequential function charts side by side</source>
+        <translation>Silo, Behälter, Förderband und Lkw, gesteuert von drei Schrittketten nebeneinander</translation>
+    </message>
+    <message>
+        <source>Two on-off controls: a heater with a set point, and a valve that opens on a pump alarm</source>
+        <translation>Zwei Zweipunktregelungen: eine Heizung mit Sollwert und ein Ventil, das bei Pumpenalarm öffnet</translation>
+    </message>
+    <message>
+        <source>An hour meter that is loaded, enabled and held, which draws a saw-tooth</source>
+        <translation>Ein Betriebsstundenzähler, der geladen, freigegeben und angehalten wird: ein Sägezahn</translation>
+    </message>
+    <message>
+        <source>A press makes items; a table counts how many in each hour of the day</source>
+        <translation>Eine Presse fertigt Teile; eine Tabelle zählt sie je Stunde des Tages</translation>
+    </message>
+    <message>
+        <source>Counts items, energy and water; the counts survive a power failure</source>
+        <translation>Zählt Teile, Energie und Wasser; die Zählerstände überstehen einen Stromausfall</translation>
+    </message>
+    <message>
+        <source>A level sensor of 4 to 20 mA, three lamps and the detection of a wire break</source>
+        <translation>Ein Füllstandsensor mit 4 bis 20 mA, drei Lampen und Drahtbrucherkennung</translation>
+    </message>
+    <message>
+        <source>Three signals of a machine on three lamps that flash or stay on</source>
+        <translation>Drei Signale einer Maschine auf drei Lampen, die blinken oder leuchten</translation>
+    </message>
+    <message>
+        <source>A heat exchanger that oscillates; an experiment and its recording give better settings</source>
+        <translation>Ein Wärmetauscher schwingt; ein Versuch und seine Aufzeichnung ergeben bessere Parameter</translation>
+    </message>
+    <message>
+        <source>Liquids are weighed while a belt brings two bricks; then the mixer turns and tips</source>
+        <translation>Flüssigkeiten werden gewogen, ein Band bringt zwei Briketts; dann mischt und kippt der Mischer</translation>
+    </message>
+    <message>
+        <source>Start, stop and a contactor that holds itself, written in four ways that agree</source>
+        <translation>Start, Stopp und ein Schütz mit Selbsthaltung, auf vier gleichwertige Arten geschrieben</translation>
+    </message>
+    <message>
+        <source>The local control box or the panel: one block decides which of them is in control</source>
+        <translation>Vor-Ort-Steuerung oder Panel: Ein Baustein entscheidet, wer die Bedienhoheit hat</translation>
+    </message>
+    <message>
+        <source>The same process with and without a PID controller, side by side in one trace</source>
+        <translation>Derselbe Prozess mit und ohne PID-Regler, nebeneinander in einem Trace</translation>
+    </message>
+    <message>
+        <source>One filter, two sines: the slow one passes, the fast one is damped and lags behind</source>
+        <translation>Ein Filter, zwei Sinussignale: Das langsame passiert, das schnelle wird gedämpft und eilt nach</translation>
+    </message>
+    <message>
+        <source>A pump tries out its speeds and keeps the one with the least energy per cubic metre</source>
+        <translation>Eine Pumpe probiert Drehzahlen aus und behält die mit der geringsten Energie je Kubikmeter</translation>
+    </message>
+    <message>
+        <source>Two pumps take turns; a float counts only after two steady seconds</source>
+        <translation>Zwei Pumpen wechseln sich ab; ein Schwimmer zählt erst nach zwei ruhigen Sekunden</translation>
+    </message>
+    <message>
+        <source>A sine becomes pulses for two outputs, as for a motor in two directions</source>
+        <translation>Ein Sinus wird zu Impulsen für zwei Ausgänge, wie für einen Motor mit zwei Drehrichtungen</translation>
+    </message>
+    <message>
+        <source>A robot counts encoder pulses to store and fetch loads on twelve shelves</source>
+        <translation>Ein Roboter zählt Geberimpulse und lagert Lasten in zwölf Fächern ein und aus</translation>
+    </message>
+    <message>
+        <source>A robot takes 25 items one by one to a CNC machine and back</source>
+        <translation>Ein Roboter bringt 25 Teile nacheinander zu einer CNC-Maschine und zurück</translation>
+    </message>
+    <message>
+        <source>A robot puts three items into each box; a camera checks the result</source>
+        <translation>Ein Roboter legt drei Teile in jeden Karton; eine Kamera prüft das Ergebnis</translation>
+    </message>
+    <message>
+        <source>Two sensors are compared; a faulty one is replaced by the healthy one without a bump</source>
+        <translation>Zwei Sensoren im Vergleich; ein gestörter wird stoßfrei durch den gesunden ersetzt</translation>
+    </message>
+    <message>
+        <source>Starts and stops six pumps by level and running hours, as a town&apos;s day flows in</source>
+        <translation>Schaltet sechs Pumpen nach Füllstand und Betriebsstunden über den Tagesgang einer Stadt</translation>
+    </message>
+    <message>
+        <source>A rotary switch selects the speed of a motor, a number what a module does</source>
+        <translation>Ein Drehschalter wählt die Drehzahl eines Motors, eine Zahl die Funktion eines Moduls</translation>
+    </message>
+    <message>
+        <source>Last in, first out: push, pop and reset, in ST and as an instruction list</source>
+        <translation>Zuletzt hinein, zuerst heraus: Push, Pop und Reset, in ST und als Anweisungsliste</translation>
+    </message>
+    <message>
+        <source>The same sequence twice: with CASE and as a chart of steps; either can be in control</source>
+        <translation>Derselbe Ablauf zweimal: mit CASE und als Schrittkette; beide können steuern</translation>
+    </message>
+    <message>
+        <source>Fill, empty and stir with three switches; two level switches prevent mistakes</source>
+        <translation>Füllen, Leeren und Rühren mit drei Schaltern; zwei Niveauschalter verhindern Fehler</translation>
+    </message>
+    <message>
+        <source>A current of 4 to 20 mA becomes a level, and the level becomes a volume</source>
+        <translation>Aus einem Strom von 4 bis 20 mA wird ein Füllstand, aus dem Füllstand ein Volumen</translation>
+    </message>
+    <message>
+        <source>Red, yellow and green from one counter of seconds, written in three ways</source>
+        <translation>Rot, Gelb und Grün aus einem Sekundenzähler, auf drei Arten geschrieben</translation>
+    </message>
+    <message>
+        <source>Five tanks, three pipelines, fifteen valves; two tanks never feed the same pipeline</source>
+        <translation>Fünf Behälter, drei Leitungen, fünfzehn Ventile; nie speisen zwei Behälter eine Leitung</translation>
+    </message>
+    <message>
+        <source>A motor valve, a spring-return valve and a control valve, each with its block</source>
+        <translation>Ein Motorventil, ein Ventil mit Federrückstellung und ein Regelventil, je mit Baustein</translation>
+    </message>
+    <message>
+        <source>A float in waves: the pump starts and stops only after five steady seconds</source>
+        <translation>Ein Schwimmer in Wellen: Die Pumpe schaltet erst nach fünf ruhigen Sekunden</translation>
+    </message>
+    <message>
+        <source>Four BCD digits become the net weight once the scale has come to rest</source>
+        <translation>Vier BCD-Ziffern werden zum Nettogewicht, sobald die Waage zur Ruhe gekommen ist</translation>
+    </message>
+    <message>
+        <source>Samples of the language on four pages, each a program of its own with a test</source>
+        <translation>Sprachbeispiele auf vier Seiten, jedes ein eigenes Programm mit Test</translation>
+    </message>
+    <message>
+        <source>Automated guided vehicle</source>
+        <translation>Fahrerloses Transportfahrzeug</translation>
+    </message>
+    <message>
+        <source>First-order filter and two sines</source>
+        <translation>PT1-Filter und zwei Sinussignale</translation>
+    </message>
+    <message>
+        <source>Pump at its most efficient speed</source>
+        <translation>Pumpe mit effizientester Drehzahl</translation>
+    </message>
+    <message>
+        <source>A controller and a tank, connected on this computer by real Modbus TCP</source>
+        <translation>Eine Steuerung und ein Behälter, auf diesem Rechner über echtes Modbus TCP verbunden</translation>
+    </message>
 </context>
 <context>
     <name>Exchange</name>
@@ -2905,6 +3288,148 @@
     <message>
         <source>The program uses __NEW; &quot;memoryForNew&quot; in project.json sets 65536 bytes aside for it</source>
         <translation>Das Programm verwendet __NEW; „memoryForNew“ in project.json reserviert dafür 65536 Bytes</translation>
+    </message>
+    <message>
+        <source>The file is empty; export it again</source>
+        <translation>Die Datei ist leer; exportieren Sie sie erneut</translation>
+    </message>
+    <message>
+        <source>This is a ZIP archive, whatever its name says; unpack it and import the folder</source>
+        <translation>Dies ist ein ZIP-Archiv, gleich wie die Datei heißt; entpacken Sie es und importieren Sie den Ordner</translation>
+    </message>
+    <message>
+        <source>The file is in the folder of the project {0}, which does not list it; it was left out</source>
+        <translation>Die Datei steht im Ordner des Projekts {0}, das sie nicht aufführt; sie wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>Several projects of the folder have a unit named {0}; each became a project of its own, together with the libraries it uses: this one is {1}</source>
+        <translation>Mehrere Projekte des Ordners haben einen Baustein {0}; aus jedem wurde ein eigenes Projekt mit den Bibliotheken, die es verwendet: dieses ist {1}</translation>
+    </message>
+    <message>
+        <source>The program {0} of the library {1} was left out: the project that uses the library has one of that name</source>
+        <translation>Das Programm {0} der Bibliothek {1} wurde ausgelassen: Das Projekt, das die Bibliothek verwendet, hat eines dieses Namens</translation>
+    </message>
+    <message>
+        <source>The folder has no project named {0}; it has: {1}</source>
+        <translation>Der Ordner hat kein Projekt {0}; er hat: {1}</translation>
+    </message>
+    <message>
+        <source>The names of inputs and outputs that the configuration of the devices declares ({0} and so on) are in PLC_Configuration</source>
+        <translation>Die Namen der Ein- und Ausgänge, die die Konfiguration der Geräte deklariert ({0} und weitere), stehen in PLC_Configuration</translation>
+    </message>
+</context>
+<context>
+    <name>FigureText</name>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 bei %2</translation>
+    </message>
+    <message>
+        <source>An XY plot draws one channel over another: add a second channel to the trace.</source>
+        <translation>Ein XY-Diagramm zeichnet einen Kanal über einem anderen: Fügen Sie dem Trace einen zweiten Kanal hinzu.</translation>
+    </message>
+    <message>
+        <source>XY plot</source>
+        <translation>XY-Diagramm</translation>
+    </message>
+    <message>
+        <source>There are no samples in view: run the program or show another stretch.</source>
+        <translation>Im sichtbaren Bereich gibt es keine Abtastwerte: Lassen Sie das Programm laufen oder blenden Sie einen anderen Bereich ein.</translation>
+    </message>
+    <message>
+        <source>%L1 points over %2</source>
+        <translation>%L1 Punkte über %2</translation>
+    </message>
+    <message>
+        <source>A spectrum shows the frequencies of the visible channels: add a channel.</source>
+        <translation>Im Spektrum werden die Frequenzen der sichtbaren Kanäle angezeigt: Fügen Sie einen Kanal hinzu.</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>Frequency [Hz]</source>
+        <translation>Frequenz [Hz]</translation>
+    </message>
+    <message>
+        <source>amplitude</source>
+        <translation>Amplitude</translation>
+    </message>
+    <message>
+        <source>%1: no peak, RMS %2</source>
+        <translation>%1: keine Spitze, Effektivwert %2</translation>
+    </message>
+    <message>
+        <source>%1: %2, RMS %3</source>
+        <translation>%1: %2, Effektivwert %3</translation>
+    </message>
+    <message>
+        <source>A frequency response compares an output with an input: add both as channels, and choose the input.</source>
+        <translation>Ein Frequenzgang vergleicht einen Ausgang mit einem Eingang: Fügen Sie beide als Kanäle hinzu und wählen Sie den Eingang.</translation>
+    </message>
+    <message>
+        <source>Frequency response</source>
+        <translation>Frequenzgang</translation>
+    </message>
+    <message>
+        <source>gain [dB]</source>
+        <translation>Verstärkung [dB]</translation>
+    </message>
+    <message>
+        <source>phase [°]</source>
+        <translation>Phase [°]</translation>
+    </message>
+    <message>
+        <source>coherence</source>
+        <translation>Kohärenz</translation>
+    </message>
+    <message>
+        <source>%1: %L2 of %L3 frequencies with a coherence above 0.8</source>
+        <translation>%1: %L2 von %L3 Frequenzen mit einer Kohärenz über 0,8</translation>
+    </message>
+    <message>
+        <source>Runs are laid over each other at their triggers: enter a trigger in the properties of the trace.</source>
+        <translation>Läufe werden an ihren Triggern übereinandergelegt: Geben Sie in den Eigenschaften des Trace einen Trigger ein.</translation>
+    </message>
+    <message>
+        <source>The trigger has not fired in this recording yet.</source>
+        <translation>Der Trigger hat in dieser Aufzeichnung noch nicht ausgelöst.</translation>
+    </message>
+    <message>
+        <source>Runs of the visible channels are laid over each other: add a channel.</source>
+        <translation>Läufe der sichtbaren Kanäle werden übereinandergelegt: Fügen Sie einen Kanal hinzu.</translation>
+    </message>
+    <message>
+        <source>Time since the trigger [s]</source>
+        <translation>Zeit seit dem Trigger [s]</translation>
+    </message>
+    <message>
+        <source>%1: runs differ most %2 after the trigger, by %3</source>
+        <translation>%1: größte Abweichung der Läufe %2 nach dem Trigger, %3</translation>
+    </message>
+    <message>
+        <source>Charts over Time Only</source>
+        <translation>Nur Zeitdiagramme</translation>
+    </message>
+    <message>
+        <source>XY Plot</source>
+        <translation>XY-Diagramm</translation>
+    </message>
+    <message>
+        <source>Frequency Response (Bode)</source>
+        <translation>Frequenzgang (Bode)</translation>
+    </message>
+    <message>
+        <source>Runs over Each Other</source>
+        <translation>Läufe übereinander</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n run(s)</source>
+        <translation>
+            <numerusform>%n Lauf</numerusform>
+            <numerusform>%n Läufe</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5481,6 +6006,93 @@
     </message>
 </context>
 <context>
+    <name>Remote</name>
+    <message>
+        <source>The request is not understood; studio and controller may be of different versions</source>
+        <translation>Die Anfrage wird nicht verstanden; Studio und Steuerung haben eventuell verschiedene Versionen</translation>
+    </message>
+    <message>
+        <source>There is no request {0}; studio and controller may be of different versions</source>
+        <translation>Es gibt keine Anfrage {0}; Studio und Steuerung haben eventuell verschiedene Versionen</translation>
+    </message>
+    <message>
+        <source>Breakpoints stop a machine in the middle of a scan; `stepwise serve` allows them with --allow-breakpoints</source>
+        <translation>Haltepunkte halten eine Maschine mitten im Zyklus an; „stepwise serve“ erlaubt sie mit --allow-breakpoints</translation>
+    </message>
+    <message>
+        <source>{0} is forced; release it before writing</source>
+        <translation>{0} ist geforct; heben Sie das Forcen vor dem Schreiben auf</translation>
+    </message>
+    <message>
+        <source>{0} is not forced</source>
+        <translation>{0} ist nicht geforct</translation>
+    </message>
+    <message>
+        <source>Another program is being built for this controller; try again when it is loaded</source>
+        <translation>Für diese Steuerung wird gerade ein anderes Programm übersetzt; versuchen Sie es erneut, wenn es geladen ist</translation>
+    </message>
+    <message>
+        <source>The program has {0} {0:error|errors}; the controller goes on with the old one</source>
+        <translation>Das Programm hat {0} Fehler; die Steuerung läuft mit dem alten weiter</translation>
+    </message>
+    <message>
+        <source>The controller&apos;s program has no file {0}; load its program again</source>
+        <translation>Das Programm der Steuerung hat keine Datei {0}; laden Sie sein Programm erneut</translation>
+    </message>
+    <message>
+        <source>A recording is already being fetched; wait until it has arrived</source>
+        <translation>Es wird bereits eine Aufzeichnung abgeholt; warten Sie, bis sie angekommen ist</translation>
+    </message>
+    <message>
+        <source>A controller that serves others cannot be put back in time; fetch its recording and go on from there</source>
+        <translation>Eine Steuerung, die andere bedient, kann nicht in der Zeit zurückgesetzt werden; holen Sie ihre Aufzeichnung ab und fahren Sie von dort fort</translation>
+    </message>
+    <message>
+        <source>{0} is not the address of a controller; write for example https://plant:8443/</source>
+        <translation>{0} ist nicht die Adresse einer Steuerung; schreiben Sie zum Beispiel https://plant:8443/</translation>
+    </message>
+    <message>
+        <source>{0} cannot be reached: {1}</source>
+        <translation>{0} ist nicht erreichbar: {1}</translation>
+    </message>
+    <message>
+        <source>{0} refuses the connection: {1}</source>
+        <translation>{0} lehnt die Verbindung ab: {1}</translation>
+    </message>
+    <message>
+        <source>The code is wrong; it is in the file attach-code of the controller&apos;s state folder</source>
+        <translation>Der Code ist falsch; er steht in der Datei attach-code im Zustandsordner der Steuerung</translation>
+    </message>
+    <message>
+        <source>There were too many wrong codes from this computer; wait a minute</source>
+        <translation>Von diesem Rechner kamen zu viele falsche Codes; warten Sie eine Minute</translation>
+    </message>
+    <message>
+        <source>The code would cross the network unprotected; use an https address, and start the controller with --certificate</source>
+        <translation>Der Code ginge ungeschützt über das Netz; verwenden Sie eine https-Adresse und starten Sie die Steuerung mit --certificate</translation>
+    </message>
+    <message>
+        <source>The certificate of {0} is not trusted: {1}; name the file of the certificate that you trust</source>
+        <translation>Dem Zertifikat von {0} wird nicht vertraut: {1}; geben Sie die Datei des Zertifikats an, dem Sie vertrauen</translation>
+    </message>
+    <message>
+        <source>The certificate cannot be read from {0}; it must be a PEM file</source>
+        <translation>Das Zertifikat kann nicht aus {0} gelesen werden; es muss eine PEM-Datei sein</translation>
+    </message>
+    <message>
+        <source>The connection to {0} is lost; check the network and the controller</source>
+        <translation>Die Verbindung zu {0} ist unterbrochen; prüfen Sie das Netz und die Steuerung</translation>
+    </message>
+    <message>
+        <source>{0} does not answer; check the address and whether the controller runs</source>
+        <translation>{0} antwortet nicht; prüfen Sie die Adresse und ob die Steuerung läuft</translation>
+    </message>
+    <message>
+        <source>The controller&apos;s program cannot be built here as it is there; use the same version of Stepwise on both sides</source>
+        <translation>Das Programm der Steuerung lässt sich hier nicht so übersetzen wie dort; verwenden Sie auf beiden Seiten dieselbe Version von Stepwise</translation>
+    </message>
+</context>
+<context>
     <name>TraceText</name>
     <message>
         <source>Triggered at %1.</source>
@@ -5493,26 +6105,6 @@
 </context>
 <context>
     <name>Tuning</name>
-    <message>
-        <source>The table has no column of times; name one time_s (seconds) or time_ms</source>
-        <translation>Die Tabelle hat keine Zeitspalte; benennen Sie eine Spalte time_s (Sekunden) oder time_ms</translation>
-    </message>
-    <message>
-        <source>The table has no column {0}; it has {1}</source>
-        <translation>Die Tabelle hat keine Spalte {0}; sie hat {1}</translation>
-    </message>
-    <message>
-        <source>The table has no column {0}; did you mean {1}?</source>
-        <translation>Die Tabelle hat keine Spalte {0}; meinten Sie {1}?</translation>
-    </message>
-    <message>
-        <source>Line {0} has no number in column {1}; correct or remove the line</source>
-        <translation>Zeile {0} hat keine Zahl in Spalte {1}; berichtigen oder entfernen Sie die Zeile</translation>
-    </message>
-    <message>
-        <source>The time in line {0} is before that of the line above; sort the lines by time</source>
-        <translation>Die Zeit in Zeile {0} liegt vor der Zeit in der Zeile darüber; sortieren Sie die Zeilen nach der Zeit</translation>
-    </message>
     <message>
         <source>{0} {0:sample is|samples are} too few for a model; record for longer</source>
         <translation>{0} {0:Messwert ist|Messwerte sind} zu wenig für ein Modell; zeichnen Sie länger auf</translation>
@@ -5775,6 +6367,171 @@
     </message>
 </context>
 <context>
+    <name>Waveform</name>
+    <message>
+        <source>The table has no column of times; name one time_s (seconds) or time_ms</source>
+        <translation>Die Tabelle hat keine Zeitspalte; benennen Sie eine Spalte time_s (Sekunden) oder time_ms</translation>
+    </message>
+    <message>
+        <source>The table has no column {0}; it has {1}</source>
+        <translation>Die Tabelle hat keine Spalte {0}; sie hat {1}</translation>
+    </message>
+    <message>
+        <source>The table has no column {0}; did you mean {1}?</source>
+        <translation>Die Tabelle hat keine Spalte {0}; meinten Sie {1}?</translation>
+    </message>
+    <message>
+        <source>Line {0} has no number in column {1}; correct or remove the line</source>
+        <translation>Zeile {0} hat keine Zahl in Spalte {1}; berichtigen oder entfernen Sie die Zeile</translation>
+    </message>
+    <message>
+        <source>The time in line {0} is before that of the line above; sort the lines by time</source>
+        <translation>Die Zeit in Zeile {0} liegt vor der Zeit in der Zeile darüber; sortieren Sie die Zeilen nach der Zeit</translation>
+    </message>
+    <message>
+        <source>The table has no column of numbers besides the time; add one with a heading</source>
+        <translation>Die Tabelle hat außer der Zeit keine Spalte mit Zahlen; fügen Sie eine mit Überschrift hinzu</translation>
+    </message>
+    <message>
+        <source>The table has no rows under its headings; write one row per sample</source>
+        <translation>Die Tabelle hat unter den Überschriften keine Zeilen; schreiben Sie eine Zeile je Abtastwert</translation>
+    </message>
+    <message>
+        <source>The table cannot be shown as a recording: {0}</source>
+        <translation>Die Tabelle kann nicht als Aufzeichnung angezeigt werden: {0}</translation>
+    </message>
+    <message>
+        <source>the names of its columns cannot be variables; use letters, digits and underscores</source>
+        <translation>die Namen ihrer Spalten sind als Variablen nicht möglich; verwenden Sie Buchstaben, Ziffern und Unterstriche</translation>
+    </message>
+    <message>
+        <source>{0} {0:sample is|samples are} too few for a spectrum; show a longer stretch</source>
+        <translation>{0} {0:Abtastwert ist|Abtastwerte sind} zu wenig für ein Spektrum; zeigen Sie einen längeren Bereich an</translation>
+    </message>
+    <message>
+        <source>{0} {0:sample is|samples are} too few for a frequency response; show a longer stretch</source>
+        <translation>{0} {0:Abtastwert ist|Abtastwerte sind} zu wenig für einen Frequenzgang; zeigen Sie einen längeren Bereich an</translation>
+    </message>
+    <message>
+        <source>The input does not move here; there is nothing to answer to</source>
+        <translation>Der Eingang ändert sich hier nicht; es gibt keine Antwort zu berechnen</translation>
+    </message>
+    <message>
+        <source>{0} needs a closing parenthesis at the end; it goes around the whole expression</source>
+        <translation>{0} braucht am Ende eine schließende Klammer; sie umschließt den ganzen Ausdruck</translation>
+    </message>
+    <message>
+        <source>{0} needs a time above 0 as its second argument, for example {1}</source>
+        <translation>{0} braucht als zweites Argument eine Zeit über 0, zum Beispiel {1}</translation>
+    </message>
+    <message>
+        <source>{0} takes one expression; remove the others</source>
+        <translation>{0} nimmt genau einen Ausdruck; entfernen Sie die anderen</translation>
+    </message>
+    <message>
+        <source>The file is not a table; a recording of Stepwise ends with .rec</source>
+        <translation>Die Datei ist keine Tabelle; eine Aufzeichnung von Stepwise endet auf .rec</translation>
+    </message>
+    <message>
+        <source>Line {0} is not a sample of a variable: it needs a time and a value</source>
+        <translation>Zeile {0} ist kein Abtastwert einer Variablen: Sie braucht eine Zeit und einen Wert</translation>
+    </message>
+    <message>
+        <source>The trace cannot be read as XML: {0}; save it again</source>
+        <translation>Der Trace lässt sich nicht als XML lesen: {0}; speichern Sie ihn erneut</translation>
+    </message>
+    <message>
+        <source>{0} has {1} {1:value|values} but {2} {2:time|times}; save the trace again</source>
+        <translation>{0} hat {1} {1:Wert|Werte}, aber {2} {2:Zeit|Zeiten}; speichern Sie den Trace erneut</translation>
+    </message>
+    <message>
+        <source>The times of {0} run backwards; save the trace again</source>
+        <translation>Die Zeiten von {0} laufen rückwärts; speichern Sie den Trace erneut</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::AttachDialog</name>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Code</translation>
+    </message>
+    <message>
+        <source>Attach to a Controller</source>
+        <translation>Mit einer Steuerung verbinden</translation>
+    </message>
+    <message>
+        <source>from the file attach-code of the controller</source>
+        <translation>aus der Datei attach-code der Steuerung</translation>
+    </message>
+    <message>
+        <source>only for certificates that this computer does not know</source>
+        <translation>nur für Zertifikate, die dieser Rechner nicht kennt</translation>
+    </message>
+    <message>
+        <source>…</source>
+        <translation>…</translation>
+    </message>
+    <message>
+        <source>Choose a certificate</source>
+        <translation>Zertifikat wählen</translation>
+    </message>
+    <message>
+        <source>Trusted certificate</source>
+        <translation>Vertrauenswürdiges Zertifikat</translation>
+    </message>
+    <message>
+        <source>Attach</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Choose a Certificate</source>
+        <translation>Zertifikat wählen</translation>
+    </message>
+    <message>
+        <source>Certificates (*.pem *.crt *.cer);;All files (*)</source>
+        <translation>Zertifikate (*.pem *.crt *.cer);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Attaching…</source>
+        <translation>Wird verbunden…</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::Attachment</name>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 bei %2</translation>
+    </message>
+    <message>
+        <source>Detach</source>
+        <translation>Trennen</translation>
+    </message>
+    <message>
+        <source>Attached to %1</source>
+        <translation>Verbunden mit %1</translation>
+    </message>
+    <message>
+        <source>Attached to %1; its program is not the one that is open here</source>
+        <translation>Verbunden mit %1; das Programm dort ist nicht das hier geöffnete</translation>
+    </message>
+    <message>
+        <source>%1 is lost – connecting again…</source>
+        <translation>Verbindung zu %1 unterbrochen – wird wiederhergestellt…</translation>
+    </message>
+    <message>
+        <source>Attaching to %1…</source>
+        <translation>Verbindung mit %1 wird hergestellt…</translation>
+    </message>
+    <message>
+        <source>The controller runs there; what is written and forced here acts there</source>
+        <translation>Die Steuerung läuft dort; was hier geschrieben und geforct wird, wirkt dort</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::ConversionDialog</name>
     <message>
         <source>%1 as ST</source>
@@ -5947,12 +6704,12 @@
         <translation>%1 Anfragen, %2 Fehler, %3 ms</translation>
     </message>
     <message>
-        <source>connected</source>
-        <translation>verbunden</translation>
-    </message>
-    <message>
         <source>not connected</source>
         <translation>nicht verbunden</translation>
+    </message>
+    <message>
+        <source>online: %1 of %2</source>
+        <translation>online: %1 von %2</translation>
     </message>
 </context>
 <context>
@@ -6089,6 +6846,10 @@
         <source>To:</source>
         <translation>Nach:</translation>
     </message>
+    <message>
+        <source>This file exists and will be replaced</source>
+        <translation>Diese Datei ist vorhanden und wird ersetzt</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::GuideView</name>
@@ -6198,6 +6959,18 @@ Nicht erhalten: %3</translation>
     <message>
         <source>PLCopen XML, TwinCAT, CODESYS, ST</source>
         <translation>PLCopen XML, TwinCAT, CODESYS, ST</translation>
+    </message>
+    <message>
+        <source>Reading %1…</source>
+        <translation>%1 wird gelesen…</translation>
+    </message>
+    <message>
+        <source>Becomes a project of its own, with the libraries it uses</source>
+        <translation>Wird ein eigenes Projekt mit den Bibliotheken, die es verwendet</translation>
+    </message>
+    <message>
+        <source>Writing the project…</source>
+        <translation>Projekt wird geschrieben…</translation>
     </message>
 </context>
 <context>
@@ -7245,6 +8018,33 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
 </context>
 <context>
+    <name>plc::app::Menu</name>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Bearbeiten</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Debug</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::MergeDialog</name>
     <message>
         <source>Compare %1</source>
@@ -7285,6 +8085,49 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Difference %1 of %2</source>
         <translation>Unterschied %1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::NativeProgramDialog</name>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Build</source>
+        <translation>Erzeugen</translation>
+    </message>
+    <message>
+        <source>Build a Native Program</source>
+        <translation>Natives Programm erzeugen</translation>
+    </message>
+    <message>
+        <source>…</source>
+        <translation>…</translation>
+    </message>
+    <message>
+        <source>Choose the file</source>
+        <translation>Datei wählen</translation>
+    </message>
+    <message>
+        <source>Native Program</source>
+        <translation>Natives Programm</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Rechner</translation>
+    </message>
+    <message>
+        <source>The program runs without Stepwise on a machine with Linux: its PLC code and a small runner in one file.</source>
+        <translation>Das Programm läuft ohne Stepwise auf einem Linux-Rechner: sein SPS-Code und ein kleines Laufzeitsystem in einer Datei.</translation>
+    </message>
+    <message>
+        <source>Building…</source>
+        <translation>Wird erzeugt…</translation>
+    </message>
+    <message>
+        <source>%1 is built</source>
+        <translation>%1 wurde erzeugt</translation>
     </message>
 </context>
 <context>
@@ -9457,10 +10300,6 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Sollwert</translation>
     </message>
     <message>
-        <source>Start the controller; its recording is what is looked at.</source>
-        <translation>Starten Sie die Steuerung; untersucht wird ihre Aufzeichnung.</translation>
-    </message>
-    <message>
         <source>The program has no controller block; call one, for example PID.</source>
         <translation>Das Programm hat keinen Reglerbaustein; rufen Sie einen auf, zum Beispiel PID.</translation>
     </message>
@@ -9588,10 +10427,6 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Sprung der Last</translation>
     </message>
     <message>
-        <source>The last step with these settings</source>
-        <translation>Der letzte Sprung mit diesen Einstellungen</translation>
-    </message>
-    <message>
         <source>Tuning</source>
         <translation>Reglereinstellung</translation>
     </message>
@@ -9674,6 +10509,14 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>disturbance</source>
         <translation>Störung</translation>
+    </message>
+    <message>
+        <source>gain [dB]</source>
+        <translation>Verstärkung [dB]</translation>
+    </message>
+    <message>
+        <source>phase [°]</source>
+        <translation>Phase [°]</translation>
     </message>
 </context>
 <context>
@@ -10435,6 +11278,10 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>Without users, everybody may do everything.</source>
         <translation>Ohne Benutzer darf jeder alles.</translation>
     </message>
+    <message>
+        <source>Rename Role</source>
+        <translation>Rolle umbenennen</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::PropertySheet</name>
@@ -10543,18 +11390,6 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Maximum</source>
         <translation>Maximum</translation>
-    </message>
-    <message>
-        <source>A double click renames the set</source>
-        <translation>Ein Doppelklick dient zum Umbenennen des Datensatzes</translation>
-    </message>
-    <message>
-        <source>Remove the Set %1</source>
-        <translation>Datensatz %1 entfernen</translation>
-    </message>
-    <message>
-        <source>Remove the Row %1</source>
-        <translation>Zeile %1 entfernen</translation>
     </message>
     <message>
         <source>A recipe needs a name.</source>
@@ -10797,19 +11632,6 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
 </context>
 <context>
-    <name>plc::kit::PlotView</name>
-    <message>
-        <source>Chart</source>
-        <translation>Diagramm</translation>
-    </message>
-    <message>
-        <source>%1
-Click selects, Ctrl+click shows or hides.</source>
-        <translation>%1
-Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
-    </message>
-</context>
-<context>
     <name>plc::kit::PropertyGrid</name>
     <message>
         <source>Choose a variable</source>
@@ -10900,6 +11722,19 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
     <message>
         <source>Cancel: %1</source>
         <translation>Abbrechen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>plc::plot::PlotView</name>
+    <message>
+        <source>Chart</source>
+        <translation>Diagramm</translation>
+    </message>
+    <message>
+        <source>%1
+Click selects, Ctrl+click shows or hides.</source>
+        <translation>%1
+Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
     </message>
 </context>
 <context>
@@ -11138,6 +11973,77 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
     </message>
 </context>
 <context>
+    <name>plc::trace::FigurePane</name>
+    <message>
+        <source>Save as %1</source>
+        <translation>Als %1 speichern</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Einpassen</translation>
+    </message>
+    <message>
+        <source>Copy as picture</source>
+        <translation>Als Bild kopieren</translation>
+    </message>
+    <message>
+        <source>Save as %1…</source>
+        <translation>Als %1 speichern…</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fensterfunktion</translation>
+    </message>
+    <message>
+        <source>Hann window</source>
+        <translation>Hann-Fenster</translation>
+    </message>
+    <message>
+        <source>Flat top: exact amplitudes</source>
+        <translation>Flat-Top: genaue Amplituden</translation>
+    </message>
+    <message>
+        <source>No window</source>
+        <translation>Kein Fenster</translation>
+    </message>
+    <message>
+        <source>Logarithmic</source>
+        <translation>Logarithmisch</translation>
+    </message>
+    <message>
+        <source>Charts over time only</source>
+        <translation>Nur Zeitdiagramme</translation>
+    </message>
+    <message>
+        <source>Horizontal value</source>
+        <translation>Waagrechter Wert</translation>
+    </message>
+    <message>
+        <source>Window of the spectrum</source>
+        <translation>Fensterfunktion des Spektrums</translation>
+    </message>
+    <message>
+        <source>Logarithmic axes</source>
+        <translation>Logarithmische Achsen</translation>
+    </message>
+    <message>
+        <source>Input:</source>
+        <translation>Eingang:</translation>
+    </message>
+    <message>
+        <source>Horizontal:</source>
+        <translation>Waagrecht:</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Eingang</translation>
+    </message>
+    <message>
+        <source>Measure between Points</source>
+        <translation>Zwischen Punkten messen</translation>
+    </message>
+</context>
+<context>
     <name>plc::trace::TimeBar</name>
     <message>
         <source>Time</source>
@@ -11348,10 +12254,6 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
         <translation>Aufzeichnung, die darunter gezeichnet wird</translation>
     </message>
     <message>
-        <source>Recordings (*.rec);;All files (*)</source>
-        <translation>Aufzeichnungen (*.rec);;Alle Dateien (*)</translation>
-    </message>
-    <message>
         <source>Trace configuration</source>
         <translation>Trace-Konfiguration</translation>
     </message>
@@ -11511,10 +12413,6 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
         <translation>Von einem Punkt zum anderen ziehen: Zeit, Wert, Steigung und Frequenz dazwischen (M)</translation>
     </message>
     <message>
-        <source>Recordings and tables (*.rec *.csv *.tsv *.txt);;All files (*)</source>
-        <translation>Aufzeichnungen und Tabellen (*.rec *.csv *.tsv *.txt);;Alle Dateien (*)</translation>
-    </message>
-    <message>
         <source>XY plot, spectrum, frequency response, runs</source>
         <translation>XY-Diagramm, Spektrum, Frequenzgang, Läufe</translation>
     </message>
@@ -11570,876 +12468,9 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
         <source>File to add a channel of</source>
         <translation>Datei, aus der ein Kanal hinzugefügt wird</translation>
     </message>
-</context>
-<context>
-    <name>Examples</name>
     <message>
-        <source>Alarm texts in five languages</source>
-        <translation>Alarmtexte in fünf Sprachen</translation>
-    </message>
-    <message>
-        <source>Heated tank with analog blocks</source>
-        <translation>Behälter mit Analogbausteinen</translation>
-    </message>
-    <message>
-        <source>Bottling line</source>
-        <translation>Abfüllanlage</translation>
-    </message>
-    <message>
-        <source>Car park with a robot</source>
-        <translation>Parkhaus mit Roboter</translation>
-    </message>
-    <message>
-        <source>Car wash with recipes</source>
-        <translation>Autowaschanlage mit Rezepturen</translation>
-    </message>
-    <message>
-        <source>Room heated by supply air</source>
-        <translation>Raumheizung über Zuluft</translation>
-    </message>
-    <message>
-        <source>Motor valve with command monitor</source>
-        <translation>Motorventil mit Laufzeitüberwachung</translation>
-    </message>
-    <message>
-        <source>Conveyor with a sequence</source>
-        <translation>Förderband mit Ablauf</translation>
-    </message>
-    <message>
-        <source>Depalletiser</source>
-        <translation>Depalettierer</translation>
-    </message>
-    <message>
-        <source>District-heating substation</source>
-        <translation>Fernwärme-Übergabestation</translation>
-    </message>
-    <message>
-        <source>Dosing</source>
-        <translation>Dosierung</translation>
-    </message>
-    <message>
-        <source>Filter</source>
-        <translation>Filter</translation>
-    </message>
-    <message>
-        <source>Gravel plant</source>
-        <translation>Kieswerk</translation>
-    </message>
-    <message>
-        <source>Heater and valve</source>
-        <translation>Heizung und Ventil</translation>
-    </message>
-    <message>
-        <source>Hour meter with reset and enable</source>
-        <translation>Betriebsstundenzähler</translation>
-    </message>
-    <message>
-        <source>Items per hour</source>
-        <translation>Teile pro Stunde</translation>
-    </message>
-    <message>
-        <source>Items and meters</source>
-        <translation>Teile und Zähler</translation>
-    </message>
-    <message>
-        <source>Level lamps</source>
-        <translation>Füllstandslampen</translation>
-    </message>
-    <message>
-        <source>Light tower</source>
-        <translation>Signalsäule</translation>
-    </message>
-    <message>
-        <source>Tuning a control loop</source>
-        <translation>Einstellen eines Regelkreises</translation>
-    </message>
-    <message>
-        <source>Mixer for two liquids and two bricks</source>
-        <translation>Mischer für Flüssigkeiten und Briketts</translation>
-    </message>
-    <message>
-        <source>Motor with self-holding</source>
-        <translation>Motor mit Selbsthaltung</translation>
-    </message>
-    <message>
-        <source>Operation mode of an agitator</source>
-        <translation>Betriebsart eines Rührwerks</translation>
-    </message>
-    <message>
-        <source>PID loop on a first-order process</source>
-        <translation>PID-Regelkreis an einer PT1-Strecke</translation>
-    </message>
-    <message>
-        <source>Two pumps in a well</source>
-        <translation>Zwei Pumpen in einem Schacht</translation>
-    </message>
-    <message>
-        <source>Pulse width modulation of a sine</source>
-        <translation>Pulsweitenmodulation eines Sinus</translation>
-    </message>
-    <message>
-        <source>Rack with a robot</source>
-        <translation>Regal mit Roboter</translation>
-    </message>
-    <message>
-        <source>Robot and CNC machine</source>
-        <translation>Roboter und CNC-Maschine</translation>
-    </message>
-    <message>
-        <source>Robot that packs boxes</source>
-        <translation>Roboter packt Kartons</translation>
-    </message>
-    <message>
-        <source>Two level sensors that watch each other</source>
-        <translation>Zwei Füllstandsensoren im Vergleich</translation>
-    </message>
-    <message>
-        <source>Pumping station with six pumps</source>
-        <translation>Pumpstation mit sechs Pumpen</translation>
-    </message>
-    <message>
-        <source>Motor with selector</source>
-        <translation>Motor mit Wahlschalter</translation>
-    </message>
-    <message>
-        <source>Stack of integers</source>
-        <translation>Stapel für ganze Zahlen</translation>
-    </message>
-    <message>
-        <source>Tank that is filled, heated and emptied</source>
-        <translation>Behälter füllen, heizen und leeren</translation>
-    </message>
-    <message>
-        <source>Tank, operated by hand</source>
-        <translation>Behälter mit Handbedienung</translation>
-    </message>
-    <message>
-        <source>Level and volume</source>
-        <translation>Füllstand und Volumen</translation>
-    </message>
-    <message>
-        <source>Traffic light</source>
-        <translation>Ampel</translation>
-    </message>
-    <message>
-        <source>Valve matrix</source>
-        <translation>Ventilmatrix</translation>
-    </message>
-    <message>
-        <source>Three kinds of valves</source>
-        <translation>Drei Arten von Ventilen</translation>
-    </message>
-    <message>
-        <source>Pump in waves</source>
-        <translation>Pumpe bei Wellengang</translation>
-    </message>
-    <message>
-        <source>Truck scale</source>
-        <translation>Lkw-Waage</translation>
-    </message>
-    <message>
-        <source>Workbook</source>
-        <translation>Übungsbuch</translation>
-    </message>
-    <message>
-        <source>Tank over Modbus</source>
-        <translation>Behälter über Modbus</translation>
-    </message>
-    <message>
-        <source>A vehicle between two limit switches, driven by two linked sequential function charts</source>
-        <translation>Ein Fahrzeug zwischen zwei Endschaltern, gesteuert von zwei verknüpften Schrittketten</translation>
-    </message>
-    <message>
-        <source>A motor with three alarms that operators read in five languages</source>
-        <translation>Ein Motor mit drei Alarmen, die der Bediener in fünf Sprachen liest</translation>
-    </message>
-    <message>
-        <source>One control loop with a block for each task: filter, monitor, ramp, PID, transfer</source>
-        <translation>Ein Regelkreis mit einem Baustein je Aufgabe: Filter, Überwachung, Rampe, PID, Umschaltung</translation>
-    </message>
-    <message>
-        <source>Filler, capper and labeller with buffers between them, controlled as PackML units</source>
-        <translation>Füller, Verschließer und Etikettierer mit Puffern dazwischen, gesteuert nach PackML</translation>
-    </message>
-    <message>
-        <source>A robot parks cars by their number plates and fetches them again</source>
-        <translation>Ein Roboter parkt Autos nach ihrem Kennzeichen ein und holt sie wieder</translation>
-    </message>
-    <message>
-        <source>Five wash programmes, each with a price and a recipe that the owner can edit</source>
-        <translation>Fünf Waschprogramme, jedes mit Preis und Rezeptur, die der Betreiber ändern kann</translation>
-    </message>
-    <message>
-        <source>Cascade control: a slow loop for the room, a fast one for the supply air</source>
-        <translation>Kaskadenregelung: ein langsamer Kreis für den Raum, ein schneller für die Zuluft</translation>
-    </message>
-    <message>
-        <source>A motor valve whose travel is monitored; if it takes too long, an alarm sounds</source>
-        <translation>Ein Motorventil mit Laufzeitüberwachung; dauert es zu lange, ertönt ein Alarm</translation>
-    </message>
-    <message>
-        <source>A belt carries an item to the right, waits ten seconds and carries it back</source>
-        <translation>Ein Förderband bringt ein Teil nach rechts, wartet zehn Sekunden und bringt es zurück</translation>
-    </message>
-    <message>
-        <source>Four belts take boxes off pallets; the settings of one can be copied to another</source>
-        <translation>Vier Bänder nehmen Kartons von Paletten; Einstellungen lassen sich kopieren</translation>
-    </message>
-    <message>
-        <source>Heating and hot water from a district-heating network, with frost protection and summer mode</source>
-        <translation>Heizung und Warmwasser aus Fernwärme, mit Frostschutz und Sommerbetrieb</translation>
-    </message>
-    <message>
-        <source>A valve doses in pulses and pauses until the batch is complete</source>
-        <translation>Ein Ventil dosiert in Impulsen und Pausen, bis die Charge vollständig ist</translation>
-    </message>
-    <message>
-        <source>The pressure drop shows how dirty a filter is; an alarm reports when it is out of range</source>
-        <translation>Der Druckverlust zeigt, wie verschmutzt ein Filter ist; außerhalb des Bereichs folgt ein Alarm</translation>
-    </message>
-    <message>
-        <source>Silo, bin, conveyor and truck, controlled by three sequential function charts side by side</source>
-        <translation>Silo, Behälter, Förderband und Lkw, gesteuert von drei Schrittketten nebeneinander</translation>
-    </message>
-    <message>
-        <source>Two on-off controls: a heater with a set point, and a valve that opens on a pump alarm</source>
-        <translation>Zwei Zweipunktregelungen: eine Heizung mit Sollwert und ein Ventil, das bei Pumpenalarm öffnet</translation>
-    </message>
-    <message>
-        <source>An hour meter that is loaded, enabled and held, which draws a saw-tooth</source>
-        <translation>Ein Betriebsstundenzähler, der geladen, freigegeben und angehalten wird: ein Sägezahn</translation>
-    </message>
-    <message>
-        <source>A press makes items; a table counts how many in each hour of the day</source>
-        <translation>Eine Presse fertigt Teile; eine Tabelle zählt sie je Stunde des Tages</translation>
-    </message>
-    <message>
-        <source>Counts items, energy and water; the counts survive a power failure</source>
-        <translation>Zählt Teile, Energie und Wasser; die Zählerstände überstehen einen Stromausfall</translation>
-    </message>
-    <message>
-        <source>A level sensor of 4 to 20 mA, three lamps and the detection of a wire break</source>
-        <translation>Ein Füllstandsensor mit 4 bis 20 mA, drei Lampen und Drahtbrucherkennung</translation>
-    </message>
-    <message>
-        <source>Three signals of a machine on three lamps that flash or stay on</source>
-        <translation>Drei Signale einer Maschine auf drei Lampen, die blinken oder leuchten</translation>
-    </message>
-    <message>
-        <source>A heat exchanger that oscillates; an experiment and its recording give better settings</source>
-        <translation>Ein Wärmetauscher schwingt; ein Versuch und seine Aufzeichnung ergeben bessere Parameter</translation>
-    </message>
-    <message>
-        <source>Liquids are weighed while a belt brings two bricks; then the mixer turns and tips</source>
-        <translation>Flüssigkeiten werden gewogen, ein Band bringt zwei Briketts; dann mischt und kippt der Mischer</translation>
-    </message>
-    <message>
-        <source>Start, stop and a contactor that holds itself, written in four ways that agree</source>
-        <translation>Start, Stopp und ein Schütz mit Selbsthaltung, auf vier gleichwertige Arten geschrieben</translation>
-    </message>
-    <message>
-        <source>The local control box or the panel: one block decides which of them is in control</source>
-        <translation>Vor-Ort-Steuerung oder Panel: Ein Baustein entscheidet, wer die Bedienhoheit hat</translation>
-    </message>
-    <message>
-        <source>The same process with and without a PID controller, side by side in one trace</source>
-        <translation>Derselbe Prozess mit und ohne PID-Regler, nebeneinander in einem Trace</translation>
-    </message>
-    <message>
-        <source>One filter, two sines: the slow one passes, the fast one is damped and lags behind</source>
-        <translation>Ein Filter, zwei Sinussignale: Das langsame passiert, das schnelle wird gedämpft und eilt nach</translation>
-    </message>
-    <message>
-        <source>A pump tries out its speeds and keeps the one with the least energy per cubic metre</source>
-        <translation>Eine Pumpe probiert Drehzahlen aus und behält die mit der geringsten Energie je Kubikmeter</translation>
-    </message>
-    <message>
-        <source>Two pumps take turns; a float counts only after two steady seconds</source>
-        <translation>Zwei Pumpen wechseln sich ab; ein Schwimmer zählt erst nach zwei ruhigen Sekunden</translation>
-    </message>
-    <message>
-        <source>A sine becomes pulses for two outputs, as for a motor in two directions</source>
-        <translation>Ein Sinus wird zu Impulsen für zwei Ausgänge, wie für einen Motor mit zwei Drehrichtungen</translation>
-    </message>
-    <message>
-        <source>A robot counts encoder pulses to store and fetch loads on twelve shelves</source>
-        <translation>Ein Roboter zählt Geberimpulse und lagert Lasten in zwölf Fächern ein und aus</translation>
-    </message>
-    <message>
-        <source>A robot takes 25 items one by one to a CNC machine and back</source>
-        <translation>Ein Roboter bringt 25 Teile nacheinander zu einer CNC-Maschine und zurück</translation>
-    </message>
-    <message>
-        <source>A robot puts three items into each box; a camera checks the result</source>
-        <translation>Ein Roboter legt drei Teile in jeden Karton; eine Kamera prüft das Ergebnis</translation>
-    </message>
-    <message>
-        <source>Two sensors are compared; a faulty one is replaced by the healthy one without a bump</source>
-        <translation>Zwei Sensoren im Vergleich; ein gestörter wird stoßfrei durch den gesunden ersetzt</translation>
-    </message>
-    <message>
-        <source>Starts and stops six pumps by level and running hours, as a town&apos;s day flows in</source>
-        <translation>Schaltet sechs Pumpen nach Füllstand und Betriebsstunden über den Tagesgang einer Stadt</translation>
-    </message>
-    <message>
-        <source>A rotary switch selects the speed of a motor, a number what a module does</source>
-        <translation>Ein Drehschalter wählt die Drehzahl eines Motors, eine Zahl die Funktion eines Moduls</translation>
-    </message>
-    <message>
-        <source>Last in, first out: push, pop and reset, in ST and as an instruction list</source>
-        <translation>Zuletzt hinein, zuerst heraus: Push, Pop und Reset, in ST und als Anweisungsliste</translation>
-    </message>
-    <message>
-        <source>The same sequence twice: with CASE and as a chart of steps; either can be in control</source>
-        <translation>Derselbe Ablauf zweimal: mit CASE und als Schrittkette; beide können steuern</translation>
-    </message>
-    <message>
-        <source>Fill, empty and stir with three switches; two level switches prevent mistakes</source>
-        <translation>Füllen, Leeren und Rühren mit drei Schaltern; zwei Niveauschalter verhindern Fehler</translation>
-    </message>
-    <message>
-        <source>A current of 4 to 20 mA becomes a level, and the level becomes a volume</source>
-        <translation>Aus einem Strom von 4 bis 20 mA wird ein Füllstand, aus dem Füllstand ein Volumen</translation>
-    </message>
-    <message>
-        <source>Red, yellow and green from one counter of seconds, written in three ways</source>
-        <translation>Rot, Gelb und Grün aus einem Sekundenzähler, auf drei Arten geschrieben</translation>
-    </message>
-    <message>
-        <source>Five tanks, three pipelines, fifteen valves; two tanks never feed the same pipeline</source>
-        <translation>Fünf Behälter, drei Leitungen, fünfzehn Ventile; nie speisen zwei Behälter eine Leitung</translation>
-    </message>
-    <message>
-        <source>A motor valve, a spring-return valve and a control valve, each with its block</source>
-        <translation>Ein Motorventil, ein Ventil mit Federrückstellung und ein Regelventil, je mit Baustein</translation>
-    </message>
-    <message>
-        <source>A float in waves: the pump starts and stops only after five steady seconds</source>
-        <translation>Ein Schwimmer in Wellen: Die Pumpe schaltet erst nach fünf ruhigen Sekunden</translation>
-    </message>
-    <message>
-        <source>Four BCD digits become the net weight once the scale has come to rest</source>
-        <translation>Vier BCD-Ziffern werden zum Nettogewicht, sobald die Waage zur Ruhe gekommen ist</translation>
-    </message>
-    <message>
-        <source>Samples of the language on four pages, each a program of its own with a test</source>
-        <translation>Sprachbeispiele auf vier Seiten, jedes ein eigenes Programm mit Test</translation>
-    </message>
-    <message>
-        <source>Automated guided vehicle</source>
-        <translation>Fahrerloses Transportfahrzeug</translation>
-    </message>
-    <message>
-        <source>First-order filter and two sines</source>
-        <translation>PT1-Filter und zwei Sinussignale</translation>
-    </message>
-    <message>
-        <source>Pump at its most efficient speed</source>
-        <translation>Pumpe mit effizientester Drehzahl</translation>
-    </message>
-    <message>
-        <source>A controller and a tank, connected on this computer by real Modbus TCP</source>
-        <translation>Eine Steuerung und ein Behälter, auf diesem Rechner über echtes Modbus TCP verbunden</translation>
-    </message>
-</context>
-<context>
-    <name>FigureText</name>
-    <message>
-        <source>%1 at %2</source>
-        <translation>%1 bei %2</translation>
-    </message>
-    <message>
-        <source>An XY plot draws one channel over another: add a second channel to the trace.</source>
-        <translation>Ein XY-Diagramm zeichnet einen Kanal über einem anderen: Fügen Sie dem Trace einen zweiten Kanal hinzu.</translation>
-    </message>
-    <message>
-        <source>XY plot</source>
-        <translation>XY-Diagramm</translation>
-    </message>
-    <message>
-        <source>There are no samples in view: run the program or show another stretch.</source>
-        <translation>Im sichtbaren Bereich gibt es keine Abtastwerte: Lassen Sie das Programm laufen oder blenden Sie einen anderen Bereich ein.</translation>
-    </message>
-    <message>
-        <source>%L1 points over %2</source>
-        <translation>%L1 Punkte über %2</translation>
-    </message>
-    <message>
-        <source>A spectrum shows the frequencies of the visible channels: add a channel.</source>
-        <translation>Im Spektrum werden die Frequenzen der sichtbaren Kanäle angezeigt: Fügen Sie einen Kanal hinzu.</translation>
-    </message>
-    <message>
-        <source>Spectrum</source>
-        <translation>Spektrum</translation>
-    </message>
-    <message>
-        <source>Frequency [Hz]</source>
-        <translation>Frequenz [Hz]</translation>
-    </message>
-    <message>
-        <source>amplitude</source>
-        <translation>Amplitude</translation>
-    </message>
-    <message>
-        <source>%1: no peak, RMS %2</source>
-        <translation>%1: keine Spitze, Effektivwert %2</translation>
-    </message>
-    <message>
-        <source>%1: %2, RMS %3</source>
-        <translation>%1: %2, Effektivwert %3</translation>
-    </message>
-    <message>
-        <source>A frequency response compares an output with an input: add both as channels, and choose the input.</source>
-        <translation>Ein Frequenzgang vergleicht einen Ausgang mit einem Eingang: Fügen Sie beide als Kanäle hinzu und wählen Sie den Eingang.</translation>
-    </message>
-    <message>
-        <source>Frequency response</source>
-        <translation>Frequenzgang</translation>
-    </message>
-    <message>
-        <source>gain [dB]</source>
-        <translation>Verstärkung [dB]</translation>
-    </message>
-    <message>
-        <source>phase [°]</source>
-        <translation>Phase [°]</translation>
-    </message>
-    <message>
-        <source>coherence</source>
-        <translation>Kohärenz</translation>
-    </message>
-    <message>
-        <source>%1: %L2 of %L3 frequencies with a coherence above 0.8</source>
-        <translation>%1: %L2 von %L3 Frequenzen mit einer Kohärenz über 0,8</translation>
-    </message>
-    <message>
-        <source>Runs are laid over each other at their triggers: enter a trigger in the properties of the trace.</source>
-        <translation>Läufe werden an ihren Triggern übereinandergelegt: Geben Sie in den Eigenschaften des Trace einen Trigger ein.</translation>
-    </message>
-    <message>
-        <source>The trigger has not fired in this recording yet.</source>
-        <translation>Der Trigger hat in dieser Aufzeichnung noch nicht ausgelöst.</translation>
-    </message>
-    <message>
-        <source>Runs of the visible channels are laid over each other: add a channel.</source>
-        <translation>Läufe der sichtbaren Kanäle werden übereinandergelegt: Fügen Sie einen Kanal hinzu.</translation>
-    </message>
-    <message>
-        <source>Time since the trigger [s]</source>
-        <translation>Zeit seit dem Trigger [s]</translation>
-    </message>
-    <message>
-        <source>%1: runs differ most %2 after the trigger, by %3</source>
-        <translation>%1: größte Abweichung der Läufe %2 nach dem Trigger, %3</translation>
-    </message>
-    <message>
-        <source>Charts over Time Only</source>
-        <translation>Nur Zeitdiagramme</translation>
-    </message>
-    <message>
-        <source>XY Plot</source>
-        <translation>XY-Diagramm</translation>
-    </message>
-    <message>
-        <source>Frequency Response (Bode)</source>
-        <translation>Frequenzgang (Bode)</translation>
-    </message>
-    <message>
-        <source>Runs over Each Other</source>
-        <translation>Läufe übereinander</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n run(s)</source>
-        <translation>
-            <numerusform>%n Lauf</numerusform>
-            <numerusform>%n Läufe</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>Waveform</name>
-    <message>
-        <source>The table has no column of times; name one time_s (seconds) or time_ms</source>
-        <translation>Die Tabelle hat keine Zeitspalte; benennen Sie eine Spalte time_s (Sekunden) oder time_ms</translation>
-    </message>
-    <message>
-        <source>The table has no column {0}; it has {1}</source>
-        <translation>Die Tabelle hat keine Spalte {0}; sie hat {1}</translation>
-    </message>
-    <message>
-        <source>The table has no column {0}; did you mean {1}?</source>
-        <translation>Die Tabelle hat keine Spalte {0}; meinten Sie {1}?</translation>
-    </message>
-    <message>
-        <source>Line {0} has no number in column {1}; correct or remove the line</source>
-        <translation>Zeile {0} hat keine Zahl in Spalte {1}; berichtigen oder entfernen Sie die Zeile</translation>
-    </message>
-    <message>
-        <source>The time in line {0} is before that of the line above; sort the lines by time</source>
-        <translation>Die Zeit in Zeile {0} liegt vor der Zeit in der Zeile darüber; sortieren Sie die Zeilen nach der Zeit</translation>
-    </message>
-    <message>
-        <source>The table has no column of numbers besides the time; add one with a heading</source>
-        <translation>Die Tabelle hat außer der Zeit keine Spalte mit Zahlen; fügen Sie eine mit Überschrift hinzu</translation>
-    </message>
-    <message>
-        <source>The table has no rows under its headings; write one row per sample</source>
-        <translation>Die Tabelle hat unter den Überschriften keine Zeilen; schreiben Sie eine Zeile je Abtastwert</translation>
-    </message>
-    <message>
-        <source>The table cannot be shown as a recording: {0}</source>
-        <translation>Die Tabelle kann nicht als Aufzeichnung angezeigt werden: {0}</translation>
-    </message>
-    <message>
-        <source>the names of its columns cannot be variables; use letters, digits and underscores</source>
-        <translation>die Namen ihrer Spalten sind als Variablen nicht möglich; verwenden Sie Buchstaben, Ziffern und Unterstriche</translation>
-    </message>
-    <message>
-        <source>{0} {0:sample is|samples are} too few for a spectrum; show a longer stretch</source>
-        <translation>{0} {0:Abtastwert ist|Abtastwerte sind} zu wenig für ein Spektrum; zeigen Sie einen längeren Bereich an</translation>
-    </message>
-    <message>
-        <source>{0} {0:sample is|samples are} too few for a frequency response; show a longer stretch</source>
-        <translation>{0} {0:Abtastwert ist|Abtastwerte sind} zu wenig für einen Frequenzgang; zeigen Sie einen längeren Bereich an</translation>
-    </message>
-    <message>
-        <source>The input does not move here; there is nothing to answer to</source>
-        <translation>Der Eingang ändert sich hier nicht; es gibt keine Antwort zu berechnen</translation>
-    </message>
-    <message>
-        <source>{0} needs a closing parenthesis at the end; it goes around the whole expression</source>
-        <translation>{0} braucht am Ende eine schließende Klammer; sie umschließt den ganzen Ausdruck</translation>
-    </message>
-    <message>
-        <source>{0} needs a time above 0 as its second argument, for example {1}</source>
-        <translation>{0} braucht als zweites Argument eine Zeit über 0, zum Beispiel {1}</translation>
-    </message>
-    <message>
-        <source>{0} takes one expression; remove the others</source>
-        <translation>{0} nimmt genau einen Ausdruck; entfernen Sie die anderen</translation>
-    </message>
-</context>
-<context>
-    <name>plc::plot::PlotView</name>
-    <message>
-        <source>Chart</source>
-        <translation>Diagramm</translation>
-    </message>
-    <message>
-        <source>%1
-Click selects, Ctrl+click shows or hides.</source>
-        <translation>%1
-Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
-    </message>
-</context>
-<context>
-    <name>plc::trace::FigurePane</name>
-    <message>
-        <source>Save as %1</source>
-        <translation>Als %1 speichern</translation>
-    </message>
-    <message>
-        <source>Fit</source>
-        <translation>Einpassen</translation>
-    </message>
-    <message>
-        <source>Copy as picture</source>
-        <translation>Als Bild kopieren</translation>
-    </message>
-    <message>
-        <source>Save as %1…</source>
-        <translation>Als %1 speichern…</translation>
-    </message>
-    <message>
-        <source>Window</source>
-        <translation>Fensterfunktion</translation>
-    </message>
-    <message>
-        <source>Hann window</source>
-        <translation>Hann-Fenster</translation>
-    </message>
-    <message>
-        <source>Flat top: exact amplitudes</source>
-        <translation>Flat-Top: genaue Amplituden</translation>
-    </message>
-    <message>
-        <source>No window</source>
-        <translation>Kein Fenster</translation>
-    </message>
-    <message>
-        <source>Logarithmic</source>
-        <translation>Logarithmisch</translation>
-    </message>
-    <message>
-        <source>Charts over time only</source>
-        <translation>Nur Zeitdiagramme</translation>
-    </message>
-    <message>
-        <source>Horizontal value</source>
-        <translation>Waagrechter Wert</translation>
-    </message>
-    <message>
-        <source>Window of the spectrum</source>
-        <translation>Fensterfunktion des Spektrums</translation>
-    </message>
-    <message>
-        <source>Logarithmic axes</source>
-        <translation>Logarithmische Achsen</translation>
-    </message>
-    <message>
-        <source>Input:</source>
-        <translation>Eingang:</translation>
-    </message>
-    <message>
-        <source>Horizontal:</source>
-        <translation>Waagrecht:</translation>
-    </message>
-    <message>
-        <source>Input</source>
-        <translation>Eingang</translation>
-    </message>
-    <message>
-        <source>Measure between Points</source>
-        <translation>Zwischen Punkten messen</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::AttachDialog</name>
-    <message>
-        <source>Address</source>
-        <translation>Adresse</translation>
-    </message>
-    <message>
-        <source>Code</source>
-        <translation>Code</translation>
-    </message>
-    <message>
-        <source>Attach to a Controller</source>
-        <translation>Mit einer Steuerung verbinden</translation>
-    </message>
-    <message>
-        <source>from the file attach-code of the controller</source>
-        <translation>aus der Datei attach-code der Steuerung</translation>
-    </message>
-    <message>
-        <source>only for certificates that this computer does not know</source>
-        <translation>nur für Zertifikate, die dieser Rechner nicht kennt</translation>
-    </message>
-    <message>
-        <source>…</source>
-        <translation>…</translation>
-    </message>
-    <message>
-        <source>Choose a certificate</source>
-        <translation>Zertifikat wählen</translation>
-    </message>
-    <message>
-        <source>Trusted certificate</source>
-        <translation>Vertrauenswürdiges Zertifikat</translation>
-    </message>
-    <message>
-        <source>Attach</source>
-        <translation>Verbinden</translation>
-    </message>
-    <message>
-        <source>Choose a Certificate</source>
-        <translation>Zertifikat wählen</translation>
-    </message>
-    <message>
-        <source>Certificates (*.pem *.crt *.cer);;All files (*)</source>
-        <translation>Zertifikate (*.pem *.crt *.cer);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>Attaching…</source>
-        <translation>Wird verbunden…</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::Attachment</name>
-    <message>
-        <source>%1 at %2</source>
-        <translation>%1 bei %2</translation>
-    </message>
-    <message>
-        <source>Detach</source>
-        <translation>Trennen</translation>
-    </message>
-    <message>
-        <source>Attached to %1</source>
-        <translation>Verbunden mit %1</translation>
-    </message>
-    <message>
-        <source>Attached to %1; its program is not the one that is open here</source>
-        <translation>Verbunden mit %1; das Programm dort ist nicht das hier geöffnete</translation>
-    </message>
-    <message>
-        <source>%1 is lost – connecting again…</source>
-        <translation>Verbindung zu %1 unterbrochen – wird wiederhergestellt…</translation>
-    </message>
-    <message>
-        <source>Attaching to %1…</source>
-        <translation>Verbindung mit %1 wird hergestellt…</translation>
-    </message>
-    <message>
-        <source>The controller runs there; what is written and forced here acts there</source>
-        <translation>Die Steuerung läuft dort; was hier geschrieben und geforct wird, wirkt dort</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::NativeProgramDialog</name>
-    <message>
-        <source>File</source>
-        <translation>Datei</translation>
-    </message>
-    <message>
-        <source>Build</source>
-        <translation>Erzeugen</translation>
-    </message>
-    <message>
-        <source>Build a Native Program</source>
-        <translation>Natives Programm erzeugen</translation>
-    </message>
-    <message>
-        <source>…</source>
-        <translation>…</translation>
-    </message>
-    <message>
-        <source>Choose the file</source>
-        <translation>Datei wählen</translation>
-    </message>
-    <message>
-        <source>Native Program</source>
-        <translation>Natives Programm</translation>
-    </message>
-    <message>
-        <source>Machine</source>
-        <translation>Rechner</translation>
-    </message>
-    <message>
-        <source>The program runs without Stepwise on a machine with Linux: its PLC code and a small runner in one file.</source>
-        <translation>Das Programm läuft ohne Stepwise auf einem Linux-Rechner: sein SPS-Code und ein kleines Laufzeitsystem in einer Datei.</translation>
-    </message>
-    <message>
-        <source>Building…</source>
-        <translation>Wird erzeugt…</translation>
-    </message>
-    <message>
-        <source>%1 is built</source>
-        <translation>%1 wurde erzeugt</translation>
-    </message>
-</context>
-<context>
-    <name>Remote</name>
-    <message>
-        <source>The request is not understood; studio and controller may be of different versions</source>
-        <translation>Die Anfrage wird nicht verstanden; Studio und Steuerung haben eventuell verschiedene Versionen</translation>
-    </message>
-    <message>
-        <source>There is no request {0}; studio and controller may be of different versions</source>
-        <translation>Es gibt keine Anfrage {0}; Studio und Steuerung haben eventuell verschiedene Versionen</translation>
-    </message>
-    <message>
-        <source>Breakpoints stop a machine in the middle of a scan; `stepwise serve` allows them with --allow-breakpoints</source>
-        <translation>Haltepunkte halten eine Maschine mitten im Zyklus an; „stepwise serve“ erlaubt sie mit --allow-breakpoints</translation>
-    </message>
-    <message>
-        <source>{0} is forced; release it before writing</source>
-        <translation>{0} ist geforct; heben Sie das Forcen vor dem Schreiben auf</translation>
-    </message>
-    <message>
-        <source>{0} is not forced</source>
-        <translation>{0} ist nicht geforct</translation>
-    </message>
-    <message>
-        <source>Another program is being built for this controller; try again when it is loaded</source>
-        <translation>Für diese Steuerung wird gerade ein anderes Programm übersetzt; versuchen Sie es erneut, wenn es geladen ist</translation>
-    </message>
-    <message>
-        <source>The program has {0} {0:error|errors}; the controller goes on with the old one</source>
-        <translation>Das Programm hat {0} Fehler; die Steuerung läuft mit dem alten weiter</translation>
-    </message>
-    <message>
-        <source>The controller&apos;s program has no file {0}; load its program again</source>
-        <translation>Das Programm der Steuerung hat keine Datei {0}; laden Sie sein Programm erneut</translation>
-    </message>
-    <message>
-        <source>A recording is already being fetched; wait until it has arrived</source>
-        <translation>Es wird bereits eine Aufzeichnung abgeholt; warten Sie, bis sie angekommen ist</translation>
-    </message>
-    <message>
-        <source>A controller that serves others cannot be put back in time; fetch its recording and go on from there</source>
-        <translation>Eine Steuerung, die andere bedient, kann nicht in der Zeit zurückgesetzt werden; holen Sie ihre Aufzeichnung ab und fahren Sie von dort fort</translation>
-    </message>
-    <message>
-        <source>{0} is not the address of a controller; write for example https://plant:8443/</source>
-        <translation>{0} ist nicht die Adresse einer Steuerung; schreiben Sie zum Beispiel https://plant:8443/</translation>
-    </message>
-    <message>
-        <source>{0} cannot be reached: {1}</source>
-        <translation>{0} ist nicht erreichbar: {1}</translation>
-    </message>
-    <message>
-        <source>{0} refuses the connection: {1}</source>
-        <translation>{0} lehnt die Verbindung ab: {1}</translation>
-    </message>
-    <message>
-        <source>The code is wrong; it is in the file attach-code of the controller&apos;s state folder</source>
-        <translation>Der Code ist falsch; er steht in der Datei attach-code im Zustandsordner der Steuerung</translation>
-    </message>
-    <message>
-        <source>There were too many wrong codes from this computer; wait a minute</source>
-        <translation>Von diesem Rechner kamen zu viele falsche Codes; warten Sie eine Minute</translation>
-    </message>
-    <message>
-        <source>The code would cross the network unprotected; use an https address, and start the controller with --certificate</source>
-        <translation>Der Code ginge ungeschützt über das Netz; verwenden Sie eine https-Adresse und starten Sie die Steuerung mit --certificate</translation>
-    </message>
-    <message>
-        <source>The certificate of {0} is not trusted: {1}; name the file of the certificate that you trust</source>
-        <translation>Dem Zertifikat von {0} wird nicht vertraut: {1}; geben Sie die Datei des Zertifikats an, dem Sie vertrauen</translation>
-    </message>
-    <message>
-        <source>The certificate cannot be read from {0}; it must be a PEM file</source>
-        <translation>Das Zertifikat kann nicht aus {0} gelesen werden; es muss eine PEM-Datei sein</translation>
-    </message>
-    <message>
-        <source>The connection to {0} is lost; check the network and the controller</source>
-        <translation>Die Verbindung zu {0} ist unterbrochen; prüfen Sie das Netz und die Steuerung</translation>
-    </message>
-    <message>
-        <source>{0} does not answer; check the address and whether the controller runs</source>
-        <translation>{0} antwortet nicht; prüfen Sie die Adresse und ob die Steuerung läuft</translation>
-    </message>
-    <message>
-        <source>The controller&apos;s program cannot be built here as it is there; use the same version of Stepwise on both sides</source>
-        <translation>Das Programm der Steuerung lässt sich hier nicht so übersetzen wie dort; verwenden Sie auf beiden Seiten dieselbe Version von Stepwise</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::Menu</name>
-    <message>
-        <source>File</source>
-        <translation>Datei</translation>
-    </message>
-    <message>
-        <source>Edit</source>
-        <translation>Bearbeiten</translation>
-    </message>
-    <message>
-        <source>Run</source>
-        <translation>Debug</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Zeit</translation>
-    </message>
-    <message>
-        <source>View</source>
-        <translation>Ansicht</translation>
-    </message>
-    <message>
-        <source>Help</source>
-        <translation>Hilfe</translation>
+        <source>Recordings and tables (*.rec *.csv *.tsv *.txt *.trace);;All files (*)</source>
+        <translation>Aufzeichnungen und Tabellen (*.rec *.csv *.tsv *.txt *.trace);;Alle Dateien (*)</translation>
     </message>
 </context>
 </TS>

@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>FigureText</name>
+    <message numerus="yes">
+        <source>%n run(s)</source>
+        <translation>
+            <numerusform>%n run</numerusform>
+            <numerusform>%n runs</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>MarkText</name>
     <message numerus="yes">
         <source>%n scan(s) skipped: the machine was late</source>
@@ -181,16 +191,6 @@
         <translation>
             <numerusform>(%n shot)</numerusform>
             <numerusform>(%n shots)</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>FigureText</name>
-    <message numerus="yes">
-        <source>%n run(s)</source>
-        <translation>
-            <numerusform>%n run</numerusform>
-            <numerusform>%n runs</numerusform>
         </translation>
     </message>
 </context>

@@ -291,6 +291,10 @@
         <source>{0} and {1} both set {2} {3}; give each its own</source>
         <translation>{0} y {1} escriben ambos {2} {3}; dé uno propio a cada uno</translation>
     </message>
+    <message>
+        <source>{0} and {1} are both unit {2} at {3}; if one was copied from the other, change its address</source>
+        <translation>{0} y {1} tienen ambos la dirección {2} en {3}; si uno se copió del otro, cambie su dirección</translation>
+    </message>
 </context>
 <context>
     <name>Diagnostics</name>
@@ -2703,6 +2707,385 @@
         <source>{0} suppresses alarms, but one press writes it; set &quot;Writes are confirmed&quot;</source>
         <translation>{0} suprime alarmas, pero una sola pulsación lo escribe; active «Las escrituras se confirman»</translation>
     </message>
+    <message>
+        <source>The start panel has {0} controls, but no text says what to press when nothing moves; add a sentence, or a state text that names a control</source>
+        <translation>El panel inicial tiene {0} elementos de mando, pero ningún texto dice qué pulsar cuando nada se mueve; añada una frase o un texto de estado que nombre un elemento de mando</translation>
+    </message>
+    <message>
+        <source>A machine at rest looks the same whether it is broken or only waits. The panel that is seen first must say what to press next: a sentence below the title, or a state text such as “Ready: press S1”.</source>
+        <translation>Una máquina parada tiene el mismo aspecto si está averiada que si solo espera. El panel que se ve primero debe decir qué pulsar a continuación: una frase bajo el título o un texto de estado como «Listo: pulse S1».</translation>
+    </message>
+</context>
+<context>
+    <name>Examples</name>
+    <message>
+        <source>Alarm texts in five languages</source>
+        <translation>Textos de alarma en cinco idiomas</translation>
+    </message>
+    <message>
+        <source>Heated tank with analog blocks</source>
+        <translation>Depósito con bloques analógicos</translation>
+    </message>
+    <message>
+        <source>Bottling line</source>
+        <translation>Línea de embotellado</translation>
+    </message>
+    <message>
+        <source>Car park with a robot</source>
+        <translation>Aparcamiento robotizado</translation>
+    </message>
+    <message>
+        <source>Car wash with recipes</source>
+        <translation>Túnel de lavado con recetas</translation>
+    </message>
+    <message>
+        <source>Room heated by supply air</source>
+        <translation>Sala calefactada con aire de impulsión</translation>
+    </message>
+    <message>
+        <source>Motor valve with command monitor</source>
+        <translation>Válvula motorizada con supervisión</translation>
+    </message>
+    <message>
+        <source>Conveyor with a sequence</source>
+        <translation>Cinta con secuencia</translation>
+    </message>
+    <message>
+        <source>Depalletiser</source>
+        <translation>Despaletizador</translation>
+    </message>
+    <message>
+        <source>District-heating substation</source>
+        <translation>Subestación de calefacción urbana</translation>
+    </message>
+    <message>
+        <source>Dosing</source>
+        <translation>Dosificación</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filtro</translation>
+    </message>
+    <message>
+        <source>Gravel plant</source>
+        <translation>Planta de grava</translation>
+    </message>
+    <message>
+        <source>Heater and valve</source>
+        <translation>Calefactor y válvula</translation>
+    </message>
+    <message>
+        <source>Hour meter with reset and enable</source>
+        <translation>Cuentahoras con habilitación</translation>
+    </message>
+    <message>
+        <source>Items per hour</source>
+        <translation>Piezas por hora</translation>
+    </message>
+    <message>
+        <source>Items and meters</source>
+        <translation>Piezas y contadores</translation>
+    </message>
+    <message>
+        <source>Level lamps</source>
+        <translation>Pilotos de nivel</translation>
+    </message>
+    <message>
+        <source>Light tower</source>
+        <translation>Columna luminosa</translation>
+    </message>
+    <message>
+        <source>Tuning a control loop</source>
+        <translation>Ajuste de un lazo de control</translation>
+    </message>
+    <message>
+        <source>Mixer for two liquids and two bricks</source>
+        <translation>Mezclador de dos líquidos y dos bloques</translation>
+    </message>
+    <message>
+        <source>Motor with self-holding</source>
+        <translation>Motor con autorretención</translation>
+    </message>
+    <message>
+        <source>Operation mode of an agitator</source>
+        <translation>Modo de operación de un agitador</translation>
+    </message>
+    <message>
+        <source>PID loop on a first-order process</source>
+        <translation>Lazo PID, proceso de primer orden</translation>
+    </message>
+    <message>
+        <source>Two pumps in a well</source>
+        <translation>Dos bombas en un pozo</translation>
+    </message>
+    <message>
+        <source>Pulse width modulation of a sine</source>
+        <translation>Modulación por ancho de pulso</translation>
+    </message>
+    <message>
+        <source>Rack with a robot</source>
+        <translation>Estantería con robot</translation>
+    </message>
+    <message>
+        <source>Robot and CNC machine</source>
+        <translation>Robot y máquina CNC</translation>
+    </message>
+    <message>
+        <source>Robot that packs boxes</source>
+        <translation>Robot que llena cajas</translation>
+    </message>
+    <message>
+        <source>Two level sensors that watch each other</source>
+        <translation>Dos sensores de nivel que se supervisan</translation>
+    </message>
+    <message>
+        <source>Pumping station with six pumps</source>
+        <translation>Estación de bombeo con seis bombas</translation>
+    </message>
+    <message>
+        <source>Motor with selector</source>
+        <translation>Motor con selector</translation>
+    </message>
+    <message>
+        <source>Stack of integers</source>
+        <translation>Pila de enteros</translation>
+    </message>
+    <message>
+        <source>Tank that is filled, heated and emptied</source>
+        <translation>Depósito que se llena, calienta y vacía</translation>
+    </message>
+    <message>
+        <source>Tank, operated by hand</source>
+        <translation>Depósito en modo manual</translation>
+    </message>
+    <message>
+        <source>Level and volume</source>
+        <translation>Nivel y volumen</translation>
+    </message>
+    <message>
+        <source>Traffic light</source>
+        <translation>Semáforo</translation>
+    </message>
+    <message>
+        <source>Valve matrix</source>
+        <translation>Matriz de válvulas</translation>
+    </message>
+    <message>
+        <source>Three kinds of valves</source>
+        <translation>Tres tipos de válvulas</translation>
+    </message>
+    <message>
+        <source>Pump in waves</source>
+        <translation>Bomba con oleaje</translation>
+    </message>
+    <message>
+        <source>Truck scale</source>
+        <translation>Báscula de camiones</translation>
+    </message>
+    <message>
+        <source>Workbook</source>
+        <translation>Cuaderno de ejercicios</translation>
+    </message>
+    <message>
+        <source>Tank over Modbus</source>
+        <translation>Depósito por Modbus</translation>
+    </message>
+    <message>
+        <source>A vehicle between two limit switches, driven by two linked sequential function charts</source>
+        <translation>Un vehículo entre dos finales de carrera, con dos secuencias SFC enlazadas</translation>
+    </message>
+    <message>
+        <source>A motor with three alarms that operators read in five languages</source>
+        <translation>Un motor con tres alarmas que el operador lee en cinco idiomas</translation>
+    </message>
+    <message>
+        <source>One control loop with a block for each task: filter, monitor, ramp, PID, transfer</source>
+        <translation>Un lazo con un bloque para cada tarea: filtro, supervisión, rampa, PID, conmutación</translation>
+    </message>
+    <message>
+        <source>Filler, capper and labeller with buffers between them, controlled as PackML units</source>
+        <translation>Llenadora, taponadora y etiquetadora con pulmones intermedios, según PackML</translation>
+    </message>
+    <message>
+        <source>A robot parks cars by their number plates and fetches them again</source>
+        <translation>Un robot aparca los coches según su matrícula y los recoge de nuevo</translation>
+    </message>
+    <message>
+        <source>Five wash programmes, each with a price and a recipe that the owner can edit</source>
+        <translation>Cinco programas de lavado, cada uno con precio y receta modificables</translation>
+    </message>
+    <message>
+        <source>Cascade control: a slow loop for the room, a fast one for the supply air</source>
+        <translation>Control en cascada: un lazo lento para la sala y uno rápido para el aire de impulsión</translation>
+    </message>
+    <message>
+        <source>A motor valve whose travel is monitored; if it takes too long, an alarm sounds</source>
+        <translation>Una válvula motorizada con recorrido supervisado; si tarda demasiado, suena una alarma</translation>
+    </message>
+    <message>
+        <source>A belt carries an item to the right, waits ten seconds and carries it back</source>
+        <translation>Una cinta lleva una pieza a la derecha, espera diez segundos y la devuelve</translation>
+    </message>
+    <message>
+        <source>Four belts take boxes off pallets; the settings of one can be copied to another</source>
+        <translation>Cuatro cintas descargan cajas de palés; los ajustes de una se copian a otra</translation>
+    </message>
+    <message>
+        <source>Heating and hot water from a district-heating network, with frost protection and summer mode</source>
+        <translation>Calefacción y agua caliente de una red de calor, con antihielo y modo verano</translation>
+    </message>
+    <message>
+        <source>A valve doses in pulses and pauses until the batch is complete</source>
+        <translation>Una válvula dosifica con pulsos y pausas hasta completar el lote</translation>
+    </message>
+    <message>
+        <source>The pressure drop shows how dirty a filter is; an alarm reports when it is out of range</source>
+        <translation>La pérdida de carga indica la suciedad de un filtro; fuera de rango, una alarma</translation>
+    </message>
+    <message>
+        <source>Silo, bin, conveyor and truck, controlled by three sequential function charts side by side</source>
+        <translation>Silo, tolva, cinta y camión, controlados por tres secuencias SFC en paralelo</translation>
+    </message>
+    <message>
+        <source>Two on-off controls: a heater with a set point, and a valve that opens on a pump alarm</source>
+        <translation>Dos controles todo-nada: un calefactor con consigna y una válvula ligada a una alarma</translation>
+    </message>
+    <message>
+        <source>An hour meter that is loaded, enabled and held, which draws a saw-tooth</source>
+        <translation>Un contador de horas que se carga, se habilita y se detiene: un diente de sierra</translation>
+    </message>
+    <message>
+        <source>A press makes items; a table counts how many in each hour of the day</source>
+        <translation>Una prensa fabrica piezas; una tabla las cuenta por cada hora del día</translation>
+    </message>
+    <message>
+        <source>Counts items, energy and water; the counts survive a power failure</source>
+        <translation>Cuenta piezas, energía y agua; los valores sobreviven a un corte de corriente</translation>
+    </message>
+    <message>
+        <source>A level sensor of 4 to 20 mA, three lamps and the detection of a wire break</source>
+        <translation>Un sensor de nivel de 4 a 20 mA, tres pilotos y detección de rotura de cable</translation>
+    </message>
+    <message>
+        <source>Three signals of a machine on three lamps that flash or stay on</source>
+        <translation>Tres señales de una máquina en tres pilotos, fijos o intermitentes</translation>
+    </message>
+    <message>
+        <source>A heat exchanger that oscillates; an experiment and its recording give better settings</source>
+        <translation>Un intercambiador oscila; un ensayo y su grabación dan mejores parámetros</translation>
+    </message>
+    <message>
+        <source>Liquids are weighed while a belt brings two bricks; then the mixer turns and tips</source>
+        <translation>Se pesan líquidos, una cinta trae dos bloques; después el mezclador gira y vuelca</translation>
+    </message>
+    <message>
+        <source>Start, stop and a contactor that holds itself, written in four ways that agree</source>
+        <translation>Marcha, paro y un contactor con autorretención, escritos de cuatro formas equivalentes</translation>
+    </message>
+    <message>
+        <source>The local control box or the panel: one block decides which of them is in control</source>
+        <translation>Mando local o panel: un bloque decide cuál de los dos tiene el control</translation>
+    </message>
+    <message>
+        <source>The same process with and without a PID controller, side by side in one trace</source>
+        <translation>El mismo proceso con y sin regulador PID, juntos en una traza</translation>
+    </message>
+    <message>
+        <source>One filter, two sines: the slow one passes, the fast one is damped and lags behind</source>
+        <translation>Un filtro, dos senos: el lento pasa, el rápido se atenúa y se retrasa</translation>
+    </message>
+    <message>
+        <source>A pump tries out its speeds and keeps the one with the least energy per cubic metre</source>
+        <translation>Una bomba prueba velocidades y mantiene la de menor energía por metro cúbico</translation>
+    </message>
+    <message>
+        <source>Two pumps take turns; a float counts only after two steady seconds</source>
+        <translation>Dos bombas se turnan; un flotador cuenta solo tras dos segundos estables</translation>
+    </message>
+    <message>
+        <source>A sine becomes pulses for two outputs, as for a motor in two directions</source>
+        <translation>Un seno se convierte en pulsos para dos salidas, como en un motor de dos sentidos</translation>
+    </message>
+    <message>
+        <source>A robot counts encoder pulses to store and fetch loads on twelve shelves</source>
+        <translation>Un robot cuenta pulsos de encoder para guardar y recoger cargas en doce huecos</translation>
+    </message>
+    <message>
+        <source>A robot takes 25 items one by one to a CNC machine and back</source>
+        <translation>Un robot lleva 25 piezas, una a una, a una máquina CNC y las devuelve</translation>
+    </message>
+    <message>
+        <source>A robot puts three items into each box; a camera checks the result</source>
+        <translation>Un robot pone tres piezas en cada caja; una cámara comprueba el resultado</translation>
+    </message>
+    <message>
+        <source>Two sensors are compared; a faulty one is replaced by the healthy one without a bump</source>
+        <translation>Dos sensores se comparan; uno sustituye sin saltos al otro si falla</translation>
+    </message>
+    <message>
+        <source>Starts and stops six pumps by level and running hours, as a town&apos;s day flows in</source>
+        <translation>Seis bombas según el nivel y las horas de servicio, al ritmo diario de una ciudad</translation>
+    </message>
+    <message>
+        <source>A rotary switch selects the speed of a motor, a number what a module does</source>
+        <translation>Un selector elige la velocidad de un motor y un número, la función de un módulo</translation>
+    </message>
+    <message>
+        <source>Last in, first out: push, pop and reset, in ST and as an instruction list</source>
+        <translation>Último en entrar, primero en salir: push, pop y reset, en ST y en lista de instrucciones</translation>
+    </message>
+    <message>
+        <source>The same sequence twice: with CASE and as a chart of steps; either can be in control</source>
+        <translation>La misma secuencia dos veces: con CASE y en SFC; cualquiera puede mandar</translation>
+    </message>
+    <message>
+        <source>Fill, empty and stir with three switches; two level switches prevent mistakes</source>
+        <translation>Llenar, vaciar y agitar con tres interruptores; dos de nivel evitan errores</translation>
+    </message>
+    <message>
+        <source>A current of 4 to 20 mA becomes a level, and the level becomes a volume</source>
+        <translation>Una corriente de 4 a 20 mA se convierte en nivel, y el nivel en volumen</translation>
+    </message>
+    <message>
+        <source>Red, yellow and green from one counter of seconds, written in three ways</source>
+        <translation>Rojo, amarillo y verde con un contador de segundos, escrito de tres formas</translation>
+    </message>
+    <message>
+        <source>Five tanks, three pipelines, fifteen valves; two tanks never feed the same pipeline</source>
+        <translation>Cinco depósitos, tres tuberías, quince válvulas; nunca dos depósitos en una tubería</translation>
+    </message>
+    <message>
+        <source>A motor valve, a spring-return valve and a control valve, each with its block</source>
+        <translation>Una válvula motorizada, una con retorno por muelle y una de control, cada una con su bloque</translation>
+    </message>
+    <message>
+        <source>A float in waves: the pump starts and stops only after five steady seconds</source>
+        <translation>Un flotador entre olas: la bomba conmuta solo tras cinco segundos estables</translation>
+    </message>
+    <message>
+        <source>Four BCD digits become the net weight once the scale has come to rest</source>
+        <translation>Cuatro dígitos BCD dan el peso neto en cuanto la báscula se estabiliza</translation>
+    </message>
+    <message>
+        <source>Samples of the language on four pages, each a program of its own with a test</source>
+        <translation>Ejemplos del lenguaje en cuatro páginas, cada uno un programa con su prueba</translation>
+    </message>
+    <message>
+        <source>Automated guided vehicle</source>
+        <translation>Vehículo de guiado automático</translation>
+    </message>
+    <message>
+        <source>First-order filter and two sines</source>
+        <translation>Filtro de primer orden y dos senos</translation>
+    </message>
+    <message>
+        <source>Pump at its most efficient speed</source>
+        <translation>Bomba a su velocidad óptima</translation>
+    </message>
+    <message>
+        <source>A controller and a tank, connected on this computer by real Modbus TCP</source>
+        <translation>Un controlador y un depósito, unidos en este equipo por Modbus TCP real</translation>
+    </message>
 </context>
 <context>
     <name>Exchange</name>
@@ -2905,6 +3288,148 @@
     <message>
         <source>The program uses __NEW; &quot;memoryForNew&quot; in project.json sets 65536 bytes aside for it</source>
         <translation>El programa usa __NEW; «memoryForNew» en project.json le reserva 65536 bytes</translation>
+    </message>
+    <message>
+        <source>The file is empty; export it again</source>
+        <translation>El archivo está vacío; expórtelo de nuevo</translation>
+    </message>
+    <message>
+        <source>This is a ZIP archive, whatever its name says; unpack it and import the folder</source>
+        <translation>Es un archivo ZIP, se llame como se llame; descomprímalo e importe la carpeta</translation>
+    </message>
+    <message>
+        <source>The file is in the folder of the project {0}, which does not list it; it was left out</source>
+        <translation>El archivo está en la carpeta del proyecto {0}, que no lo incluye en su lista; se ha omitido</translation>
+    </message>
+    <message>
+        <source>Several projects of the folder have a unit named {0}; each became a project of its own, together with the libraries it uses: this one is {1}</source>
+        <translation>Varios proyectos de la carpeta tienen una POU llamada {0}; cada uno pasó a ser un proyecto propio, con las bibliotecas que usa: este es {1}</translation>
+    </message>
+    <message>
+        <source>The program {0} of the library {1} was left out: the project that uses the library has one of that name</source>
+        <translation>Se ha omitido el programa {0} de la biblioteca {1}: el proyecto que usa la biblioteca tiene uno con ese nombre</translation>
+    </message>
+    <message>
+        <source>The folder has no project named {0}; it has: {1}</source>
+        <translation>La carpeta no contiene ningún proyecto llamado {0}; contiene: {1}</translation>
+    </message>
+    <message>
+        <source>The names of inputs and outputs that the configuration of the devices declares ({0} and so on) are in PLC_Configuration</source>
+        <translation>Los nombres de las entradas y salidas que declara la configuración de los dispositivos ({0}, etc.) están en PLC_Configuration</translation>
+    </message>
+</context>
+<context>
+    <name>FigureText</name>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 en %2</translation>
+    </message>
+    <message>
+        <source>An XY plot draws one channel over another: add a second channel to the trace.</source>
+        <translation>Un gráfico XY dibuja un canal sobre otro: añada un segundo canal a la traza.</translation>
+    </message>
+    <message>
+        <source>XY plot</source>
+        <translation>Gráfico XY</translation>
+    </message>
+    <message>
+        <source>There are no samples in view: run the program or show another stretch.</source>
+        <translation>No hay muestras a la vista: ejecute el programa o muestre otro tramo.</translation>
+    </message>
+    <message>
+        <source>%L1 points over %2</source>
+        <translation>%L1 puntos en %2</translation>
+    </message>
+    <message>
+        <source>A spectrum shows the frequencies of the visible channels: add a channel.</source>
+        <translation>Un espectro muestra las frecuencias de los canales visibles: añada un canal.</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Espectro</translation>
+    </message>
+    <message>
+        <source>Frequency [Hz]</source>
+        <translation>Frecuencia [Hz]</translation>
+    </message>
+    <message>
+        <source>amplitude</source>
+        <translation>amplitud</translation>
+    </message>
+    <message>
+        <source>%1: no peak, RMS %2</source>
+        <translation>%1: sin pico, valor eficaz %2</translation>
+    </message>
+    <message>
+        <source>%1: %2, RMS %3</source>
+        <translation>%1: %2, valor eficaz %3</translation>
+    </message>
+    <message>
+        <source>A frequency response compares an output with an input: add both as channels, and choose the input.</source>
+        <translation>Una respuesta en frecuencia compara una salida con una entrada: añada ambas como canales y elija la entrada.</translation>
+    </message>
+    <message>
+        <source>Frequency response</source>
+        <translation>Respuesta en frecuencia</translation>
+    </message>
+    <message>
+        <source>gain [dB]</source>
+        <translation>ganancia [dB]</translation>
+    </message>
+    <message>
+        <source>phase [°]</source>
+        <translation>fase [°]</translation>
+    </message>
+    <message>
+        <source>coherence</source>
+        <translation>coherencia</translation>
+    </message>
+    <message>
+        <source>%1: %L2 of %L3 frequencies with a coherence above 0.8</source>
+        <translation>%1: %L2 de %L3 frecuencias con una coherencia superior a 0,8</translation>
+    </message>
+    <message>
+        <source>Runs are laid over each other at their triggers: enter a trigger in the properties of the trace.</source>
+        <translation>Las ejecuciones se superponen en su disparo: introduzca un disparador en las propiedades de la traza.</translation>
+    </message>
+    <message>
+        <source>The trigger has not fired in this recording yet.</source>
+        <translation>El disparador aún no se ha activado en esta grabación.</translation>
+    </message>
+    <message>
+        <source>Runs of the visible channels are laid over each other: add a channel.</source>
+        <translation>Las ejecuciones de los canales visibles se superponen: añada un canal.</translation>
+    </message>
+    <message>
+        <source>Time since the trigger [s]</source>
+        <translation>Tiempo desde el disparo [s]</translation>
+    </message>
+    <message>
+        <source>%1: runs differ most %2 after the trigger, by %3</source>
+        <translation>%1: las ejecuciones difieren más %2 después del disparo, en %3</translation>
+    </message>
+    <message>
+        <source>Charts over Time Only</source>
+        <translation>Solo gráficos temporales</translation>
+    </message>
+    <message>
+        <source>XY Plot</source>
+        <translation>Gráfico XY</translation>
+    </message>
+    <message>
+        <source>Frequency Response (Bode)</source>
+        <translation>Respuesta en frecuencia (Bode)</translation>
+    </message>
+    <message>
+        <source>Runs over Each Other</source>
+        <translation>Ejecuciones superpuestas</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n run(s)</source>
+        <translation>
+            <numerusform>%n ejecución</numerusform>
+            <numerusform>%n ejecuciones</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5481,6 +6006,93 @@
     </message>
 </context>
 <context>
+    <name>Remote</name>
+    <message>
+        <source>The request is not understood; studio and controller may be of different versions</source>
+        <translation>No se entiende la solicitud; el estudio y el controlador pueden ser de versiones distintas</translation>
+    </message>
+    <message>
+        <source>There is no request {0}; studio and controller may be of different versions</source>
+        <translation>No existe la solicitud {0}; el estudio y el controlador pueden ser de versiones distintas</translation>
+    </message>
+    <message>
+        <source>Breakpoints stop a machine in the middle of a scan; `stepwise serve` allows them with --allow-breakpoints</source>
+        <translation>Los puntos de interrupción detienen una máquina en medio de un ciclo; «stepwise serve» los permite con --allow-breakpoints</translation>
+    </message>
+    <message>
+        <source>{0} is forced; release it before writing</source>
+        <translation>{0} está forzada; anule el forzado antes de escribir</translation>
+    </message>
+    <message>
+        <source>{0} is not forced</source>
+        <translation>{0} no está forzada</translation>
+    </message>
+    <message>
+        <source>Another program is being built for this controller; try again when it is loaded</source>
+        <translation>Se está compilando otro programa para este controlador; inténtelo de nuevo cuando esté cargado</translation>
+    </message>
+    <message>
+        <source>The program has {0} {0:error|errors}; the controller goes on with the old one</source>
+        <translation>El programa tiene {0} {0:error|errores}; el controlador sigue con el anterior</translation>
+    </message>
+    <message>
+        <source>The controller&apos;s program has no file {0}; load its program again</source>
+        <translation>El programa del controlador no tiene el archivo {0}; vuelva a cargar su programa</translation>
+    </message>
+    <message>
+        <source>A recording is already being fetched; wait until it has arrived</source>
+        <translation>Ya se está obteniendo una grabación; espere hasta que llegue</translation>
+    </message>
+    <message>
+        <source>A controller that serves others cannot be put back in time; fetch its recording and go on from there</source>
+        <translation>Un controlador que sirve a otros no se puede llevar atrás en el tiempo; obtenga su grabación y siga desde ahí</translation>
+    </message>
+    <message>
+        <source>{0} is not the address of a controller; write for example https://plant:8443/</source>
+        <translation>{0} no es la dirección de un controlador; escriba por ejemplo https://plant:8443/</translation>
+    </message>
+    <message>
+        <source>{0} cannot be reached: {1}</source>
+        <translation>No se puede acceder a {0}: {1}</translation>
+    </message>
+    <message>
+        <source>{0} refuses the connection: {1}</source>
+        <translation>{0} rechaza la conexión: {1}</translation>
+    </message>
+    <message>
+        <source>The code is wrong; it is in the file attach-code of the controller&apos;s state folder</source>
+        <translation>El código es incorrecto; está en el archivo attach-code de la carpeta de estado del controlador</translation>
+    </message>
+    <message>
+        <source>There were too many wrong codes from this computer; wait a minute</source>
+        <translation>Hubo demasiados códigos incorrectos desde este equipo; espere un minuto</translation>
+    </message>
+    <message>
+        <source>The code would cross the network unprotected; use an https address, and start the controller with --certificate</source>
+        <translation>El código atravesaría la red sin protección; use una dirección https e inicie el controlador con --certificate</translation>
+    </message>
+    <message>
+        <source>The certificate of {0} is not trusted: {1}; name the file of the certificate that you trust</source>
+        <translation>El certificado de {0} no es de confianza: {1}; indique el archivo del certificado en el que confía</translation>
+    </message>
+    <message>
+        <source>The certificate cannot be read from {0}; it must be a PEM file</source>
+        <translation>No se puede leer el certificado de {0}; debe ser un archivo PEM</translation>
+    </message>
+    <message>
+        <source>The connection to {0} is lost; check the network and the controller</source>
+        <translation>Se ha perdido la conexión con {0}; compruebe la red y el controlador</translation>
+    </message>
+    <message>
+        <source>{0} does not answer; check the address and whether the controller runs</source>
+        <translation>{0} no responde; compruebe la dirección y que el controlador esté en marcha</translation>
+    </message>
+    <message>
+        <source>The controller&apos;s program cannot be built here as it is there; use the same version of Stepwise on both sides</source>
+        <translation>El programa del controlador no se puede compilar aquí como allí; use la misma versión de Stepwise en ambos lados</translation>
+    </message>
+</context>
+<context>
     <name>TraceText</name>
     <message>
         <source>Triggered at %1.</source>
@@ -5493,26 +6105,6 @@
 </context>
 <context>
     <name>Tuning</name>
-    <message>
-        <source>The table has no column of times; name one time_s (seconds) or time_ms</source>
-        <translation>La tabla no tiene columna de tiempos; llame a una time_s (segundos) o time_ms</translation>
-    </message>
-    <message>
-        <source>The table has no column {0}; it has {1}</source>
-        <translation>La tabla no tiene columna {0}; tiene {1}</translation>
-    </message>
-    <message>
-        <source>The table has no column {0}; did you mean {1}?</source>
-        <translation>La tabla no tiene columna {0}; ¿quería decir {1}?</translation>
-    </message>
-    <message>
-        <source>Line {0} has no number in column {1}; correct or remove the line</source>
-        <translation>La línea {0} no tiene ningún número en la columna {1}; corrija o quite la línea</translation>
-    </message>
-    <message>
-        <source>The time in line {0} is before that of the line above; sort the lines by time</source>
-        <translation>El tiempo de la línea {0} es anterior al de la línea de arriba; ordene las líneas por tiempo</translation>
-    </message>
     <message>
         <source>{0} {0:sample is|samples are} too few for a model; record for longer</source>
         <translation>{0} {0:muestra es poca|muestras son pocas} para un modelo; grabe durante más tiempo</translation>
@@ -5775,6 +6367,171 @@
     </message>
 </context>
 <context>
+    <name>Waveform</name>
+    <message>
+        <source>The table has no column of times; name one time_s (seconds) or time_ms</source>
+        <translation>La tabla no tiene columna de tiempos; llame a una time_s (segundos) o time_ms</translation>
+    </message>
+    <message>
+        <source>The table has no column {0}; it has {1}</source>
+        <translation>La tabla no tiene columna {0}; tiene {1}</translation>
+    </message>
+    <message>
+        <source>The table has no column {0}; did you mean {1}?</source>
+        <translation>La tabla no tiene columna {0}; ¿quería decir {1}?</translation>
+    </message>
+    <message>
+        <source>Line {0} has no number in column {1}; correct or remove the line</source>
+        <translation>La línea {0} no tiene ningún número en la columna {1}; corrija o quite la línea</translation>
+    </message>
+    <message>
+        <source>The time in line {0} is before that of the line above; sort the lines by time</source>
+        <translation>El tiempo de la línea {0} es anterior al de la línea de arriba; ordene las líneas por tiempo</translation>
+    </message>
+    <message>
+        <source>The table has no column of numbers besides the time; add one with a heading</source>
+        <translation>La tabla no tiene ninguna columna de números aparte del tiempo; añada una con encabezado</translation>
+    </message>
+    <message>
+        <source>The table has no rows under its headings; write one row per sample</source>
+        <translation>La tabla no tiene filas bajo sus encabezados; escriba una fila por muestra</translation>
+    </message>
+    <message>
+        <source>The table cannot be shown as a recording: {0}</source>
+        <translation>La tabla no se puede mostrar como grabación: {0}</translation>
+    </message>
+    <message>
+        <source>the names of its columns cannot be variables; use letters, digits and underscores</source>
+        <translation>los nombres de sus columnas no pueden ser variables; use letras, cifras y guiones bajos</translation>
+    </message>
+    <message>
+        <source>{0} {0:sample is|samples are} too few for a spectrum; show a longer stretch</source>
+        <translation>{0} {0:muestra es|muestras son} muy pocas para un espectro; muestre un tramo más largo</translation>
+    </message>
+    <message>
+        <source>{0} {0:sample is|samples are} too few for a frequency response; show a longer stretch</source>
+        <translation>{0} {0:muestra es|muestras son} muy pocas para una respuesta en frecuencia; muestre un tramo más largo</translation>
+    </message>
+    <message>
+        <source>The input does not move here; there is nothing to answer to</source>
+        <translation>La entrada no varía aquí; no hay ninguna respuesta que calcular</translation>
+    </message>
+    <message>
+        <source>{0} needs a closing parenthesis at the end; it goes around the whole expression</source>
+        <translation>{0} necesita un paréntesis de cierre al final; rodea toda la expresión</translation>
+    </message>
+    <message>
+        <source>{0} needs a time above 0 as its second argument, for example {1}</source>
+        <translation>{0} necesita un tiempo mayor que 0 como segundo argumento, por ejemplo {1}</translation>
+    </message>
+    <message>
+        <source>{0} takes one expression; remove the others</source>
+        <translation>{0} admite una sola expresión; quite las demás</translation>
+    </message>
+    <message>
+        <source>The file is not a table; a recording of Stepwise ends with .rec</source>
+        <translation>El archivo no es una tabla; una grabación de Stepwise termina en .rec</translation>
+    </message>
+    <message>
+        <source>Line {0} is not a sample of a variable: it needs a time and a value</source>
+        <translation>La línea {0} no es una muestra de una variable: necesita un tiempo y un valor</translation>
+    </message>
+    <message>
+        <source>The trace cannot be read as XML: {0}; save it again</source>
+        <translation>La traza no se puede leer como XML: {0}; guárdela de nuevo</translation>
+    </message>
+    <message>
+        <source>{0} has {1} {1:value|values} but {2} {2:time|times}; save the trace again</source>
+        <translation>{0} tiene {1} {1:valor|valores} pero {2} {2:tiempo|tiempos}; guarde la traza de nuevo</translation>
+    </message>
+    <message>
+        <source>The times of {0} run backwards; save the trace again</source>
+        <translation>Los tiempos de {0} van hacia atrás; guarde la traza de nuevo</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::AttachDialog</name>
+    <message>
+        <source>Address</source>
+        <translation>Dirección</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Código</translation>
+    </message>
+    <message>
+        <source>Attach to a Controller</source>
+        <translation>Conectar con un controlador</translation>
+    </message>
+    <message>
+        <source>from the file attach-code of the controller</source>
+        <translation>del archivo attach-code del controlador</translation>
+    </message>
+    <message>
+        <source>only for certificates that this computer does not know</source>
+        <translation>solo para certificados que este equipo no conoce</translation>
+    </message>
+    <message>
+        <source>…</source>
+        <translation>…</translation>
+    </message>
+    <message>
+        <source>Choose a certificate</source>
+        <translation>Elegir un certificado</translation>
+    </message>
+    <message>
+        <source>Trusted certificate</source>
+        <translation>Certificado de confianza</translation>
+    </message>
+    <message>
+        <source>Attach</source>
+        <translation>Conectar</translation>
+    </message>
+    <message>
+        <source>Choose a Certificate</source>
+        <translation>Elegir un certificado</translation>
+    </message>
+    <message>
+        <source>Certificates (*.pem *.crt *.cer);;All files (*)</source>
+        <translation>Certificados (*.pem *.crt *.cer);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Attaching…</source>
+        <translation>Conectando…</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::Attachment</name>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 en %2</translation>
+    </message>
+    <message>
+        <source>Detach</source>
+        <translation>Desconectar</translation>
+    </message>
+    <message>
+        <source>Attached to %1</source>
+        <translation>Conectado con %1</translation>
+    </message>
+    <message>
+        <source>Attached to %1; its program is not the one that is open here</source>
+        <translation>Conectado con %1; su programa no es el que está abierto aquí</translation>
+    </message>
+    <message>
+        <source>%1 is lost – connecting again…</source>
+        <translation>Conexión con %1 perdida – reconectando…</translation>
+    </message>
+    <message>
+        <source>Attaching to %1…</source>
+        <translation>Conectando con %1…</translation>
+    </message>
+    <message>
+        <source>The controller runs there; what is written and forced here acts there</source>
+        <translation>El controlador se ejecuta allí; lo que se escribe y fuerza aquí actúa allí</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::ConversionDialog</name>
     <message>
         <source>%1 as ST</source>
@@ -5947,12 +6704,12 @@
         <translation>%1 peticiones, %2 errores, %3&#xa0;ms</translation>
     </message>
     <message>
-        <source>connected</source>
-        <translation>conectado</translation>
-    </message>
-    <message>
         <source>not connected</source>
         <translation>no conectado</translation>
+    </message>
+    <message>
+        <source>online: %1 of %2</source>
+        <translation>en línea: %1 de %2</translation>
     </message>
 </context>
 <context>
@@ -6089,6 +6846,10 @@
         <source>To:</source>
         <translation>A:</translation>
     </message>
+    <message>
+        <source>This file exists and will be replaced</source>
+        <translation>Este archivo existe y se reemplazará</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::GuideView</name>
@@ -6198,6 +6959,18 @@ No conservados: %3</translation>
     <message>
         <source>PLCopen XML, TwinCAT, CODESYS, ST</source>
         <translation>PLCopen XML, TwinCAT, CODESYS, ST</translation>
+    </message>
+    <message>
+        <source>Reading %1…</source>
+        <translation>Leyendo %1…</translation>
+    </message>
+    <message>
+        <source>Becomes a project of its own, with the libraries it uses</source>
+        <translation>Pasa a ser un proyecto propio, con las bibliotecas que usa</translation>
+    </message>
+    <message>
+        <source>Writing the project…</source>
+        <translation>Escribiendo el proyecto…</translation>
     </message>
 </context>
 <context>
@@ -7245,6 +8018,33 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
 </context>
 <context>
+    <name>plc::app::Menu</name>
+    <message>
+        <source>File</source>
+        <translation>Archivo</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Edición</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Ejecución</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ver</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Ayuda</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::MergeDialog</name>
     <message>
         <source>Compare %1</source>
@@ -7285,6 +8085,49 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>Difference %1 of %2</source>
         <translation>Diferencia %1 de %2</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::NativeProgramDialog</name>
+    <message>
+        <source>File</source>
+        <translation>Archivo</translation>
+    </message>
+    <message>
+        <source>Build</source>
+        <translation>Crear</translation>
+    </message>
+    <message>
+        <source>Build a Native Program</source>
+        <translation>Crear un programa nativo</translation>
+    </message>
+    <message>
+        <source>…</source>
+        <translation>…</translation>
+    </message>
+    <message>
+        <source>Choose the file</source>
+        <translation>Elegir el archivo</translation>
+    </message>
+    <message>
+        <source>Native Program</source>
+        <translation>Programa nativo</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Máquina</translation>
+    </message>
+    <message>
+        <source>The program runs without Stepwise on a machine with Linux: its PLC code and a small runner in one file.</source>
+        <translation>El programa se ejecuta sin Stepwise en una máquina con Linux: su código de PLC y un pequeño entorno de ejecución en un archivo.</translation>
+    </message>
+    <message>
+        <source>Building…</source>
+        <translation>Creando…</translation>
+    </message>
+    <message>
+        <source>%1 is built</source>
+        <translation>%1 se ha creado</translation>
     </message>
 </context>
 <context>
@@ -9457,10 +10300,6 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Consigna</translation>
     </message>
     <message>
-        <source>Start the controller; its recording is what is looked at.</source>
-        <translation>Arranque el controlador; lo que se examina es su grabación.</translation>
-    </message>
-    <message>
         <source>The program has no controller block; call one, for example PID.</source>
         <translation>El programa no tiene ningún bloque regulador; llame a uno, por ejemplo PID.</translation>
     </message>
@@ -9588,10 +10427,6 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Escalón de la carga</translation>
     </message>
     <message>
-        <source>The last step with these settings</source>
-        <translation>El último escalón con estos ajustes</translation>
-    </message>
-    <message>
         <source>Tuning</source>
         <translation>Sintonización</translation>
     </message>
@@ -9674,6 +10509,14 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>disturbance</source>
         <translation>perturbación</translation>
+    </message>
+    <message>
+        <source>gain [dB]</source>
+        <translation>ganancia [dB]</translation>
+    </message>
+    <message>
+        <source>phase [°]</source>
+        <translation>fase [°]</translation>
     </message>
 </context>
 <context>
@@ -10435,6 +11278,10 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <source>Without users, everybody may do everything.</source>
         <translation>Sin usuarios, cualquiera puede hacer todo.</translation>
     </message>
+    <message>
+        <source>Rename Role</source>
+        <translation>Renombrar rol</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::PropertySheet</name>
@@ -10543,18 +11390,6 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>Maximum</source>
         <translation>Máximo</translation>
-    </message>
-    <message>
-        <source>A double click renames the set</source>
-        <translation>Un doble clic renombra el juego de valores</translation>
-    </message>
-    <message>
-        <source>Remove the Set %1</source>
-        <translation>Quitar el juego de valores %1</translation>
-    </message>
-    <message>
-        <source>Remove the Row %1</source>
-        <translation>Quitar la fila %1</translation>
     </message>
     <message>
         <source>A recipe needs a name.</source>
@@ -10797,19 +11632,6 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
 </context>
 <context>
-    <name>plc::kit::PlotView</name>
-    <message>
-        <source>Chart</source>
-        <translation>Gráfico</translation>
-    </message>
-    <message>
-        <source>%1
-Click selects, Ctrl+click shows or hides.</source>
-        <translation>%1
-Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
-    </message>
-</context>
-<context>
     <name>plc::kit::PropertyGrid</name>
     <message>
         <source>Choose a variable</source>
@@ -10900,6 +11722,19 @@ Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
     <message>
         <source>Cancel: %1</source>
         <translation>Cancelar: %1</translation>
+    </message>
+</context>
+<context>
+    <name>plc::plot::PlotView</name>
+    <message>
+        <source>Chart</source>
+        <translation>Gráfico</translation>
+    </message>
+    <message>
+        <source>%1
+Click selects, Ctrl+click shows or hides.</source>
+        <translation>%1
+Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
     </message>
 </context>
 <context>
@@ -11138,6 +11973,77 @@ Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
     </message>
 </context>
 <context>
+    <name>plc::trace::FigurePane</name>
+    <message>
+        <source>Save as %1</source>
+        <translation>Guardar como %1</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Ajuste</translation>
+    </message>
+    <message>
+        <source>Copy as picture</source>
+        <translation>Copiar como imagen</translation>
+    </message>
+    <message>
+        <source>Save as %1…</source>
+        <translation>Guardar como %1…</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Ventana</translation>
+    </message>
+    <message>
+        <source>Hann window</source>
+        <translation>Ventana de Hann</translation>
+    </message>
+    <message>
+        <source>Flat top: exact amplitudes</source>
+        <translation>Flat top: amplitudes exactas</translation>
+    </message>
+    <message>
+        <source>No window</source>
+        <translation>Sin ventana</translation>
+    </message>
+    <message>
+        <source>Logarithmic</source>
+        <translation>Logarítmico</translation>
+    </message>
+    <message>
+        <source>Charts over time only</source>
+        <translation>Solo gráficos temporales</translation>
+    </message>
+    <message>
+        <source>Horizontal value</source>
+        <translation>Valor horizontal</translation>
+    </message>
+    <message>
+        <source>Window of the spectrum</source>
+        <translation>Ventana del espectro</translation>
+    </message>
+    <message>
+        <source>Logarithmic axes</source>
+        <translation>Ejes logarítmicos</translation>
+    </message>
+    <message>
+        <source>Input:</source>
+        <translation>Entrada:</translation>
+    </message>
+    <message>
+        <source>Horizontal:</source>
+        <translation>Horizontal:</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Entrada</translation>
+    </message>
+    <message>
+        <source>Measure between Points</source>
+        <translation>Medir entre puntos</translation>
+    </message>
+</context>
+<context>
     <name>plc::trace::TimeBar</name>
     <message>
         <source>Time</source>
@@ -11348,10 +12254,6 @@ Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
         <translation>Grabación que se dibuja debajo</translation>
     </message>
     <message>
-        <source>Recordings (*.rec);;All files (*)</source>
-        <translation>Grabaciones (*.rec);;Todos los archivos (*)</translation>
-    </message>
-    <message>
         <source>Trace configuration</source>
         <translation>Configuración de traza</translation>
     </message>
@@ -11511,10 +12413,6 @@ Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
         <translation>Arrastre de un punto a otro: tiempo, valor, pendiente y frecuencia entre ellos (M)</translation>
     </message>
     <message>
-        <source>Recordings and tables (*.rec *.csv *.tsv *.txt);;All files (*)</source>
-        <translation>Grabaciones y tablas (*.rec *.csv *.tsv *.txt);;Todos los archivos (*)</translation>
-    </message>
-    <message>
         <source>XY plot, spectrum, frequency response, runs</source>
         <translation>Gráfico XY, espectro, respuesta en frecuencia, ejecuciones</translation>
     </message>
@@ -11570,876 +12468,9 @@ Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
         <source>File to add a channel of</source>
         <translation>Archivo del que añadir un canal</translation>
     </message>
-</context>
-<context>
-    <name>Examples</name>
     <message>
-        <source>Alarm texts in five languages</source>
-        <translation>Textos de alarma en cinco idiomas</translation>
-    </message>
-    <message>
-        <source>Heated tank with analog blocks</source>
-        <translation>Depósito con bloques analógicos</translation>
-    </message>
-    <message>
-        <source>Bottling line</source>
-        <translation>Línea de embotellado</translation>
-    </message>
-    <message>
-        <source>Car park with a robot</source>
-        <translation>Aparcamiento robotizado</translation>
-    </message>
-    <message>
-        <source>Car wash with recipes</source>
-        <translation>Túnel de lavado con recetas</translation>
-    </message>
-    <message>
-        <source>Room heated by supply air</source>
-        <translation>Sala calefactada con aire de impulsión</translation>
-    </message>
-    <message>
-        <source>Motor valve with command monitor</source>
-        <translation>Válvula motorizada con supervisión</translation>
-    </message>
-    <message>
-        <source>Conveyor with a sequence</source>
-        <translation>Cinta con secuencia</translation>
-    </message>
-    <message>
-        <source>Depalletiser</source>
-        <translation>Despaletizador</translation>
-    </message>
-    <message>
-        <source>District-heating substation</source>
-        <translation>Subestación de calefacción urbana</translation>
-    </message>
-    <message>
-        <source>Dosing</source>
-        <translation>Dosificación</translation>
-    </message>
-    <message>
-        <source>Filter</source>
-        <translation>Filtro</translation>
-    </message>
-    <message>
-        <source>Gravel plant</source>
-        <translation>Planta de grava</translation>
-    </message>
-    <message>
-        <source>Heater and valve</source>
-        <translation>Calefactor y válvula</translation>
-    </message>
-    <message>
-        <source>Hour meter with reset and enable</source>
-        <translation>Cuentahoras con habilitación</translation>
-    </message>
-    <message>
-        <source>Items per hour</source>
-        <translation>Piezas por hora</translation>
-    </message>
-    <message>
-        <source>Items and meters</source>
-        <translation>Piezas y contadores</translation>
-    </message>
-    <message>
-        <source>Level lamps</source>
-        <translation>Pilotos de nivel</translation>
-    </message>
-    <message>
-        <source>Light tower</source>
-        <translation>Columna luminosa</translation>
-    </message>
-    <message>
-        <source>Tuning a control loop</source>
-        <translation>Ajuste de un lazo de control</translation>
-    </message>
-    <message>
-        <source>Mixer for two liquids and two bricks</source>
-        <translation>Mezclador de dos líquidos y dos bloques</translation>
-    </message>
-    <message>
-        <source>Motor with self-holding</source>
-        <translation>Motor con autorretención</translation>
-    </message>
-    <message>
-        <source>Operation mode of an agitator</source>
-        <translation>Modo de operación de un agitador</translation>
-    </message>
-    <message>
-        <source>PID loop on a first-order process</source>
-        <translation>Lazo PID, proceso de primer orden</translation>
-    </message>
-    <message>
-        <source>Two pumps in a well</source>
-        <translation>Dos bombas en un pozo</translation>
-    </message>
-    <message>
-        <source>Pulse width modulation of a sine</source>
-        <translation>Modulación por ancho de pulso</translation>
-    </message>
-    <message>
-        <source>Rack with a robot</source>
-        <translation>Estantería con robot</translation>
-    </message>
-    <message>
-        <source>Robot and CNC machine</source>
-        <translation>Robot y máquina CNC</translation>
-    </message>
-    <message>
-        <source>Robot that packs boxes</source>
-        <translation>Robot que llena cajas</translation>
-    </message>
-    <message>
-        <source>Two level sensors that watch each other</source>
-        <translation>Dos sensores de nivel que se supervisan</translation>
-    </message>
-    <message>
-        <source>Pumping station with six pumps</source>
-        <translation>Estación de bombeo con seis bombas</translation>
-    </message>
-    <message>
-        <source>Motor with selector</source>
-        <translation>Motor con selector</translation>
-    </message>
-    <message>
-        <source>Stack of integers</source>
-        <translation>Pila de enteros</translation>
-    </message>
-    <message>
-        <source>Tank that is filled, heated and emptied</source>
-        <translation>Depósito que se llena, calienta y vacía</translation>
-    </message>
-    <message>
-        <source>Tank, operated by hand</source>
-        <translation>Depósito en modo manual</translation>
-    </message>
-    <message>
-        <source>Level and volume</source>
-        <translation>Nivel y volumen</translation>
-    </message>
-    <message>
-        <source>Traffic light</source>
-        <translation>Semáforo</translation>
-    </message>
-    <message>
-        <source>Valve matrix</source>
-        <translation>Matriz de válvulas</translation>
-    </message>
-    <message>
-        <source>Three kinds of valves</source>
-        <translation>Tres tipos de válvulas</translation>
-    </message>
-    <message>
-        <source>Pump in waves</source>
-        <translation>Bomba con oleaje</translation>
-    </message>
-    <message>
-        <source>Truck scale</source>
-        <translation>Báscula de camiones</translation>
-    </message>
-    <message>
-        <source>Workbook</source>
-        <translation>Cuaderno de ejercicios</translation>
-    </message>
-    <message>
-        <source>Tank over Modbus</source>
-        <translation>Depósito por Modbus</translation>
-    </message>
-    <message>
-        <source>A vehicle between two limit switches, driven by two linked sequential function charts</source>
-        <translation>Un vehículo entre dos finales de carrera, con dos secuencias SFC enlazadas</translation>
-    </message>
-    <message>
-        <source>A motor with three alarms that operators read in five languages</source>
-        <translation>Un motor con tres alarmas que el operador lee en cinco idiomas</translation>
-    </message>
-    <message>
-        <source>One control loop with a block for each task: filter, monitor, ramp, PID, transfer</source>
-        <translation>Un lazo con un bloque para cada tarea: filtro, supervisión, rampa, PID, conmutación</translation>
-    </message>
-    <message>
-        <source>Filler, capper and labeller with buffers between them, controlled as PackML units</source>
-        <translation>Llenadora, taponadora y etiquetadora con pulmones intermedios, según PackML</translation>
-    </message>
-    <message>
-        <source>A robot parks cars by their number plates and fetches them again</source>
-        <translation>Un robot aparca los coches según su matrícula y los recoge de nuevo</translation>
-    </message>
-    <message>
-        <source>Five wash programmes, each with a price and a recipe that the owner can edit</source>
-        <translation>Cinco programas de lavado, cada uno con precio y receta modificables</translation>
-    </message>
-    <message>
-        <source>Cascade control: a slow loop for the room, a fast one for the supply air</source>
-        <translation>Control en cascada: un lazo lento para la sala y uno rápido para el aire de impulsión</translation>
-    </message>
-    <message>
-        <source>A motor valve whose travel is monitored; if it takes too long, an alarm sounds</source>
-        <translation>Una válvula motorizada con recorrido supervisado; si tarda demasiado, suena una alarma</translation>
-    </message>
-    <message>
-        <source>A belt carries an item to the right, waits ten seconds and carries it back</source>
-        <translation>Una cinta lleva una pieza a la derecha, espera diez segundos y la devuelve</translation>
-    </message>
-    <message>
-        <source>Four belts take boxes off pallets; the settings of one can be copied to another</source>
-        <translation>Cuatro cintas descargan cajas de palés; los ajustes de una se copian a otra</translation>
-    </message>
-    <message>
-        <source>Heating and hot water from a district-heating network, with frost protection and summer mode</source>
-        <translation>Calefacción y agua caliente de una red de calor, con antihielo y modo verano</translation>
-    </message>
-    <message>
-        <source>A valve doses in pulses and pauses until the batch is complete</source>
-        <translation>Una válvula dosifica con pulsos y pausas hasta completar el lote</translation>
-    </message>
-    <message>
-        <source>The pressure drop shows how dirty a filter is; an alarm reports when it is out of range</source>
-        <translation>La pérdida de carga indica la suciedad de un filtro; fuera de rango, una alarma</translation>
-    </message>
-    <message>
-        <source>Silo, bin, conveyor and truck, controlled by three sequential function charts side by side</source>
-        <translation>Silo, tolva, cinta y camión, controlados por tres secuencias SFC en paralelo</translation>
-    </message>
-    <message>
-        <source>Two on-off controls: a heater with a set point, and a valve that opens on a pump alarm</source>
-        <translation>Dos controles todo-nada: un calefactor con consigna y una válvula ligada a una alarma</translation>
-    </message>
-    <message>
-        <source>An hour meter that is loaded, enabled and held, which draws a saw-tooth</source>
-        <translation>Un contador de horas que se carga, se habilita y se detiene: un diente de sierra</translation>
-    </message>
-    <message>
-        <source>A press makes items; a table counts how many in each hour of the day</source>
-        <translation>Una prensa fabrica piezas; una tabla las cuenta por cada hora del día</translation>
-    </message>
-    <message>
-        <source>Counts items, energy and water; the counts survive a power failure</source>
-        <translation>Cuenta piezas, energía y agua; los valores sobreviven a un corte de corriente</translation>
-    </message>
-    <message>
-        <source>A level sensor of 4 to 20 mA, three lamps and the detection of a wire break</source>
-        <translation>Un sensor de nivel de 4 a 20 mA, tres pilotos y detección de rotura de cable</translation>
-    </message>
-    <message>
-        <source>Three signals of a machine on three lamps that flash or stay on</source>
-        <translation>Tres señales de una máquina en tres pilotos, fijos o intermitentes</translation>
-    </message>
-    <message>
-        <source>A heat exchanger that oscillates; an experiment and its recording give better settings</source>
-        <translation>Un intercambiador oscila; un ensayo y su grabación dan mejores parámetros</translation>
-    </message>
-    <message>
-        <source>Liquids are weighed while a belt brings two bricks; then the mixer turns and tips</source>
-        <translation>Se pesan líquidos, una cinta trae dos bloques; después el mezclador gira y vuelca</translation>
-    </message>
-    <message>
-        <source>Start, stop and a contactor that holds itself, written in four ways that agree</source>
-        <translation>Marcha, paro y un contactor con autorretención, escritos de cuatro formas equivalentes</translation>
-    </message>
-    <message>
-        <source>The local control box or the panel: one block decides which of them is in control</source>
-        <translation>Mando local o panel: un bloque decide cuál de los dos tiene el control</translation>
-    </message>
-    <message>
-        <source>The same process with and without a PID controller, side by side in one trace</source>
-        <translation>El mismo proceso con y sin regulador PID, juntos en una traza</translation>
-    </message>
-    <message>
-        <source>One filter, two sines: the slow one passes, the fast one is damped and lags behind</source>
-        <translation>Un filtro, dos senos: el lento pasa, el rápido se atenúa y se retrasa</translation>
-    </message>
-    <message>
-        <source>A pump tries out its speeds and keeps the one with the least energy per cubic metre</source>
-        <translation>Una bomba prueba velocidades y mantiene la de menor energía por metro cúbico</translation>
-    </message>
-    <message>
-        <source>Two pumps take turns; a float counts only after two steady seconds</source>
-        <translation>Dos bombas se turnan; un flotador cuenta solo tras dos segundos estables</translation>
-    </message>
-    <message>
-        <source>A sine becomes pulses for two outputs, as for a motor in two directions</source>
-        <translation>Un seno se convierte en pulsos para dos salidas, como en un motor de dos sentidos</translation>
-    </message>
-    <message>
-        <source>A robot counts encoder pulses to store and fetch loads on twelve shelves</source>
-        <translation>Un robot cuenta pulsos de encoder para guardar y recoger cargas en doce huecos</translation>
-    </message>
-    <message>
-        <source>A robot takes 25 items one by one to a CNC machine and back</source>
-        <translation>Un robot lleva 25 piezas, una a una, a una máquina CNC y las devuelve</translation>
-    </message>
-    <message>
-        <source>A robot puts three items into each box; a camera checks the result</source>
-        <translation>Un robot pone tres piezas en cada caja; una cámara comprueba el resultado</translation>
-    </message>
-    <message>
-        <source>Two sensors are compared; a faulty one is replaced by the healthy one without a bump</source>
-        <translation>Dos sensores se comparan; uno sustituye sin saltos al otro si falla</translation>
-    </message>
-    <message>
-        <source>Starts and stops six pumps by level and running hours, as a town&apos;s day flows in</source>
-        <translation>Seis bombas según el nivel y las horas de servicio, al ritmo diario de una ciudad</translation>
-    </message>
-    <message>
-        <source>A rotary switch selects the speed of a motor, a number what a module does</source>
-        <translation>Un selector elige la velocidad de un motor y un número, la función de un módulo</translation>
-    </message>
-    <message>
-        <source>Last in, first out: push, pop and reset, in ST and as an instruction list</source>
-        <translation>Último en entrar, primero en salir: push, pop y reset, en ST y en lista de instrucciones</translation>
-    </message>
-    <message>
-        <source>The same sequence twice: with CASE and as a chart of steps; either can be in control</source>
-        <translation>La misma secuencia dos veces: con CASE y en SFC; cualquiera puede mandar</translation>
-    </message>
-    <message>
-        <source>Fill, empty and stir with three switches; two level switches prevent mistakes</source>
-        <translation>Llenar, vaciar y agitar con tres interruptores; dos de nivel evitan errores</translation>
-    </message>
-    <message>
-        <source>A current of 4 to 20 mA becomes a level, and the level becomes a volume</source>
-        <translation>Una corriente de 4 a 20 mA se convierte en nivel, y el nivel en volumen</translation>
-    </message>
-    <message>
-        <source>Red, yellow and green from one counter of seconds, written in three ways</source>
-        <translation>Rojo, amarillo y verde con un contador de segundos, escrito de tres formas</translation>
-    </message>
-    <message>
-        <source>Five tanks, three pipelines, fifteen valves; two tanks never feed the same pipeline</source>
-        <translation>Cinco depósitos, tres tuberías, quince válvulas; nunca dos depósitos en una tubería</translation>
-    </message>
-    <message>
-        <source>A motor valve, a spring-return valve and a control valve, each with its block</source>
-        <translation>Una válvula motorizada, una con retorno por muelle y una de control, cada una con su bloque</translation>
-    </message>
-    <message>
-        <source>A float in waves: the pump starts and stops only after five steady seconds</source>
-        <translation>Un flotador entre olas: la bomba conmuta solo tras cinco segundos estables</translation>
-    </message>
-    <message>
-        <source>Four BCD digits become the net weight once the scale has come to rest</source>
-        <translation>Cuatro dígitos BCD dan el peso neto en cuanto la báscula se estabiliza</translation>
-    </message>
-    <message>
-        <source>Samples of the language on four pages, each a program of its own with a test</source>
-        <translation>Ejemplos del lenguaje en cuatro páginas, cada uno un programa con su prueba</translation>
-    </message>
-    <message>
-        <source>Automated guided vehicle</source>
-        <translation>Vehículo de guiado automático</translation>
-    </message>
-    <message>
-        <source>First-order filter and two sines</source>
-        <translation>Filtro de primer orden y dos senos</translation>
-    </message>
-    <message>
-        <source>Pump at its most efficient speed</source>
-        <translation>Bomba a su velocidad óptima</translation>
-    </message>
-    <message>
-        <source>A controller and a tank, connected on this computer by real Modbus TCP</source>
-        <translation>Un controlador y un depósito, unidos en este equipo por Modbus TCP real</translation>
-    </message>
-</context>
-<context>
-    <name>FigureText</name>
-    <message>
-        <source>%1 at %2</source>
-        <translation>%1 en %2</translation>
-    </message>
-    <message>
-        <source>An XY plot draws one channel over another: add a second channel to the trace.</source>
-        <translation>Un gráfico XY dibuja un canal sobre otro: añada un segundo canal a la traza.</translation>
-    </message>
-    <message>
-        <source>XY plot</source>
-        <translation>Gráfico XY</translation>
-    </message>
-    <message>
-        <source>There are no samples in view: run the program or show another stretch.</source>
-        <translation>No hay muestras a la vista: ejecute el programa o muestre otro tramo.</translation>
-    </message>
-    <message>
-        <source>%L1 points over %2</source>
-        <translation>%L1 puntos en %2</translation>
-    </message>
-    <message>
-        <source>A spectrum shows the frequencies of the visible channels: add a channel.</source>
-        <translation>Un espectro muestra las frecuencias de los canales visibles: añada un canal.</translation>
-    </message>
-    <message>
-        <source>Spectrum</source>
-        <translation>Espectro</translation>
-    </message>
-    <message>
-        <source>Frequency [Hz]</source>
-        <translation>Frecuencia [Hz]</translation>
-    </message>
-    <message>
-        <source>amplitude</source>
-        <translation>amplitud</translation>
-    </message>
-    <message>
-        <source>%1: no peak, RMS %2</source>
-        <translation>%1: sin pico, valor eficaz %2</translation>
-    </message>
-    <message>
-        <source>%1: %2, RMS %3</source>
-        <translation>%1: %2, valor eficaz %3</translation>
-    </message>
-    <message>
-        <source>A frequency response compares an output with an input: add both as channels, and choose the input.</source>
-        <translation>Una respuesta en frecuencia compara una salida con una entrada: añada ambas como canales y elija la entrada.</translation>
-    </message>
-    <message>
-        <source>Frequency response</source>
-        <translation>Respuesta en frecuencia</translation>
-    </message>
-    <message>
-        <source>gain [dB]</source>
-        <translation>ganancia [dB]</translation>
-    </message>
-    <message>
-        <source>phase [°]</source>
-        <translation>fase [°]</translation>
-    </message>
-    <message>
-        <source>coherence</source>
-        <translation>coherencia</translation>
-    </message>
-    <message>
-        <source>%1: %L2 of %L3 frequencies with a coherence above 0.8</source>
-        <translation>%1: %L2 de %L3 frecuencias con una coherencia superior a 0,8</translation>
-    </message>
-    <message>
-        <source>Runs are laid over each other at their triggers: enter a trigger in the properties of the trace.</source>
-        <translation>Las ejecuciones se superponen en su disparo: introduzca un disparador en las propiedades de la traza.</translation>
-    </message>
-    <message>
-        <source>The trigger has not fired in this recording yet.</source>
-        <translation>El disparador aún no se ha activado en esta grabación.</translation>
-    </message>
-    <message>
-        <source>Runs of the visible channels are laid over each other: add a channel.</source>
-        <translation>Las ejecuciones de los canales visibles se superponen: añada un canal.</translation>
-    </message>
-    <message>
-        <source>Time since the trigger [s]</source>
-        <translation>Tiempo desde el disparo [s]</translation>
-    </message>
-    <message>
-        <source>%1: runs differ most %2 after the trigger, by %3</source>
-        <translation>%1: las ejecuciones difieren más %2 después del disparo, en %3</translation>
-    </message>
-    <message>
-        <source>Charts over Time Only</source>
-        <translation>Solo gráficos temporales</translation>
-    </message>
-    <message>
-        <source>XY Plot</source>
-        <translation>Gráfico XY</translation>
-    </message>
-    <message>
-        <source>Frequency Response (Bode)</source>
-        <translation>Respuesta en frecuencia (Bode)</translation>
-    </message>
-    <message>
-        <source>Runs over Each Other</source>
-        <translation>Ejecuciones superpuestas</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n run(s)</source>
-        <translation>
-            <numerusform>%n ejecución</numerusform>
-            <numerusform>%n ejecuciones</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>Waveform</name>
-    <message>
-        <source>The table has no column of times; name one time_s (seconds) or time_ms</source>
-        <translation>La tabla no tiene columna de tiempos; llame a una time_s (segundos) o time_ms</translation>
-    </message>
-    <message>
-        <source>The table has no column {0}; it has {1}</source>
-        <translation>La tabla no tiene columna {0}; tiene {1}</translation>
-    </message>
-    <message>
-        <source>The table has no column {0}; did you mean {1}?</source>
-        <translation>La tabla no tiene columna {0}; ¿quería decir {1}?</translation>
-    </message>
-    <message>
-        <source>Line {0} has no number in column {1}; correct or remove the line</source>
-        <translation>La línea {0} no tiene ningún número en la columna {1}; corrija o quite la línea</translation>
-    </message>
-    <message>
-        <source>The time in line {0} is before that of the line above; sort the lines by time</source>
-        <translation>El tiempo de la línea {0} es anterior al de la línea de arriba; ordene las líneas por tiempo</translation>
-    </message>
-    <message>
-        <source>The table has no column of numbers besides the time; add one with a heading</source>
-        <translation>La tabla no tiene ninguna columna de números aparte del tiempo; añada una con encabezado</translation>
-    </message>
-    <message>
-        <source>The table has no rows under its headings; write one row per sample</source>
-        <translation>La tabla no tiene filas bajo sus encabezados; escriba una fila por muestra</translation>
-    </message>
-    <message>
-        <source>The table cannot be shown as a recording: {0}</source>
-        <translation>La tabla no se puede mostrar como grabación: {0}</translation>
-    </message>
-    <message>
-        <source>the names of its columns cannot be variables; use letters, digits and underscores</source>
-        <translation>los nombres de sus columnas no pueden ser variables; use letras, cifras y guiones bajos</translation>
-    </message>
-    <message>
-        <source>{0} {0:sample is|samples are} too few for a spectrum; show a longer stretch</source>
-        <translation>{0} {0:muestra es|muestras son} muy pocas para un espectro; muestre un tramo más largo</translation>
-    </message>
-    <message>
-        <source>{0} {0:sample is|samples are} too few for a frequency response; show a longer stretch</source>
-        <translation>{0} {0:muestra es|muestras son} muy pocas para una respuesta en frecuencia; muestre un tramo más largo</translation>
-    </message>
-    <message>
-        <source>The input does not move here; there is nothing to answer to</source>
-        <translation>La entrada no varía aquí; no hay ninguna respuesta que calcular</translation>
-    </message>
-    <message>
-        <source>{0} needs a closing parenthesis at the end; it goes around the whole expression</source>
-        <translation>{0} necesita un paréntesis de cierre al final; rodea toda la expresión</translation>
-    </message>
-    <message>
-        <source>{0} needs a time above 0 as its second argument, for example {1}</source>
-        <translation>{0} necesita un tiempo mayor que 0 como segundo argumento, por ejemplo {1}</translation>
-    </message>
-    <message>
-        <source>{0} takes one expression; remove the others</source>
-        <translation>{0} admite una sola expresión; quite las demás</translation>
-    </message>
-</context>
-<context>
-    <name>plc::plot::PlotView</name>
-    <message>
-        <source>Chart</source>
-        <translation>Gráfico</translation>
-    </message>
-    <message>
-        <source>%1
-Click selects, Ctrl+click shows or hides.</source>
-        <translation>%1
-Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
-    </message>
-</context>
-<context>
-    <name>plc::trace::FigurePane</name>
-    <message>
-        <source>Save as %1</source>
-        <translation>Guardar como %1</translation>
-    </message>
-    <message>
-        <source>Fit</source>
-        <translation>Ajuste</translation>
-    </message>
-    <message>
-        <source>Copy as picture</source>
-        <translation>Copiar como imagen</translation>
-    </message>
-    <message>
-        <source>Save as %1…</source>
-        <translation>Guardar como %1…</translation>
-    </message>
-    <message>
-        <source>Window</source>
-        <translation>Ventana</translation>
-    </message>
-    <message>
-        <source>Hann window</source>
-        <translation>Ventana de Hann</translation>
-    </message>
-    <message>
-        <source>Flat top: exact amplitudes</source>
-        <translation>Flat top: amplitudes exactas</translation>
-    </message>
-    <message>
-        <source>No window</source>
-        <translation>Sin ventana</translation>
-    </message>
-    <message>
-        <source>Logarithmic</source>
-        <translation>Logarítmico</translation>
-    </message>
-    <message>
-        <source>Charts over time only</source>
-        <translation>Solo gráficos temporales</translation>
-    </message>
-    <message>
-        <source>Horizontal value</source>
-        <translation>Valor horizontal</translation>
-    </message>
-    <message>
-        <source>Window of the spectrum</source>
-        <translation>Ventana del espectro</translation>
-    </message>
-    <message>
-        <source>Logarithmic axes</source>
-        <translation>Ejes logarítmicos</translation>
-    </message>
-    <message>
-        <source>Input:</source>
-        <translation>Entrada:</translation>
-    </message>
-    <message>
-        <source>Horizontal:</source>
-        <translation>Horizontal:</translation>
-    </message>
-    <message>
-        <source>Input</source>
-        <translation>Entrada</translation>
-    </message>
-    <message>
-        <source>Measure between Points</source>
-        <translation>Medir entre puntos</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::AttachDialog</name>
-    <message>
-        <source>Address</source>
-        <translation>Dirección</translation>
-    </message>
-    <message>
-        <source>Code</source>
-        <translation>Código</translation>
-    </message>
-    <message>
-        <source>Attach to a Controller</source>
-        <translation>Conectar con un controlador</translation>
-    </message>
-    <message>
-        <source>from the file attach-code of the controller</source>
-        <translation>del archivo attach-code del controlador</translation>
-    </message>
-    <message>
-        <source>only for certificates that this computer does not know</source>
-        <translation>solo para certificados que este equipo no conoce</translation>
-    </message>
-    <message>
-        <source>…</source>
-        <translation>…</translation>
-    </message>
-    <message>
-        <source>Choose a certificate</source>
-        <translation>Elegir un certificado</translation>
-    </message>
-    <message>
-        <source>Trusted certificate</source>
-        <translation>Certificado de confianza</translation>
-    </message>
-    <message>
-        <source>Attach</source>
-        <translation>Conectar</translation>
-    </message>
-    <message>
-        <source>Choose a Certificate</source>
-        <translation>Elegir un certificado</translation>
-    </message>
-    <message>
-        <source>Certificates (*.pem *.crt *.cer);;All files (*)</source>
-        <translation>Certificados (*.pem *.crt *.cer);;Todos los archivos (*)</translation>
-    </message>
-    <message>
-        <source>Attaching…</source>
-        <translation>Conectando…</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::Attachment</name>
-    <message>
-        <source>%1 at %2</source>
-        <translation>%1 en %2</translation>
-    </message>
-    <message>
-        <source>Detach</source>
-        <translation>Desconectar</translation>
-    </message>
-    <message>
-        <source>Attached to %1</source>
-        <translation>Conectado con %1</translation>
-    </message>
-    <message>
-        <source>Attached to %1; its program is not the one that is open here</source>
-        <translation>Conectado con %1; su programa no es el que está abierto aquí</translation>
-    </message>
-    <message>
-        <source>%1 is lost – connecting again…</source>
-        <translation>Conexión con %1 perdida – reconectando…</translation>
-    </message>
-    <message>
-        <source>Attaching to %1…</source>
-        <translation>Conectando con %1…</translation>
-    </message>
-    <message>
-        <source>The controller runs there; what is written and forced here acts there</source>
-        <translation>El controlador se ejecuta allí; lo que se escribe y fuerza aquí actúa allí</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::NativeProgramDialog</name>
-    <message>
-        <source>File</source>
-        <translation>Archivo</translation>
-    </message>
-    <message>
-        <source>Build</source>
-        <translation>Crear</translation>
-    </message>
-    <message>
-        <source>Build a Native Program</source>
-        <translation>Crear un programa nativo</translation>
-    </message>
-    <message>
-        <source>…</source>
-        <translation>…</translation>
-    </message>
-    <message>
-        <source>Choose the file</source>
-        <translation>Elegir el archivo</translation>
-    </message>
-    <message>
-        <source>Native Program</source>
-        <translation>Programa nativo</translation>
-    </message>
-    <message>
-        <source>Machine</source>
-        <translation>Máquina</translation>
-    </message>
-    <message>
-        <source>The program runs without Stepwise on a machine with Linux: its PLC code and a small runner in one file.</source>
-        <translation>El programa se ejecuta sin Stepwise en una máquina con Linux: su código de PLC y un pequeño entorno de ejecución en un archivo.</translation>
-    </message>
-    <message>
-        <source>Building…</source>
-        <translation>Creando…</translation>
-    </message>
-    <message>
-        <source>%1 is built</source>
-        <translation>%1 se ha creado</translation>
-    </message>
-</context>
-<context>
-    <name>Remote</name>
-    <message>
-        <source>The request is not understood; studio and controller may be of different versions</source>
-        <translation>No se entiende la solicitud; el estudio y el controlador pueden ser de versiones distintas</translation>
-    </message>
-    <message>
-        <source>There is no request {0}; studio and controller may be of different versions</source>
-        <translation>No existe la solicitud {0}; el estudio y el controlador pueden ser de versiones distintas</translation>
-    </message>
-    <message>
-        <source>Breakpoints stop a machine in the middle of a scan; `stepwise serve` allows them with --allow-breakpoints</source>
-        <translation>Los puntos de interrupción detienen una máquina en medio de un ciclo; «stepwise serve» los permite con --allow-breakpoints</translation>
-    </message>
-    <message>
-        <source>{0} is forced; release it before writing</source>
-        <translation>{0} está forzada; anule el forzado antes de escribir</translation>
-    </message>
-    <message>
-        <source>{0} is not forced</source>
-        <translation>{0} no está forzada</translation>
-    </message>
-    <message>
-        <source>Another program is being built for this controller; try again when it is loaded</source>
-        <translation>Se está compilando otro programa para este controlador; inténtelo de nuevo cuando esté cargado</translation>
-    </message>
-    <message>
-        <source>The program has {0} {0:error|errors}; the controller goes on with the old one</source>
-        <translation>El programa tiene {0} {0:error|errores}; el controlador sigue con el anterior</translation>
-    </message>
-    <message>
-        <source>The controller&apos;s program has no file {0}; load its program again</source>
-        <translation>El programa del controlador no tiene el archivo {0}; vuelva a cargar su programa</translation>
-    </message>
-    <message>
-        <source>A recording is already being fetched; wait until it has arrived</source>
-        <translation>Ya se está obteniendo una grabación; espere hasta que llegue</translation>
-    </message>
-    <message>
-        <source>A controller that serves others cannot be put back in time; fetch its recording and go on from there</source>
-        <translation>Un controlador que sirve a otros no se puede llevar atrás en el tiempo; obtenga su grabación y siga desde ahí</translation>
-    </message>
-    <message>
-        <source>{0} is not the address of a controller; write for example https://plant:8443/</source>
-        <translation>{0} no es la dirección de un controlador; escriba por ejemplo https://plant:8443/</translation>
-    </message>
-    <message>
-        <source>{0} cannot be reached: {1}</source>
-        <translation>No se puede acceder a {0}: {1}</translation>
-    </message>
-    <message>
-        <source>{0} refuses the connection: {1}</source>
-        <translation>{0} rechaza la conexión: {1}</translation>
-    </message>
-    <message>
-        <source>The code is wrong; it is in the file attach-code of the controller&apos;s state folder</source>
-        <translation>El código es incorrecto; está en el archivo attach-code de la carpeta de estado del controlador</translation>
-    </message>
-    <message>
-        <source>There were too many wrong codes from this computer; wait a minute</source>
-        <translation>Hubo demasiados códigos incorrectos desde este equipo; espere un minuto</translation>
-    </message>
-    <message>
-        <source>The code would cross the network unprotected; use an https address, and start the controller with --certificate</source>
-        <translation>El código atravesaría la red sin protección; use una dirección https e inicie el controlador con --certificate</translation>
-    </message>
-    <message>
-        <source>The certificate of {0} is not trusted: {1}; name the file of the certificate that you trust</source>
-        <translation>El certificado de {0} no es de confianza: {1}; indique el archivo del certificado en el que confía</translation>
-    </message>
-    <message>
-        <source>The certificate cannot be read from {0}; it must be a PEM file</source>
-        <translation>No se puede leer el certificado de {0}; debe ser un archivo PEM</translation>
-    </message>
-    <message>
-        <source>The connection to {0} is lost; check the network and the controller</source>
-        <translation>Se ha perdido la conexión con {0}; compruebe la red y el controlador</translation>
-    </message>
-    <message>
-        <source>{0} does not answer; check the address and whether the controller runs</source>
-        <translation>{0} no responde; compruebe la dirección y que el controlador esté en marcha</translation>
-    </message>
-    <message>
-        <source>The controller&apos;s program cannot be built here as it is there; use the same version of Stepwise on both sides</source>
-        <translation>El programa del controlador no se puede compilar aquí como allí; use la misma versión de Stepwise en ambos lados</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::Menu</name>
-    <message>
-        <source>File</source>
-        <translation>Archivo</translation>
-    </message>
-    <message>
-        <source>Edit</source>
-        <translation>Edición</translation>
-    </message>
-    <message>
-        <source>Run</source>
-        <translation>Ejecución</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Tiempo</translation>
-    </message>
-    <message>
-        <source>View</source>
-        <translation>Ver</translation>
-    </message>
-    <message>
-        <source>Help</source>
-        <translation>Ayuda</translation>
+        <source>Recordings and tables (*.rec *.csv *.tsv *.txt *.trace);;All files (*)</source>
+        <translation>Grabaciones y tablas (*.rec *.csv *.tsv *.txt *.trace);;Todos los archivos (*)</translation>
     </message>
 </context>
 </TS>

@@ -291,6 +291,10 @@
         <source>{0} and {1} both set {2} {3}; give each its own</source>
         <translation>{0} et {1} écrivent tous deux {2} {3}&#x202f;; donnez-en un à chacun</translation>
     </message>
+    <message>
+        <source>{0} and {1} are both unit {2} at {3}; if one was copied from the other, change its address</source>
+        <translation>{0} et {1} ont tous deux l’adresse {2} sur {3}&#x202f;; si l’un a été copié de l’autre, changez son adresse</translation>
+    </message>
 </context>
 <context>
     <name>Diagnostics</name>
@@ -2703,6 +2707,385 @@
         <source>{0} suppresses alarms, but one press writes it; set &quot;Writes are confirmed&quot;</source>
         <translation>{0} masque des alarmes, mais un seul appui l’écrit&#x202f;; activez «&#xa0;Les écritures sont confirmées&#xa0;»</translation>
     </message>
+    <message>
+        <source>The start panel has {0} controls, but no text says what to press when nothing moves; add a sentence, or a state text that names a control</source>
+        <translation>La vue de départ a {0} éléments de commande, mais aucun texte ne dit sur quoi appuyer quand rien ne bouge&#x202f;; ajoutez une phrase, ou un texte d’état qui nomme un élément de commande</translation>
+    </message>
+    <message>
+        <source>A machine at rest looks the same whether it is broken or only waits. The panel that is seen first must say what to press next: a sentence below the title, or a state text such as “Ready: press S1”.</source>
+        <translation>Une machine à l’arrêt a le même aspect, qu’elle soit en panne ou qu’elle attende. La vue que l’on voit en premier doit dire sur quoi appuyer&#xa0;: une phrase sous le titre, ou un texte d’état tel que «&#xa0;Prêt&#xa0;: appuyez sur S1&#xa0;».</translation>
+    </message>
+</context>
+<context>
+    <name>Examples</name>
+    <message>
+        <source>Alarm texts in five languages</source>
+        <translation>Textes d’alarme en cinq langues</translation>
+    </message>
+    <message>
+        <source>Heated tank with analog blocks</source>
+        <translation>Cuve chauffée avec blocs analogiques</translation>
+    </message>
+    <message>
+        <source>Bottling line</source>
+        <translation>Ligne d’embouteillage</translation>
+    </message>
+    <message>
+        <source>Car park with a robot</source>
+        <translation>Parking robotisé</translation>
+    </message>
+    <message>
+        <source>Car wash with recipes</source>
+        <translation>Station de lavage avec recettes</translation>
+    </message>
+    <message>
+        <source>Room heated by supply air</source>
+        <translation>Local chauffé par air soufflé</translation>
+    </message>
+    <message>
+        <source>Motor valve with command monitor</source>
+        <translation>Vanne motorisée et sa surveillance</translation>
+    </message>
+    <message>
+        <source>Conveyor with a sequence</source>
+        <translation>Convoyeur avec séquence</translation>
+    </message>
+    <message>
+        <source>Depalletiser</source>
+        <translation>Dépalettiseur</translation>
+    </message>
+    <message>
+        <source>District-heating substation</source>
+        <translation>Sous-station de chauffage urbain</translation>
+    </message>
+    <message>
+        <source>Dosing</source>
+        <translation>Dosage</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filtre</translation>
+    </message>
+    <message>
+        <source>Gravel plant</source>
+        <translation>Installation de gravier</translation>
+    </message>
+    <message>
+        <source>Heater and valve</source>
+        <translation>Chauffage et vanne</translation>
+    </message>
+    <message>
+        <source>Hour meter with reset and enable</source>
+        <translation>Compteur horaire</translation>
+    </message>
+    <message>
+        <source>Items per hour</source>
+        <translation>Pièces par heure</translation>
+    </message>
+    <message>
+        <source>Items and meters</source>
+        <translation>Pièces et compteurs</translation>
+    </message>
+    <message>
+        <source>Level lamps</source>
+        <translation>Voyants de niveau</translation>
+    </message>
+    <message>
+        <source>Light tower</source>
+        <translation>Colonne lumineuse</translation>
+    </message>
+    <message>
+        <source>Tuning a control loop</source>
+        <translation>Réglage d’une boucle de régulation</translation>
+    </message>
+    <message>
+        <source>Mixer for two liquids and two bricks</source>
+        <translation>Mélangeur, liquides et briques</translation>
+    </message>
+    <message>
+        <source>Motor with self-holding</source>
+        <translation>Moteur avec auto-maintien</translation>
+    </message>
+    <message>
+        <source>Operation mode of an agitator</source>
+        <translation>Mode de marche d’un agitateur</translation>
+    </message>
+    <message>
+        <source>PID loop on a first-order process</source>
+        <translation>Boucle PID, procédé du premier ordre</translation>
+    </message>
+    <message>
+        <source>Two pumps in a well</source>
+        <translation>Deux pompes dans un puits</translation>
+    </message>
+    <message>
+        <source>Pulse width modulation of a sine</source>
+        <translation>Modulation de largeur d’impulsion</translation>
+    </message>
+    <message>
+        <source>Rack with a robot</source>
+        <translation>Rayonnage avec robot</translation>
+    </message>
+    <message>
+        <source>Robot and CNC machine</source>
+        <translation>Robot et machine CNC</translation>
+    </message>
+    <message>
+        <source>Robot that packs boxes</source>
+        <translation>Robot qui remplit des cartons</translation>
+    </message>
+    <message>
+        <source>Two level sensors that watch each other</source>
+        <translation>Deux capteurs de niveau comparés</translation>
+    </message>
+    <message>
+        <source>Pumping station with six pumps</source>
+        <translation>Station de pompage à six pompes</translation>
+    </message>
+    <message>
+        <source>Motor with selector</source>
+        <translation>Moteur avec sélecteur</translation>
+    </message>
+    <message>
+        <source>Stack of integers</source>
+        <translation>Pile d’entiers</translation>
+    </message>
+    <message>
+        <source>Tank that is filled, heated and emptied</source>
+        <translation>Cuve remplie, chauffée et vidée</translation>
+    </message>
+    <message>
+        <source>Tank, operated by hand</source>
+        <translation>Cuve en mode manuel</translation>
+    </message>
+    <message>
+        <source>Level and volume</source>
+        <translation>Niveau et volume</translation>
+    </message>
+    <message>
+        <source>Traffic light</source>
+        <translation>Feu tricolore</translation>
+    </message>
+    <message>
+        <source>Valve matrix</source>
+        <translation>Matrice de vannes</translation>
+    </message>
+    <message>
+        <source>Three kinds of valves</source>
+        <translation>Trois types de vannes</translation>
+    </message>
+    <message>
+        <source>Pump in waves</source>
+        <translation>Pompe dans les vagues</translation>
+    </message>
+    <message>
+        <source>Truck scale</source>
+        <translation>Pont-bascule</translation>
+    </message>
+    <message>
+        <source>Workbook</source>
+        <translation>Cahier d’exercices</translation>
+    </message>
+    <message>
+        <source>Tank over Modbus</source>
+        <translation>Cuve via Modbus</translation>
+    </message>
+    <message>
+        <source>A vehicle between two limit switches, driven by two linked sequential function charts</source>
+        <translation>Un véhicule entre deux fins de course, commandé par deux grafcets liés</translation>
+    </message>
+    <message>
+        <source>A motor with three alarms that operators read in five languages</source>
+        <translation>Un moteur avec trois alarmes que l’opérateur lit en cinq langues</translation>
+    </message>
+    <message>
+        <source>One control loop with a block for each task: filter, monitor, ramp, PID, transfer</source>
+        <translation>Une boucle avec un bloc par tâche&#xa0;: filtre, surveillance, rampe, PID, commutation</translation>
+    </message>
+    <message>
+        <source>Filler, capper and labeller with buffers between them, controlled as PackML units</source>
+        <translation>Remplisseuse, boucheuse et étiqueteuse avec tampons, pilotées selon PackML</translation>
+    </message>
+    <message>
+        <source>A robot parks cars by their number plates and fetches them again</source>
+        <translation>Un robot gare les voitures d’après leur plaque et va les rechercher</translation>
+    </message>
+    <message>
+        <source>Five wash programmes, each with a price and a recipe that the owner can edit</source>
+        <translation>Cinq programmes de lavage, chacun avec un prix et une recette modifiables</translation>
+    </message>
+    <message>
+        <source>Cascade control: a slow loop for the room, a fast one for the supply air</source>
+        <translation>Régulation en cascade&#xa0;: une boucle lente pour la pièce, une rapide pour l’air soufflé</translation>
+    </message>
+    <message>
+        <source>A motor valve whose travel is monitored; if it takes too long, an alarm sounds</source>
+        <translation>Une vanne motorisée à course surveillée&#x202f;; si elle tarde trop, une alarme retentit</translation>
+    </message>
+    <message>
+        <source>A belt carries an item to the right, waits ten seconds and carries it back</source>
+        <translation>Un convoyeur amène une pièce à droite, attend dix secondes et la ramène</translation>
+    </message>
+    <message>
+        <source>Four belts take boxes off pallets; the settings of one can be copied to another</source>
+        <translation>Quatre convoyeurs dépilent des cartons&#x202f;; leurs réglages peuvent être copiés</translation>
+    </message>
+    <message>
+        <source>Heating and hot water from a district-heating network, with frost protection and summer mode</source>
+        <translation>Chauffage et eau chaude par réseau de chaleur, avec hors-gel et mode été</translation>
+    </message>
+    <message>
+        <source>A valve doses in pulses and pauses until the batch is complete</source>
+        <translation>Une vanne dose par impulsions et pauses jusqu’à ce que le lot soit complet</translation>
+    </message>
+    <message>
+        <source>The pressure drop shows how dirty a filter is; an alarm reports when it is out of range</source>
+        <translation>La perte de charge indique l’encrassement d’un filtre&#x202f;; hors plage, une alarme</translation>
+    </message>
+    <message>
+        <source>Silo, bin, conveyor and truck, controlled by three sequential function charts side by side</source>
+        <translation>Silo, trémie, convoyeur et camion, commandés par trois grafcets en parallèle</translation>
+    </message>
+    <message>
+        <source>Two on-off controls: a heater with a set point, and a valve that opens on a pump alarm</source>
+        <translation>Deux commandes tout ou rien&#xa0;: un chauffage avec consigne et une vanne liée à une alarme</translation>
+    </message>
+    <message>
+        <source>An hour meter that is loaded, enabled and held, which draws a saw-tooth</source>
+        <translation>Un compteur horaire chargé, validé et arrêté, ce qui dessine une dent de scie</translation>
+    </message>
+    <message>
+        <source>A press makes items; a table counts how many in each hour of the day</source>
+        <translation>Une presse fabrique des pièces&#x202f;; un tableau les compte heure par heure</translation>
+    </message>
+    <message>
+        <source>Counts items, energy and water; the counts survive a power failure</source>
+        <translation>Compte les pièces, l’énergie et l’eau&#x202f;; tout survit à une coupure de courant</translation>
+    </message>
+    <message>
+        <source>A level sensor of 4 to 20 mA, three lamps and the detection of a wire break</source>
+        <translation>Un capteur de niveau de 4 à 20 mA, trois voyants et la détection de rupture de fil</translation>
+    </message>
+    <message>
+        <source>Three signals of a machine on three lamps that flash or stay on</source>
+        <translation>Trois signaux d’une machine sur trois voyants, fixes ou clignotants</translation>
+    </message>
+    <message>
+        <source>A heat exchanger that oscillates; an experiment and its recording give better settings</source>
+        <translation>Un échangeur oscille&#x202f;; un essai et son enregistrement donnent de meilleurs réglages</translation>
+    </message>
+    <message>
+        <source>Liquids are weighed while a belt brings two bricks; then the mixer turns and tips</source>
+        <translation>Les liquides sont pesés, un convoyeur amène deux briques, puis le mélangeur tourne et bascule</translation>
+    </message>
+    <message>
+        <source>Start, stop and a contactor that holds itself, written in four ways that agree</source>
+        <translation>Marche, arrêt et un contacteur à auto-maintien, écrits de quatre façons équivalentes</translation>
+    </message>
+    <message>
+        <source>The local control box or the panel: one block decides which of them is in control</source>
+        <translation>Commande locale ou pupitre&#xa0;: un bloc décide lequel a la main</translation>
+    </message>
+    <message>
+        <source>The same process with and without a PID controller, side by side in one trace</source>
+        <translation>Le même procédé avec et sans régulateur PID, côte à côte sur une trace</translation>
+    </message>
+    <message>
+        <source>One filter, two sines: the slow one passes, the fast one is damped and lags behind</source>
+        <translation>Un filtre, deux sinus&#xa0;: le lent passe, le rapide est atténué et déphasé</translation>
+    </message>
+    <message>
+        <source>A pump tries out its speeds and keeps the one with the least energy per cubic metre</source>
+        <translation>Une pompe essaie ses vitesses et garde la plus économe par mètre cube</translation>
+    </message>
+    <message>
+        <source>Two pumps take turns; a float counts only after two steady seconds</source>
+        <translation>Deux pompes alternent&#x202f;; un flotteur ne compte qu’après deux secondes stables</translation>
+    </message>
+    <message>
+        <source>A sine becomes pulses for two outputs, as for a motor in two directions</source>
+        <translation>Un sinus devient des impulsions sur deux sorties, comme pour un moteur à deux sens</translation>
+    </message>
+    <message>
+        <source>A robot counts encoder pulses to store and fetch loads on twelve shelves</source>
+        <translation>Un robot compte les impulsions des codeurs pour ranger des charges dans douze cases</translation>
+    </message>
+    <message>
+        <source>A robot takes 25 items one by one to a CNC machine and back</source>
+        <translation>Un robot porte 25 pièces une à une à une machine CNC et les rapporte</translation>
+    </message>
+    <message>
+        <source>A robot puts three items into each box; a camera checks the result</source>
+        <translation>Un robot met trois pièces dans chaque carton&#x202f;; une caméra contrôle le résultat</translation>
+    </message>
+    <message>
+        <source>Two sensors are compared; a faulty one is replaced by the healthy one without a bump</source>
+        <translation>Deux capteurs comparés&#x202f;; l’un remplace sans à-coup l’autre s’il est en défaut</translation>
+    </message>
+    <message>
+        <source>Starts and stops six pumps by level and running hours, as a town&apos;s day flows in</source>
+        <translation>Six pompes mises en marche selon le niveau et les heures, au rythme d’une ville</translation>
+    </message>
+    <message>
+        <source>A rotary switch selects the speed of a motor, a number what a module does</source>
+        <translation>Un commutateur choisit la vitesse d’un moteur, un nombre la fonction d’un module</translation>
+    </message>
+    <message>
+        <source>Last in, first out: push, pop and reset, in ST and as an instruction list</source>
+        <translation>Dernier entré, premier sorti&#xa0;: push, pop et reset, en ST et en liste d’instructions</translation>
+    </message>
+    <message>
+        <source>The same sequence twice: with CASE and as a chart of steps; either can be in control</source>
+        <translation>La même séquence deux fois&#xa0;: avec CASE et en grafcet&#x202f;; chacune peut commander</translation>
+    </message>
+    <message>
+        <source>Fill, empty and stir with three switches; two level switches prevent mistakes</source>
+        <translation>Remplir, vider et agiter avec trois interrupteurs&#x202f;; deux détecteurs évitent les erreurs</translation>
+    </message>
+    <message>
+        <source>A current of 4 to 20 mA becomes a level, and the level becomes a volume</source>
+        <translation>Un courant de 4 à 20 mA devient un niveau, et le niveau un volume</translation>
+    </message>
+    <message>
+        <source>Red, yellow and green from one counter of seconds, written in three ways</source>
+        <translation>Rouge, orange et vert à partir d’un compteur de secondes, de trois façons</translation>
+    </message>
+    <message>
+        <source>Five tanks, three pipelines, fifteen valves; two tanks never feed the same pipeline</source>
+        <translation>Cinq cuves, trois conduites, quinze vannes&#x202f;; jamais deux cuves sur une conduite</translation>
+    </message>
+    <message>
+        <source>A motor valve, a spring-return valve and a control valve, each with its block</source>
+        <translation>Une vanne motorisée, une à rappel par ressort et une de régulation, chacune avec son bloc</translation>
+    </message>
+    <message>
+        <source>A float in waves: the pump starts and stops only after five steady seconds</source>
+        <translation>Un flotteur dans les vagues&#xa0;: la pompe ne commute qu’après cinq secondes stables</translation>
+    </message>
+    <message>
+        <source>Four BCD digits become the net weight once the scale has come to rest</source>
+        <translation>Quatre chiffres BCD donnent le poids net dès que la balance est stable</translation>
+    </message>
+    <message>
+        <source>Samples of the language on four pages, each a program of its own with a test</source>
+        <translation>Exemples du langage sur quatre pages, chacun un programme avec son test</translation>
+    </message>
+    <message>
+        <source>Automated guided vehicle</source>
+        <translation>Véhicule à guidage automatique</translation>
+    </message>
+    <message>
+        <source>First-order filter and two sines</source>
+        <translation>Filtre du premier ordre et deux sinus</translation>
+    </message>
+    <message>
+        <source>Pump at its most efficient speed</source>
+        <translation>Pompe à sa vitesse la plus économe</translation>
+    </message>
+    <message>
+        <source>A controller and a tank, connected on this computer by real Modbus TCP</source>
+        <translation>Un automate et une cuve, reliés sur cet ordinateur par une vraie ligne Modbus TCP</translation>
+    </message>
 </context>
 <context>
     <name>Exchange</name>
@@ -2905,6 +3288,148 @@
     <message>
         <source>The program uses __NEW; &quot;memoryForNew&quot; in project.json sets 65536 bytes aside for it</source>
         <translation>Le programme utilise __NEW&#x202f;; «&#xa0;memoryForNew&#xa0;» dans project.json lui réserve 65536 octets</translation>
+    </message>
+    <message>
+        <source>The file is empty; export it again</source>
+        <translation>Le fichier est vide&#x202f;; exportez-le de nouveau</translation>
+    </message>
+    <message>
+        <source>This is a ZIP archive, whatever its name says; unpack it and import the folder</source>
+        <translation>C’est une archive ZIP, quel que soit son nom&#x202f;; décompressez-la et importez le dossier</translation>
+    </message>
+    <message>
+        <source>The file is in the folder of the project {0}, which does not list it; it was left out</source>
+        <translation>Le fichier est dans le dossier du projet {0}, qui ne le mentionne pas&#x202f;; il a été omis</translation>
+    </message>
+    <message>
+        <source>Several projects of the folder have a unit named {0}; each became a project of its own, together with the libraries it uses: this one is {1}</source>
+        <translation>Plusieurs projets du dossier ont un POU nommé {0}&#x202f;; chacun est devenu un projet à part, avec les bibliothèques qu’il utilise&#xa0;: celui-ci est {1}</translation>
+    </message>
+    <message>
+        <source>The program {0} of the library {1} was left out: the project that uses the library has one of that name</source>
+        <translation>Le programme {0} de la bibliothèque {1} a été omis&#xa0;: le projet qui utilise la bibliothèque en a un du même nom</translation>
+    </message>
+    <message>
+        <source>The folder has no project named {0}; it has: {1}</source>
+        <translation>Le dossier ne contient aucun projet nommé {0}&#x202f;; il contient&#xa0;: {1}</translation>
+    </message>
+    <message>
+        <source>The names of inputs and outputs that the configuration of the devices declares ({0} and so on) are in PLC_Configuration</source>
+        <translation>Les noms des entrées et sorties que déclare la configuration des appareils ({0}, etc.) sont dans PLC_Configuration</translation>
+    </message>
+</context>
+<context>
+    <name>FigureText</name>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>An XY plot draws one channel over another: add a second channel to the trace.</source>
+        <translation>Un tracé XY dessine une voie en fonction d’une autre&#xa0;: ajoutez une deuxième voie à la trace.</translation>
+    </message>
+    <message>
+        <source>XY plot</source>
+        <translation>Tracé XY</translation>
+    </message>
+    <message>
+        <source>There are no samples in view: run the program or show another stretch.</source>
+        <translation>Aucun échantillon dans la zone visible&#xa0;: exécutez le programme ou affichez une autre plage.</translation>
+    </message>
+    <message>
+        <source>%L1 points over %2</source>
+        <translation>%L1 points sur %2</translation>
+    </message>
+    <message>
+        <source>A spectrum shows the frequencies of the visible channels: add a channel.</source>
+        <translation>Un spectre affiche les fréquences des voies visibles&#xa0;: ajoutez une voie.</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spectre</translation>
+    </message>
+    <message>
+        <source>Frequency [Hz]</source>
+        <translation>Fréquence [Hz]</translation>
+    </message>
+    <message>
+        <source>amplitude</source>
+        <translation>amplitude</translation>
+    </message>
+    <message>
+        <source>%1: no peak, RMS %2</source>
+        <translation>%1&#xa0;: pas de pic, valeur efficace %2</translation>
+    </message>
+    <message>
+        <source>%1: %2, RMS %3</source>
+        <translation>%1&#xa0;: %2, valeur efficace %3</translation>
+    </message>
+    <message>
+        <source>A frequency response compares an output with an input: add both as channels, and choose the input.</source>
+        <translation>Une réponse en fréquence compare une sortie à une entrée&#xa0;: ajoutez les deux comme voies, et choisissez l’entrée.</translation>
+    </message>
+    <message>
+        <source>Frequency response</source>
+        <translation>Réponse en fréquence</translation>
+    </message>
+    <message>
+        <source>gain [dB]</source>
+        <translation>gain [dB]</translation>
+    </message>
+    <message>
+        <source>phase [°]</source>
+        <translation>phase [°]</translation>
+    </message>
+    <message>
+        <source>coherence</source>
+        <translation>cohérence</translation>
+    </message>
+    <message>
+        <source>%1: %L2 of %L3 frequencies with a coherence above 0.8</source>
+        <translation>%1&#xa0;: %L2 fréquences sur %L3 avec une cohérence supérieure à 0,8</translation>
+    </message>
+    <message>
+        <source>Runs are laid over each other at their triggers: enter a trigger in the properties of the trace.</source>
+        <translation>Les exécutions sont superposées à leur déclenchement&#xa0;: saisissez un déclencheur dans les propriétés de la trace.</translation>
+    </message>
+    <message>
+        <source>The trigger has not fired in this recording yet.</source>
+        <translation>Le déclencheur ne s’est pas encore déclenché dans cet enregistrement.</translation>
+    </message>
+    <message>
+        <source>Runs of the visible channels are laid over each other: add a channel.</source>
+        <translation>Les exécutions des voies visibles sont superposées&#xa0;: ajoutez une voie.</translation>
+    </message>
+    <message>
+        <source>Time since the trigger [s]</source>
+        <translation>Temps depuis le déclenchement [s]</translation>
+    </message>
+    <message>
+        <source>%1: runs differ most %2 after the trigger, by %3</source>
+        <translation>%1&#xa0;: écart maximal des exécutions %2 après le déclenchement, de %3</translation>
+    </message>
+    <message>
+        <source>Charts over Time Only</source>
+        <translation>Courbes temporelles seules</translation>
+    </message>
+    <message>
+        <source>XY Plot</source>
+        <translation>Tracé XY</translation>
+    </message>
+    <message>
+        <source>Frequency Response (Bode)</source>
+        <translation>Réponse en fréquence (Bode)</translation>
+    </message>
+    <message>
+        <source>Runs over Each Other</source>
+        <translation>Exécutions superposées</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n run(s)</source>
+        <translation>
+            <numerusform>%n exécution</numerusform>
+            <numerusform>%n exécutions</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5481,6 +6006,93 @@
     </message>
 </context>
 <context>
+    <name>Remote</name>
+    <message>
+        <source>The request is not understood; studio and controller may be of different versions</source>
+        <translation>La requête n’est pas comprise&#x202f;; le studio et l’automate sont peut-être de versions différentes</translation>
+    </message>
+    <message>
+        <source>There is no request {0}; studio and controller may be of different versions</source>
+        <translation>La requête {0} n’existe pas&#x202f;; le studio et l’automate sont peut-être de versions différentes</translation>
+    </message>
+    <message>
+        <source>Breakpoints stop a machine in the middle of a scan; `stepwise serve` allows them with --allow-breakpoints</source>
+        <translation>Les points d’arrêt arrêtent une machine au milieu d’un cycle&#x202f;; «&#xa0;stepwise serve&#xa0;» les autorise avec --allow-breakpoints</translation>
+    </message>
+    <message>
+        <source>{0} is forced; release it before writing</source>
+        <translation>{0} est forcé&#x202f;; levez le forçage avant d’écrire</translation>
+    </message>
+    <message>
+        <source>{0} is not forced</source>
+        <translation>{0} n’est pas forcé</translation>
+    </message>
+    <message>
+        <source>Another program is being built for this controller; try again when it is loaded</source>
+        <translation>Un autre programme est en cours de compilation pour cet automate&#x202f;; réessayez quand il sera chargé</translation>
+    </message>
+    <message>
+        <source>The program has {0} {0:error|errors}; the controller goes on with the old one</source>
+        <translation>Le programme a {0} {0:erreur|erreurs}&#x202f;; l’automate continue avec l’ancien</translation>
+    </message>
+    <message>
+        <source>The controller&apos;s program has no file {0}; load its program again</source>
+        <translation>Le programme de l’automate n’a pas de fichier {0}&#x202f;; rechargez son programme</translation>
+    </message>
+    <message>
+        <source>A recording is already being fetched; wait until it has arrived</source>
+        <translation>Un enregistrement est déjà en cours de récupération&#x202f;; attendez qu’il soit arrivé</translation>
+    </message>
+    <message>
+        <source>A controller that serves others cannot be put back in time; fetch its recording and go on from there</source>
+        <translation>Un automate qui en sert d’autres ne peut pas être ramené en arrière&#x202f;; récupérez son enregistrement et continuez à partir de là</translation>
+    </message>
+    <message>
+        <source>{0} is not the address of a controller; write for example https://plant:8443/</source>
+        <translation>{0} n’est pas l’adresse d’un automate&#x202f;; écrivez par exemple https://plant:8443/</translation>
+    </message>
+    <message>
+        <source>{0} cannot be reached: {1}</source>
+        <translation>{0} est injoignable&#xa0;: {1}</translation>
+    </message>
+    <message>
+        <source>{0} refuses the connection: {1}</source>
+        <translation>{0} refuse la connexion&#xa0;: {1}</translation>
+    </message>
+    <message>
+        <source>The code is wrong; it is in the file attach-code of the controller&apos;s state folder</source>
+        <translation>Le code est faux&#x202f;; il se trouve dans le fichier attach-code du dossier d’état de l’automate</translation>
+    </message>
+    <message>
+        <source>There were too many wrong codes from this computer; wait a minute</source>
+        <translation>Trop de codes faux depuis cet ordinateur&#x202f;; attendez une minute</translation>
+    </message>
+    <message>
+        <source>The code would cross the network unprotected; use an https address, and start the controller with --certificate</source>
+        <translation>Le code traverserait le réseau sans protection&#x202f;; utilisez une adresse https et démarrez l’automate avec --certificate</translation>
+    </message>
+    <message>
+        <source>The certificate of {0} is not trusted: {1}; name the file of the certificate that you trust</source>
+        <translation>Le certificat de {0} n’est pas approuvé&#xa0;: {1}&#x202f;; indiquez le fichier du certificat auquel vous faites confiance</translation>
+    </message>
+    <message>
+        <source>The certificate cannot be read from {0}; it must be a PEM file</source>
+        <translation>Le certificat ne peut pas être lu depuis {0}&#x202f;; ce doit être un fichier PEM</translation>
+    </message>
+    <message>
+        <source>The connection to {0} is lost; check the network and the controller</source>
+        <translation>La connexion à {0} est perdue&#x202f;; vérifiez le réseau et l’automate</translation>
+    </message>
+    <message>
+        <source>{0} does not answer; check the address and whether the controller runs</source>
+        <translation>{0} ne répond pas&#x202f;; vérifiez l’adresse et si l’automate fonctionne</translation>
+    </message>
+    <message>
+        <source>The controller&apos;s program cannot be built here as it is there; use the same version of Stepwise on both sides</source>
+        <translation>Le programme de l’automate ne peut pas être compilé ici comme là-bas&#x202f;; utilisez la même version de Stepwise des deux côtés</translation>
+    </message>
+</context>
+<context>
     <name>TraceText</name>
     <message>
         <source>Triggered at %1.</source>
@@ -5493,26 +6105,6 @@
 </context>
 <context>
     <name>Tuning</name>
-    <message>
-        <source>The table has no column of times; name one time_s (seconds) or time_ms</source>
-        <translation>Le tableau n’a pas de colonne de temps&#x202f;; nommez-en une time_s (secondes) ou time_ms</translation>
-    </message>
-    <message>
-        <source>The table has no column {0}; it has {1}</source>
-        <translation>Le tableau n’a pas de colonne {0}&#x202f;; il a {1}</translation>
-    </message>
-    <message>
-        <source>The table has no column {0}; did you mean {1}?</source>
-        <translation>Le tableau n’a pas de colonne {0}&#x202f;; vouliez-vous dire {1}&#x202f;?</translation>
-    </message>
-    <message>
-        <source>Line {0} has no number in column {1}; correct or remove the line</source>
-        <translation>La ligne {0} n’a pas de nombre dans la colonne {1}&#x202f;; corrigez ou supprimez la ligne</translation>
-    </message>
-    <message>
-        <source>The time in line {0} is before that of the line above; sort the lines by time</source>
-        <translation>Le temps de la ligne {0} est antérieur à celui de la ligne précédente&#x202f;; triez les lignes par temps</translation>
-    </message>
     <message>
         <source>{0} {0:sample is|samples are} too few for a model; record for longer</source>
         <translation>{0} {0:échantillon ne suffit|échantillons ne suffisent} pas pour un modèle&#x202f;; enregistrez plus longtemps</translation>
@@ -5775,6 +6367,171 @@
     </message>
 </context>
 <context>
+    <name>Waveform</name>
+    <message>
+        <source>The table has no column of times; name one time_s (seconds) or time_ms</source>
+        <translation>Le tableau n’a pas de colonne de temps&#x202f;; nommez-en une time_s (secondes) ou time_ms</translation>
+    </message>
+    <message>
+        <source>The table has no column {0}; it has {1}</source>
+        <translation>Le tableau n’a pas de colonne {0}&#x202f;; il a {1}</translation>
+    </message>
+    <message>
+        <source>The table has no column {0}; did you mean {1}?</source>
+        <translation>Le tableau n’a pas de colonne {0}&#x202f;; vouliez-vous dire {1}&#x202f;?</translation>
+    </message>
+    <message>
+        <source>Line {0} has no number in column {1}; correct or remove the line</source>
+        <translation>La ligne {0} n’a pas de nombre dans la colonne {1}&#x202f;; corrigez ou supprimez la ligne</translation>
+    </message>
+    <message>
+        <source>The time in line {0} is before that of the line above; sort the lines by time</source>
+        <translation>Le temps de la ligne {0} est antérieur à celui de la ligne précédente&#x202f;; triez les lignes par temps</translation>
+    </message>
+    <message>
+        <source>The table has no column of numbers besides the time; add one with a heading</source>
+        <translation>Le tableau n’a pas de colonne de nombres en dehors du temps&#x202f;; ajoutez-en une avec un en-tête</translation>
+    </message>
+    <message>
+        <source>The table has no rows under its headings; write one row per sample</source>
+        <translation>Le tableau n’a pas de lignes sous ses en-têtes&#x202f;; écrivez une ligne par échantillon</translation>
+    </message>
+    <message>
+        <source>The table cannot be shown as a recording: {0}</source>
+        <translation>Le tableau ne peut pas être affiché comme enregistrement&#xa0;: {0}</translation>
+    </message>
+    <message>
+        <source>the names of its columns cannot be variables; use letters, digits and underscores</source>
+        <translation>les noms de ses colonnes ne peuvent pas être des variables&#x202f;; utilisez des lettres, des chiffres et des traits de soulignement</translation>
+    </message>
+    <message>
+        <source>{0} {0:sample is|samples are} too few for a spectrum; show a longer stretch</source>
+        <translation>{0} {0:échantillon|échantillons}, c’est trop peu pour un spectre&#x202f;; affichez une plage plus longue</translation>
+    </message>
+    <message>
+        <source>{0} {0:sample is|samples are} too few for a frequency response; show a longer stretch</source>
+        <translation>{0} {0:échantillon|échantillons}, c’est trop peu pour une réponse en fréquence&#x202f;; affichez une plage plus longue</translation>
+    </message>
+    <message>
+        <source>The input does not move here; there is nothing to answer to</source>
+        <translation>L’entrée ne varie pas ici&#x202f;; il n’y a pas de réponse à calculer</translation>
+    </message>
+    <message>
+        <source>{0} needs a closing parenthesis at the end; it goes around the whole expression</source>
+        <translation>{0} demande une parenthèse fermante à la fin&#x202f;; elle entoure toute l’expression</translation>
+    </message>
+    <message>
+        <source>{0} needs a time above 0 as its second argument, for example {1}</source>
+        <translation>{0} demande un temps supérieur à 0 comme deuxième argument, par exemple {1}</translation>
+    </message>
+    <message>
+        <source>{0} takes one expression; remove the others</source>
+        <translation>{0} prend une seule expression&#x202f;; supprimez les autres</translation>
+    </message>
+    <message>
+        <source>The file is not a table; a recording of Stepwise ends with .rec</source>
+        <translation>Le fichier n’est pas un tableau&#x202f;; un enregistrement de Stepwise se termine par .rec</translation>
+    </message>
+    <message>
+        <source>Line {0} is not a sample of a variable: it needs a time and a value</source>
+        <translation>La ligne {0} n’est pas un échantillon d’une variable&#xa0;: il lui faut un temps et une valeur</translation>
+    </message>
+    <message>
+        <source>The trace cannot be read as XML: {0}; save it again</source>
+        <translation>La trace ne peut pas être lue comme XML&#xa0;: {0}&#x202f;; enregistrez-la de nouveau</translation>
+    </message>
+    <message>
+        <source>{0} has {1} {1:value|values} but {2} {2:time|times}; save the trace again</source>
+        <translation>{0} a {1} {1:valeur|valeurs} mais {2} {2:temps|temps}&#x202f;; enregistrez la trace de nouveau</translation>
+    </message>
+    <message>
+        <source>The times of {0} run backwards; save the trace again</source>
+        <translation>Les temps de {0} reculent&#x202f;; enregistrez la trace de nouveau</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::AttachDialog</name>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Code</translation>
+    </message>
+    <message>
+        <source>Attach to a Controller</source>
+        <translation>Se connecter à un automate</translation>
+    </message>
+    <message>
+        <source>from the file attach-code of the controller</source>
+        <translation>du fichier attach-code de l’automate</translation>
+    </message>
+    <message>
+        <source>only for certificates that this computer does not know</source>
+        <translation>seulement pour les certificats que cet ordinateur ne connaît pas</translation>
+    </message>
+    <message>
+        <source>…</source>
+        <translation>…</translation>
+    </message>
+    <message>
+        <source>Choose a certificate</source>
+        <translation>Choisir un certificat</translation>
+    </message>
+    <message>
+        <source>Trusted certificate</source>
+        <translation>Certificat de confiance</translation>
+    </message>
+    <message>
+        <source>Attach</source>
+        <translation>Se connecter</translation>
+    </message>
+    <message>
+        <source>Choose a Certificate</source>
+        <translation>Choisir un certificat</translation>
+    </message>
+    <message>
+        <source>Certificates (*.pem *.crt *.cer);;All files (*)</source>
+        <translation>Certificats (*.pem *.crt *.cer);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Attaching…</source>
+        <translation>Connexion…</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::Attachment</name>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>Detach</source>
+        <translation>Se déconnecter</translation>
+    </message>
+    <message>
+        <source>Attached to %1</source>
+        <translation>Connecté à %1</translation>
+    </message>
+    <message>
+        <source>Attached to %1; its program is not the one that is open here</source>
+        <translation>Connecté à %1&#x202f;; son programme n’est pas celui qui est ouvert ici</translation>
+    </message>
+    <message>
+        <source>%1 is lost – connecting again…</source>
+        <translation>Connexion à %1 perdue – reconnexion…</translation>
+    </message>
+    <message>
+        <source>Attaching to %1…</source>
+        <translation>Connexion à %1…</translation>
+    </message>
+    <message>
+        <source>The controller runs there; what is written and forced here acts there</source>
+        <translation>L’automate s’exécute là-bas&#x202f;; ce qui est écrit et forcé ici agit là-bas</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::ConversionDialog</name>
     <message>
         <source>%1 as ST</source>
@@ -5947,12 +6704,12 @@
         <translation>%1 requêtes, %2 erreurs, %3&#xa0;ms</translation>
     </message>
     <message>
-        <source>connected</source>
-        <translation>connecté</translation>
-    </message>
-    <message>
         <source>not connected</source>
         <translation>non connecté</translation>
+    </message>
+    <message>
+        <source>online: %1 of %2</source>
+        <translation>en ligne&#xa0;: %1 sur %2</translation>
     </message>
 </context>
 <context>
@@ -6089,6 +6846,10 @@
         <source>To:</source>
         <translation>Vers&#xa0;:</translation>
     </message>
+    <message>
+        <source>This file exists and will be replaced</source>
+        <translation>Ce fichier existe et sera remplacé</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::GuideView</name>
@@ -6198,6 +6959,18 @@ Non conservés&#xa0;: %3</translation>
     <message>
         <source>PLCopen XML, TwinCAT, CODESYS, ST</source>
         <translation>PLCopen XML, TwinCAT, CODESYS, ST</translation>
+    </message>
+    <message>
+        <source>Reading %1…</source>
+        <translation>Lecture de %1…</translation>
+    </message>
+    <message>
+        <source>Becomes a project of its own, with the libraries it uses</source>
+        <translation>Devient un projet à part, avec les bibliothèques qu’il utilise</translation>
+    </message>
+    <message>
+        <source>Writing the project…</source>
+        <translation>Écriture du projet…</translation>
     </message>
 </context>
 <context>
@@ -7245,6 +8018,33 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
 </context>
 <context>
+    <name>plc::app::Menu</name>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Édition</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Exécution</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Affichage</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Aide</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::MergeDialog</name>
     <message>
         <source>Compare %1</source>
@@ -7285,6 +8085,49 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <message>
         <source>Difference %1 of %2</source>
         <translation>Différence %1 sur %2</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::NativeProgramDialog</name>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>Build</source>
+        <translation>Créer</translation>
+    </message>
+    <message>
+        <source>Build a Native Program</source>
+        <translation>Créer un programme natif</translation>
+    </message>
+    <message>
+        <source>…</source>
+        <translation>…</translation>
+    </message>
+    <message>
+        <source>Choose the file</source>
+        <translation>Choisir le fichier</translation>
+    </message>
+    <message>
+        <source>Native Program</source>
+        <translation>Programme natif</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Machine</translation>
+    </message>
+    <message>
+        <source>The program runs without Stepwise on a machine with Linux: its PLC code and a small runner in one file.</source>
+        <translation>Le programme s’exécute sans Stepwise sur une machine Linux&#xa0;: son code d’automate (API) et un petit moteur d’exécution dans un seul fichier.</translation>
+    </message>
+    <message>
+        <source>Building…</source>
+        <translation>Création…</translation>
+    </message>
+    <message>
+        <source>%1 is built</source>
+        <translation>%1 est créé</translation>
     </message>
 </context>
 <context>
@@ -9457,10 +10300,6 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Consigne</translation>
     </message>
     <message>
-        <source>Start the controller; its recording is what is looked at.</source>
-        <translation>Démarrez l’automate&#x202f;; c’est son enregistrement qui est examiné.</translation>
-    </message>
-    <message>
         <source>The program has no controller block; call one, for example PID.</source>
         <translation>Le programme n’a pas de bloc régulateur&#x202f;; appelez-en un, par exemple PID.</translation>
     </message>
@@ -9588,10 +10427,6 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <translation>Échelon de charge</translation>
     </message>
     <message>
-        <source>The last step with these settings</source>
-        <translation>Le dernier échelon avec ces paramètres</translation>
-    </message>
-    <message>
         <source>Tuning</source>
         <translation>Réglage</translation>
     </message>
@@ -9674,6 +10509,14 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <message>
         <source>disturbance</source>
         <translation>perturbation</translation>
+    </message>
+    <message>
+        <source>gain [dB]</source>
+        <translation>gain [dB]</translation>
+    </message>
+    <message>
+        <source>phase [°]</source>
+        <translation>phase [°]</translation>
     </message>
 </context>
 <context>
@@ -10435,6 +11278,10 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
         <source>Without users, everybody may do everything.</source>
         <translation>Sans utilisateurs, chacun peut tout faire.</translation>
     </message>
+    <message>
+        <source>Rename Role</source>
+        <translation>Renommer le rôle</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::PropertySheet</name>
@@ -10543,18 +11390,6 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     <message>
         <source>Maximum</source>
         <translation>Maximum</translation>
-    </message>
-    <message>
-        <source>A double click renames the set</source>
-        <translation>Un double-clic renomme le jeu de valeurs</translation>
-    </message>
-    <message>
-        <source>Remove the Set %1</source>
-        <translation>Supprimer le jeu de valeurs %1</translation>
-    </message>
-    <message>
-        <source>Remove the Row %1</source>
-        <translation>Supprimer la ligne %1</translation>
     </message>
     <message>
         <source>A recipe needs a name.</source>
@@ -10797,19 +11632,6 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
 </context>
 <context>
-    <name>plc::kit::PlotView</name>
-    <message>
-        <source>Chart</source>
-        <translation>Graphique</translation>
-    </message>
-    <message>
-        <source>%1
-Click selects, Ctrl+click shows or hides.</source>
-        <translation>%1
-Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
-    </message>
-</context>
-<context>
     <name>plc::kit::PropertyGrid</name>
     <message>
         <source>Choose a variable</source>
@@ -10900,6 +11722,19 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
     <message>
         <source>Cancel: %1</source>
         <translation>Annuler&#xa0;: %1</translation>
+    </message>
+</context>
+<context>
+    <name>plc::plot::PlotView</name>
+    <message>
+        <source>Chart</source>
+        <translation>Graphique</translation>
+    </message>
+    <message>
+        <source>%1
+Click selects, Ctrl+click shows or hides.</source>
+        <translation>%1
+Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
     </message>
 </context>
 <context>
@@ -11138,6 +11973,77 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
     </message>
 </context>
 <context>
+    <name>plc::trace::FigurePane</name>
+    <message>
+        <source>Save as %1</source>
+        <translation>Enregistrer en %1</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Ajustement</translation>
+    </message>
+    <message>
+        <source>Copy as picture</source>
+        <translation>Copier comme image</translation>
+    </message>
+    <message>
+        <source>Save as %1…</source>
+        <translation>Enregistrer en %1…</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenêtre</translation>
+    </message>
+    <message>
+        <source>Hann window</source>
+        <translation>Fenêtre de Hann</translation>
+    </message>
+    <message>
+        <source>Flat top: exact amplitudes</source>
+        <translation>Flat top&#xa0;: amplitudes exactes</translation>
+    </message>
+    <message>
+        <source>No window</source>
+        <translation>Pas de fenêtre</translation>
+    </message>
+    <message>
+        <source>Logarithmic</source>
+        <translation>Logarithmique</translation>
+    </message>
+    <message>
+        <source>Charts over time only</source>
+        <translation>Courbes temporelles seules</translation>
+    </message>
+    <message>
+        <source>Horizontal value</source>
+        <translation>Valeur horizontale</translation>
+    </message>
+    <message>
+        <source>Window of the spectrum</source>
+        <translation>Fenêtre du spectre</translation>
+    </message>
+    <message>
+        <source>Logarithmic axes</source>
+        <translation>Axes logarithmiques</translation>
+    </message>
+    <message>
+        <source>Input:</source>
+        <translation>Entrée&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Horizontal:</source>
+        <translation>Horizontal&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Entrée</translation>
+    </message>
+    <message>
+        <source>Measure between Points</source>
+        <translation>Mesurer entre deux points</translation>
+    </message>
+</context>
+<context>
     <name>plc::trace::TimeBar</name>
     <message>
         <source>Time</source>
@@ -11348,10 +12254,6 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
         <translation>Enregistrement à tracer en dessous</translation>
     </message>
     <message>
-        <source>Recordings (*.rec);;All files (*)</source>
-        <translation>Enregistrements (*.rec);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
         <source>Trace configuration</source>
         <translation>Configuration de trace</translation>
     </message>
@@ -11511,10 +12413,6 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
         <translation>Glisser d’un point à un autre&#xa0;: temps, valeur, pente et fréquence entre les deux (M)</translation>
     </message>
     <message>
-        <source>Recordings and tables (*.rec *.csv *.tsv *.txt);;All files (*)</source>
-        <translation>Enregistrements et tableaux (*.rec *.csv *.tsv *.txt);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
         <source>XY plot, spectrum, frequency response, runs</source>
         <translation>Tracé XY, spectre, réponse en fréquence, exécutions</translation>
     </message>
@@ -11570,876 +12468,9 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
         <source>File to add a channel of</source>
         <translation>Fichier dont ajouter une voie</translation>
     </message>
-</context>
-<context>
-    <name>Examples</name>
     <message>
-        <source>Alarm texts in five languages</source>
-        <translation>Textes d’alarme en cinq langues</translation>
-    </message>
-    <message>
-        <source>Heated tank with analog blocks</source>
-        <translation>Cuve chauffée avec blocs analogiques</translation>
-    </message>
-    <message>
-        <source>Bottling line</source>
-        <translation>Ligne d’embouteillage</translation>
-    </message>
-    <message>
-        <source>Car park with a robot</source>
-        <translation>Parking robotisé</translation>
-    </message>
-    <message>
-        <source>Car wash with recipes</source>
-        <translation>Station de lavage avec recettes</translation>
-    </message>
-    <message>
-        <source>Room heated by supply air</source>
-        <translation>Local chauffé par air soufflé</translation>
-    </message>
-    <message>
-        <source>Motor valve with command monitor</source>
-        <translation>Vanne motorisée et sa surveillance</translation>
-    </message>
-    <message>
-        <source>Conveyor with a sequence</source>
-        <translation>Convoyeur avec séquence</translation>
-    </message>
-    <message>
-        <source>Depalletiser</source>
-        <translation>Dépalettiseur</translation>
-    </message>
-    <message>
-        <source>District-heating substation</source>
-        <translation>Sous-station de chauffage urbain</translation>
-    </message>
-    <message>
-        <source>Dosing</source>
-        <translation>Dosage</translation>
-    </message>
-    <message>
-        <source>Filter</source>
-        <translation>Filtre</translation>
-    </message>
-    <message>
-        <source>Gravel plant</source>
-        <translation>Installation de gravier</translation>
-    </message>
-    <message>
-        <source>Heater and valve</source>
-        <translation>Chauffage et vanne</translation>
-    </message>
-    <message>
-        <source>Hour meter with reset and enable</source>
-        <translation>Compteur horaire</translation>
-    </message>
-    <message>
-        <source>Items per hour</source>
-        <translation>Pièces par heure</translation>
-    </message>
-    <message>
-        <source>Items and meters</source>
-        <translation>Pièces et compteurs</translation>
-    </message>
-    <message>
-        <source>Level lamps</source>
-        <translation>Voyants de niveau</translation>
-    </message>
-    <message>
-        <source>Light tower</source>
-        <translation>Colonne lumineuse</translation>
-    </message>
-    <message>
-        <source>Tuning a control loop</source>
-        <translation>Réglage d’une boucle de régulation</translation>
-    </message>
-    <message>
-        <source>Mixer for two liquids and two bricks</source>
-        <translation>Mélangeur, liquides et briques</translation>
-    </message>
-    <message>
-        <source>Motor with self-holding</source>
-        <translation>Moteur avec auto-maintien</translation>
-    </message>
-    <message>
-        <source>Operation mode of an agitator</source>
-        <translation>Mode de marche d’un agitateur</translation>
-    </message>
-    <message>
-        <source>PID loop on a first-order process</source>
-        <translation>Boucle PID, procédé du premier ordre</translation>
-    </message>
-    <message>
-        <source>Two pumps in a well</source>
-        <translation>Deux pompes dans un puits</translation>
-    </message>
-    <message>
-        <source>Pulse width modulation of a sine</source>
-        <translation>Modulation de largeur d’impulsion</translation>
-    </message>
-    <message>
-        <source>Rack with a robot</source>
-        <translation>Rayonnage avec robot</translation>
-    </message>
-    <message>
-        <source>Robot and CNC machine</source>
-        <translation>Robot et machine CNC</translation>
-    </message>
-    <message>
-        <source>Robot that packs boxes</source>
-        <translation>Robot qui remplit des cartons</translation>
-    </message>
-    <message>
-        <source>Two level sensors that watch each other</source>
-        <translation>Deux capteurs de niveau comparés</translation>
-    </message>
-    <message>
-        <source>Pumping station with six pumps</source>
-        <translation>Station de pompage à six pompes</translation>
-    </message>
-    <message>
-        <source>Motor with selector</source>
-        <translation>Moteur avec sélecteur</translation>
-    </message>
-    <message>
-        <source>Stack of integers</source>
-        <translation>Pile d’entiers</translation>
-    </message>
-    <message>
-        <source>Tank that is filled, heated and emptied</source>
-        <translation>Cuve remplie, chauffée et vidée</translation>
-    </message>
-    <message>
-        <source>Tank, operated by hand</source>
-        <translation>Cuve en mode manuel</translation>
-    </message>
-    <message>
-        <source>Level and volume</source>
-        <translation>Niveau et volume</translation>
-    </message>
-    <message>
-        <source>Traffic light</source>
-        <translation>Feu tricolore</translation>
-    </message>
-    <message>
-        <source>Valve matrix</source>
-        <translation>Matrice de vannes</translation>
-    </message>
-    <message>
-        <source>Three kinds of valves</source>
-        <translation>Trois types de vannes</translation>
-    </message>
-    <message>
-        <source>Pump in waves</source>
-        <translation>Pompe dans les vagues</translation>
-    </message>
-    <message>
-        <source>Truck scale</source>
-        <translation>Pont-bascule</translation>
-    </message>
-    <message>
-        <source>Workbook</source>
-        <translation>Cahier d’exercices</translation>
-    </message>
-    <message>
-        <source>Tank over Modbus</source>
-        <translation>Cuve via Modbus</translation>
-    </message>
-    <message>
-        <source>A vehicle between two limit switches, driven by two linked sequential function charts</source>
-        <translation>Un véhicule entre deux fins de course, commandé par deux grafcets liés</translation>
-    </message>
-    <message>
-        <source>A motor with three alarms that operators read in five languages</source>
-        <translation>Un moteur avec trois alarmes que l’opérateur lit en cinq langues</translation>
-    </message>
-    <message>
-        <source>One control loop with a block for each task: filter, monitor, ramp, PID, transfer</source>
-        <translation>Une boucle avec un bloc par tâche&#xa0;: filtre, surveillance, rampe, PID, commutation</translation>
-    </message>
-    <message>
-        <source>Filler, capper and labeller with buffers between them, controlled as PackML units</source>
-        <translation>Remplisseuse, boucheuse et étiqueteuse avec tampons, pilotées selon PackML</translation>
-    </message>
-    <message>
-        <source>A robot parks cars by their number plates and fetches them again</source>
-        <translation>Un robot gare les voitures d’après leur plaque et va les rechercher</translation>
-    </message>
-    <message>
-        <source>Five wash programmes, each with a price and a recipe that the owner can edit</source>
-        <translation>Cinq programmes de lavage, chacun avec un prix et une recette modifiables</translation>
-    </message>
-    <message>
-        <source>Cascade control: a slow loop for the room, a fast one for the supply air</source>
-        <translation>Régulation en cascade&#xa0;: une boucle lente pour la pièce, une rapide pour l’air soufflé</translation>
-    </message>
-    <message>
-        <source>A motor valve whose travel is monitored; if it takes too long, an alarm sounds</source>
-        <translation>Une vanne motorisée à course surveillée&#x202f;; si elle tarde trop, une alarme retentit</translation>
-    </message>
-    <message>
-        <source>A belt carries an item to the right, waits ten seconds and carries it back</source>
-        <translation>Un convoyeur amène une pièce à droite, attend dix secondes et la ramène</translation>
-    </message>
-    <message>
-        <source>Four belts take boxes off pallets; the settings of one can be copied to another</source>
-        <translation>Quatre convoyeurs dépilent des cartons&#x202f;; leurs réglages peuvent être copiés</translation>
-    </message>
-    <message>
-        <source>Heating and hot water from a district-heating network, with frost protection and summer mode</source>
-        <translation>Chauffage et eau chaude par réseau de chaleur, avec hors-gel et mode été</translation>
-    </message>
-    <message>
-        <source>A valve doses in pulses and pauses until the batch is complete</source>
-        <translation>Une vanne dose par impulsions et pauses jusqu’à ce que le lot soit complet</translation>
-    </message>
-    <message>
-        <source>The pressure drop shows how dirty a filter is; an alarm reports when it is out of range</source>
-        <translation>La perte de charge indique l’encrassement d’un filtre&#x202f;; hors plage, une alarme</translation>
-    </message>
-    <message>
-        <source>Silo, bin, conveyor and truck, controlled by three sequential function charts side by side</source>
-        <translation>Silo, trémie, convoyeur et camion, commandés par trois grafcets en parallèle</translation>
-    </message>
-    <message>
-        <source>Two on-off controls: a heater with a set point, and a valve that opens on a pump alarm</source>
-        <translation>Deux commandes tout ou rien&#xa0;: un chauffage avec consigne et une vanne liée à une alarme</translation>
-    </message>
-    <message>
-        <source>An hour meter that is loaded, enabled and held, which draws a saw-tooth</source>
-        <translation>Un compteur horaire chargé, validé et arrêté, ce qui dessine une dent de scie</translation>
-    </message>
-    <message>
-        <source>A press makes items; a table counts how many in each hour of the day</source>
-        <translation>Une presse fabrique des pièces&#x202f;; un tableau les compte heure par heure</translation>
-    </message>
-    <message>
-        <source>Counts items, energy and water; the counts survive a power failure</source>
-        <translation>Compte les pièces, l’énergie et l’eau&#x202f;; tout survit à une coupure de courant</translation>
-    </message>
-    <message>
-        <source>A level sensor of 4 to 20 mA, three lamps and the detection of a wire break</source>
-        <translation>Un capteur de niveau de 4 à 20 mA, trois voyants et la détection de rupture de fil</translation>
-    </message>
-    <message>
-        <source>Three signals of a machine on three lamps that flash or stay on</source>
-        <translation>Trois signaux d’une machine sur trois voyants, fixes ou clignotants</translation>
-    </message>
-    <message>
-        <source>A heat exchanger that oscillates; an experiment and its recording give better settings</source>
-        <translation>Un échangeur oscille&#x202f;; un essai et son enregistrement donnent de meilleurs réglages</translation>
-    </message>
-    <message>
-        <source>Liquids are weighed while a belt brings two bricks; then the mixer turns and tips</source>
-        <translation>Les liquides sont pesés, un convoyeur amène deux briques, puis le mélangeur tourne et bascule</translation>
-    </message>
-    <message>
-        <source>Start, stop and a contactor that holds itself, written in four ways that agree</source>
-        <translation>Marche, arrêt et un contacteur à auto-maintien, écrits de quatre façons équivalentes</translation>
-    </message>
-    <message>
-        <source>The local control box or the panel: one block decides which of them is in control</source>
-        <translation>Commande locale ou pupitre&#xa0;: un bloc décide lequel a la main</translation>
-    </message>
-    <message>
-        <source>The same process with and without a PID controller, side by side in one trace</source>
-        <translation>Le même procédé avec et sans régulateur PID, côte à côte sur une trace</translation>
-    </message>
-    <message>
-        <source>One filter, two sines: the slow one passes, the fast one is damped and lags behind</source>
-        <translation>Un filtre, deux sinus&#xa0;: le lent passe, le rapide est atténué et déphasé</translation>
-    </message>
-    <message>
-        <source>A pump tries out its speeds and keeps the one with the least energy per cubic metre</source>
-        <translation>Une pompe essaie ses vitesses et garde la plus économe par mètre cube</translation>
-    </message>
-    <message>
-        <source>Two pumps take turns; a float counts only after two steady seconds</source>
-        <translation>Deux pompes alternent&#x202f;; un flotteur ne compte qu’après deux secondes stables</translation>
-    </message>
-    <message>
-        <source>A sine becomes pulses for two outputs, as for a motor in two directions</source>
-        <translation>Un sinus devient des impulsions sur deux sorties, comme pour un moteur à deux sens</translation>
-    </message>
-    <message>
-        <source>A robot counts encoder pulses to store and fetch loads on twelve shelves</source>
-        <translation>Un robot compte les impulsions des codeurs pour ranger des charges dans douze cases</translation>
-    </message>
-    <message>
-        <source>A robot takes 25 items one by one to a CNC machine and back</source>
-        <translation>Un robot porte 25 pièces une à une à une machine CNC et les rapporte</translation>
-    </message>
-    <message>
-        <source>A robot puts three items into each box; a camera checks the result</source>
-        <translation>Un robot met trois pièces dans chaque carton&#x202f;; une caméra contrôle le résultat</translation>
-    </message>
-    <message>
-        <source>Two sensors are compared; a faulty one is replaced by the healthy one without a bump</source>
-        <translation>Deux capteurs comparés&#x202f;; l’un remplace sans à-coup l’autre s’il est en défaut</translation>
-    </message>
-    <message>
-        <source>Starts and stops six pumps by level and running hours, as a town&apos;s day flows in</source>
-        <translation>Six pompes mises en marche selon le niveau et les heures, au rythme d’une ville</translation>
-    </message>
-    <message>
-        <source>A rotary switch selects the speed of a motor, a number what a module does</source>
-        <translation>Un commutateur choisit la vitesse d’un moteur, un nombre la fonction d’un module</translation>
-    </message>
-    <message>
-        <source>Last in, first out: push, pop and reset, in ST and as an instruction list</source>
-        <translation>Dernier entré, premier sorti&#xa0;: push, pop et reset, en ST et en liste d’instructions</translation>
-    </message>
-    <message>
-        <source>The same sequence twice: with CASE and as a chart of steps; either can be in control</source>
-        <translation>La même séquence deux fois&#xa0;: avec CASE et en grafcet&#x202f;; chacune peut commander</translation>
-    </message>
-    <message>
-        <source>Fill, empty and stir with three switches; two level switches prevent mistakes</source>
-        <translation>Remplir, vider et agiter avec trois interrupteurs&#x202f;; deux détecteurs évitent les erreurs</translation>
-    </message>
-    <message>
-        <source>A current of 4 to 20 mA becomes a level, and the level becomes a volume</source>
-        <translation>Un courant de 4 à 20 mA devient un niveau, et le niveau un volume</translation>
-    </message>
-    <message>
-        <source>Red, yellow and green from one counter of seconds, written in three ways</source>
-        <translation>Rouge, orange et vert à partir d’un compteur de secondes, de trois façons</translation>
-    </message>
-    <message>
-        <source>Five tanks, three pipelines, fifteen valves; two tanks never feed the same pipeline</source>
-        <translation>Cinq cuves, trois conduites, quinze vannes&#x202f;; jamais deux cuves sur une conduite</translation>
-    </message>
-    <message>
-        <source>A motor valve, a spring-return valve and a control valve, each with its block</source>
-        <translation>Une vanne motorisée, une à rappel par ressort et une de régulation, chacune avec son bloc</translation>
-    </message>
-    <message>
-        <source>A float in waves: the pump starts and stops only after five steady seconds</source>
-        <translation>Un flotteur dans les vagues&#xa0;: la pompe ne commute qu’après cinq secondes stables</translation>
-    </message>
-    <message>
-        <source>Four BCD digits become the net weight once the scale has come to rest</source>
-        <translation>Quatre chiffres BCD donnent le poids net dès que la balance est stable</translation>
-    </message>
-    <message>
-        <source>Samples of the language on four pages, each a program of its own with a test</source>
-        <translation>Exemples du langage sur quatre pages, chacun un programme avec son test</translation>
-    </message>
-    <message>
-        <source>Automated guided vehicle</source>
-        <translation>Véhicule à guidage automatique</translation>
-    </message>
-    <message>
-        <source>First-order filter and two sines</source>
-        <translation>Filtre du premier ordre et deux sinus</translation>
-    </message>
-    <message>
-        <source>Pump at its most efficient speed</source>
-        <translation>Pompe à sa vitesse la plus économe</translation>
-    </message>
-    <message>
-        <source>A controller and a tank, connected on this computer by real Modbus TCP</source>
-        <translation>Un automate et une cuve, reliés sur cet ordinateur par une vraie ligne Modbus TCP</translation>
-    </message>
-</context>
-<context>
-    <name>FigureText</name>
-    <message>
-        <source>%1 at %2</source>
-        <translation>%1 à %2</translation>
-    </message>
-    <message>
-        <source>An XY plot draws one channel over another: add a second channel to the trace.</source>
-        <translation>Un tracé XY dessine une voie en fonction d’une autre&#xa0;: ajoutez une deuxième voie à la trace.</translation>
-    </message>
-    <message>
-        <source>XY plot</source>
-        <translation>Tracé XY</translation>
-    </message>
-    <message>
-        <source>There are no samples in view: run the program or show another stretch.</source>
-        <translation>Aucun échantillon dans la zone visible&#xa0;: exécutez le programme ou affichez une autre plage.</translation>
-    </message>
-    <message>
-        <source>%L1 points over %2</source>
-        <translation>%L1 points sur %2</translation>
-    </message>
-    <message>
-        <source>A spectrum shows the frequencies of the visible channels: add a channel.</source>
-        <translation>Un spectre affiche les fréquences des voies visibles&#xa0;: ajoutez une voie.</translation>
-    </message>
-    <message>
-        <source>Spectrum</source>
-        <translation>Spectre</translation>
-    </message>
-    <message>
-        <source>Frequency [Hz]</source>
-        <translation>Fréquence [Hz]</translation>
-    </message>
-    <message>
-        <source>amplitude</source>
-        <translation>amplitude</translation>
-    </message>
-    <message>
-        <source>%1: no peak, RMS %2</source>
-        <translation>%1&#xa0;: pas de pic, valeur efficace %2</translation>
-    </message>
-    <message>
-        <source>%1: %2, RMS %3</source>
-        <translation>%1&#xa0;: %2, valeur efficace %3</translation>
-    </message>
-    <message>
-        <source>A frequency response compares an output with an input: add both as channels, and choose the input.</source>
-        <translation>Une réponse en fréquence compare une sortie à une entrée&#xa0;: ajoutez les deux comme voies, et choisissez l’entrée.</translation>
-    </message>
-    <message>
-        <source>Frequency response</source>
-        <translation>Réponse en fréquence</translation>
-    </message>
-    <message>
-        <source>gain [dB]</source>
-        <translation>gain [dB]</translation>
-    </message>
-    <message>
-        <source>phase [°]</source>
-        <translation>phase [°]</translation>
-    </message>
-    <message>
-        <source>coherence</source>
-        <translation>cohérence</translation>
-    </message>
-    <message>
-        <source>%1: %L2 of %L3 frequencies with a coherence above 0.8</source>
-        <translation>%1&#xa0;: %L2 fréquences sur %L3 avec une cohérence supérieure à 0,8</translation>
-    </message>
-    <message>
-        <source>Runs are laid over each other at their triggers: enter a trigger in the properties of the trace.</source>
-        <translation>Les exécutions sont superposées à leur déclenchement&#xa0;: saisissez un déclencheur dans les propriétés de la trace.</translation>
-    </message>
-    <message>
-        <source>The trigger has not fired in this recording yet.</source>
-        <translation>Le déclencheur ne s’est pas encore déclenché dans cet enregistrement.</translation>
-    </message>
-    <message>
-        <source>Runs of the visible channels are laid over each other: add a channel.</source>
-        <translation>Les exécutions des voies visibles sont superposées&#xa0;: ajoutez une voie.</translation>
-    </message>
-    <message>
-        <source>Time since the trigger [s]</source>
-        <translation>Temps depuis le déclenchement [s]</translation>
-    </message>
-    <message>
-        <source>%1: runs differ most %2 after the trigger, by %3</source>
-        <translation>%1&#xa0;: écart maximal des exécutions %2 après le déclenchement, de %3</translation>
-    </message>
-    <message>
-        <source>Charts over Time Only</source>
-        <translation>Courbes temporelles seules</translation>
-    </message>
-    <message>
-        <source>XY Plot</source>
-        <translation>Tracé XY</translation>
-    </message>
-    <message>
-        <source>Frequency Response (Bode)</source>
-        <translation>Réponse en fréquence (Bode)</translation>
-    </message>
-    <message>
-        <source>Runs over Each Other</source>
-        <translation>Exécutions superposées</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n run(s)</source>
-        <translation>
-            <numerusform>%n exécution</numerusform>
-            <numerusform>%n exécutions</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>Waveform</name>
-    <message>
-        <source>The table has no column of times; name one time_s (seconds) or time_ms</source>
-        <translation>Le tableau n’a pas de colonne de temps&#x202f;; nommez-en une time_s (secondes) ou time_ms</translation>
-    </message>
-    <message>
-        <source>The table has no column {0}; it has {1}</source>
-        <translation>Le tableau n’a pas de colonne {0}&#x202f;; il a {1}</translation>
-    </message>
-    <message>
-        <source>The table has no column {0}; did you mean {1}?</source>
-        <translation>Le tableau n’a pas de colonne {0}&#x202f;; vouliez-vous dire {1}&#x202f;?</translation>
-    </message>
-    <message>
-        <source>Line {0} has no number in column {1}; correct or remove the line</source>
-        <translation>La ligne {0} n’a pas de nombre dans la colonne {1}&#x202f;; corrigez ou supprimez la ligne</translation>
-    </message>
-    <message>
-        <source>The time in line {0} is before that of the line above; sort the lines by time</source>
-        <translation>Le temps de la ligne {0} est antérieur à celui de la ligne précédente&#x202f;; triez les lignes par temps</translation>
-    </message>
-    <message>
-        <source>The table has no column of numbers besides the time; add one with a heading</source>
-        <translation>Le tableau n’a pas de colonne de nombres en dehors du temps&#x202f;; ajoutez-en une avec un en-tête</translation>
-    </message>
-    <message>
-        <source>The table has no rows under its headings; write one row per sample</source>
-        <translation>Le tableau n’a pas de lignes sous ses en-têtes&#x202f;; écrivez une ligne par échantillon</translation>
-    </message>
-    <message>
-        <source>The table cannot be shown as a recording: {0}</source>
-        <translation>Le tableau ne peut pas être affiché comme enregistrement&#xa0;: {0}</translation>
-    </message>
-    <message>
-        <source>the names of its columns cannot be variables; use letters, digits and underscores</source>
-        <translation>les noms de ses colonnes ne peuvent pas être des variables&#x202f;; utilisez des lettres, des chiffres et des traits de soulignement</translation>
-    </message>
-    <message>
-        <source>{0} {0:sample is|samples are} too few for a spectrum; show a longer stretch</source>
-        <translation>{0} {0:échantillon|échantillons}, c’est trop peu pour un spectre&#x202f;; affichez une plage plus longue</translation>
-    </message>
-    <message>
-        <source>{0} {0:sample is|samples are} too few for a frequency response; show a longer stretch</source>
-        <translation>{0} {0:échantillon|échantillons}, c’est trop peu pour une réponse en fréquence&#x202f;; affichez une plage plus longue</translation>
-    </message>
-    <message>
-        <source>The input does not move here; there is nothing to answer to</source>
-        <translation>L’entrée ne varie pas ici&#x202f;; il n’y a pas de réponse à calculer</translation>
-    </message>
-    <message>
-        <source>{0} needs a closing parenthesis at the end; it goes around the whole expression</source>
-        <translation>{0} demande une parenthèse fermante à la fin&#x202f;; elle entoure toute l’expression</translation>
-    </message>
-    <message>
-        <source>{0} needs a time above 0 as its second argument, for example {1}</source>
-        <translation>{0} demande un temps supérieur à 0 comme deuxième argument, par exemple {1}</translation>
-    </message>
-    <message>
-        <source>{0} takes one expression; remove the others</source>
-        <translation>{0} prend une seule expression&#x202f;; supprimez les autres</translation>
-    </message>
-</context>
-<context>
-    <name>plc::plot::PlotView</name>
-    <message>
-        <source>Chart</source>
-        <translation>Graphique</translation>
-    </message>
-    <message>
-        <source>%1
-Click selects, Ctrl+click shows or hides.</source>
-        <translation>%1
-Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
-    </message>
-</context>
-<context>
-    <name>plc::trace::FigurePane</name>
-    <message>
-        <source>Save as %1</source>
-        <translation>Enregistrer en %1</translation>
-    </message>
-    <message>
-        <source>Fit</source>
-        <translation>Ajustement</translation>
-    </message>
-    <message>
-        <source>Copy as picture</source>
-        <translation>Copier comme image</translation>
-    </message>
-    <message>
-        <source>Save as %1…</source>
-        <translation>Enregistrer en %1…</translation>
-    </message>
-    <message>
-        <source>Window</source>
-        <translation>Fenêtre</translation>
-    </message>
-    <message>
-        <source>Hann window</source>
-        <translation>Fenêtre de Hann</translation>
-    </message>
-    <message>
-        <source>Flat top: exact amplitudes</source>
-        <translation>Flat top&#xa0;: amplitudes exactes</translation>
-    </message>
-    <message>
-        <source>No window</source>
-        <translation>Pas de fenêtre</translation>
-    </message>
-    <message>
-        <source>Logarithmic</source>
-        <translation>Logarithmique</translation>
-    </message>
-    <message>
-        <source>Charts over time only</source>
-        <translation>Courbes temporelles seules</translation>
-    </message>
-    <message>
-        <source>Horizontal value</source>
-        <translation>Valeur horizontale</translation>
-    </message>
-    <message>
-        <source>Window of the spectrum</source>
-        <translation>Fenêtre du spectre</translation>
-    </message>
-    <message>
-        <source>Logarithmic axes</source>
-        <translation>Axes logarithmiques</translation>
-    </message>
-    <message>
-        <source>Input:</source>
-        <translation>Entrée&#xa0;:</translation>
-    </message>
-    <message>
-        <source>Horizontal:</source>
-        <translation>Horizontal&#xa0;:</translation>
-    </message>
-    <message>
-        <source>Input</source>
-        <translation>Entrée</translation>
-    </message>
-    <message>
-        <source>Measure between Points</source>
-        <translation>Mesurer entre deux points</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::AttachDialog</name>
-    <message>
-        <source>Address</source>
-        <translation>Adresse</translation>
-    </message>
-    <message>
-        <source>Code</source>
-        <translation>Code</translation>
-    </message>
-    <message>
-        <source>Attach to a Controller</source>
-        <translation>Se connecter à un automate</translation>
-    </message>
-    <message>
-        <source>from the file attach-code of the controller</source>
-        <translation>du fichier attach-code de l’automate</translation>
-    </message>
-    <message>
-        <source>only for certificates that this computer does not know</source>
-        <translation>seulement pour les certificats que cet ordinateur ne connaît pas</translation>
-    </message>
-    <message>
-        <source>…</source>
-        <translation>…</translation>
-    </message>
-    <message>
-        <source>Choose a certificate</source>
-        <translation>Choisir un certificat</translation>
-    </message>
-    <message>
-        <source>Trusted certificate</source>
-        <translation>Certificat de confiance</translation>
-    </message>
-    <message>
-        <source>Attach</source>
-        <translation>Se connecter</translation>
-    </message>
-    <message>
-        <source>Choose a Certificate</source>
-        <translation>Choisir un certificat</translation>
-    </message>
-    <message>
-        <source>Certificates (*.pem *.crt *.cer);;All files (*)</source>
-        <translation>Certificats (*.pem *.crt *.cer);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
-        <source>Attaching…</source>
-        <translation>Connexion…</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::Attachment</name>
-    <message>
-        <source>%1 at %2</source>
-        <translation>%1 à %2</translation>
-    </message>
-    <message>
-        <source>Detach</source>
-        <translation>Se déconnecter</translation>
-    </message>
-    <message>
-        <source>Attached to %1</source>
-        <translation>Connecté à %1</translation>
-    </message>
-    <message>
-        <source>Attached to %1; its program is not the one that is open here</source>
-        <translation>Connecté à %1&#x202f;; son programme n’est pas celui qui est ouvert ici</translation>
-    </message>
-    <message>
-        <source>%1 is lost – connecting again…</source>
-        <translation>Connexion à %1 perdue – reconnexion…</translation>
-    </message>
-    <message>
-        <source>Attaching to %1…</source>
-        <translation>Connexion à %1…</translation>
-    </message>
-    <message>
-        <source>The controller runs there; what is written and forced here acts there</source>
-        <translation>L’automate s’exécute là-bas&#x202f;; ce qui est écrit et forcé ici agit là-bas</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::NativeProgramDialog</name>
-    <message>
-        <source>File</source>
-        <translation>Fichier</translation>
-    </message>
-    <message>
-        <source>Build</source>
-        <translation>Créer</translation>
-    </message>
-    <message>
-        <source>Build a Native Program</source>
-        <translation>Créer un programme natif</translation>
-    </message>
-    <message>
-        <source>…</source>
-        <translation>…</translation>
-    </message>
-    <message>
-        <source>Choose the file</source>
-        <translation>Choisir le fichier</translation>
-    </message>
-    <message>
-        <source>Native Program</source>
-        <translation>Programme natif</translation>
-    </message>
-    <message>
-        <source>Machine</source>
-        <translation>Machine</translation>
-    </message>
-    <message>
-        <source>The program runs without Stepwise on a machine with Linux: its PLC code and a small runner in one file.</source>
-        <translation>Le programme s’exécute sans Stepwise sur une machine Linux&#xa0;: son code d’automate (API) et un petit moteur d’exécution dans un seul fichier.</translation>
-    </message>
-    <message>
-        <source>Building…</source>
-        <translation>Création…</translation>
-    </message>
-    <message>
-        <source>%1 is built</source>
-        <translation>%1 est créé</translation>
-    </message>
-</context>
-<context>
-    <name>Remote</name>
-    <message>
-        <source>The request is not understood; studio and controller may be of different versions</source>
-        <translation>La requête n’est pas comprise&#x202f;; le studio et l’automate sont peut-être de versions différentes</translation>
-    </message>
-    <message>
-        <source>There is no request {0}; studio and controller may be of different versions</source>
-        <translation>La requête {0} n’existe pas&#x202f;; le studio et l’automate sont peut-être de versions différentes</translation>
-    </message>
-    <message>
-        <source>Breakpoints stop a machine in the middle of a scan; `stepwise serve` allows them with --allow-breakpoints</source>
-        <translation>Les points d’arrêt arrêtent une machine au milieu d’un cycle&#x202f;; «&#xa0;stepwise serve&#xa0;» les autorise avec --allow-breakpoints</translation>
-    </message>
-    <message>
-        <source>{0} is forced; release it before writing</source>
-        <translation>{0} est forcé&#x202f;; levez le forçage avant d’écrire</translation>
-    </message>
-    <message>
-        <source>{0} is not forced</source>
-        <translation>{0} n’est pas forcé</translation>
-    </message>
-    <message>
-        <source>Another program is being built for this controller; try again when it is loaded</source>
-        <translation>Un autre programme est en cours de compilation pour cet automate&#x202f;; réessayez quand il sera chargé</translation>
-    </message>
-    <message>
-        <source>The program has {0} {0:error|errors}; the controller goes on with the old one</source>
-        <translation>Le programme a {0} {0:erreur|erreurs}&#x202f;; l’automate continue avec l’ancien</translation>
-    </message>
-    <message>
-        <source>The controller&apos;s program has no file {0}; load its program again</source>
-        <translation>Le programme de l’automate n’a pas de fichier {0}&#x202f;; rechargez son programme</translation>
-    </message>
-    <message>
-        <source>A recording is already being fetched; wait until it has arrived</source>
-        <translation>Un enregistrement est déjà en cours de récupération&#x202f;; attendez qu’il soit arrivé</translation>
-    </message>
-    <message>
-        <source>A controller that serves others cannot be put back in time; fetch its recording and go on from there</source>
-        <translation>Un automate qui en sert d’autres ne peut pas être ramené en arrière&#x202f;; récupérez son enregistrement et continuez à partir de là</translation>
-    </message>
-    <message>
-        <source>{0} is not the address of a controller; write for example https://plant:8443/</source>
-        <translation>{0} n’est pas l’adresse d’un automate&#x202f;; écrivez par exemple https://plant:8443/</translation>
-    </message>
-    <message>
-        <source>{0} cannot be reached: {1}</source>
-        <translation>{0} est injoignable&#xa0;: {1}</translation>
-    </message>
-    <message>
-        <source>{0} refuses the connection: {1}</source>
-        <translation>{0} refuse la connexion&#xa0;: {1}</translation>
-    </message>
-    <message>
-        <source>The code is wrong; it is in the file attach-code of the controller&apos;s state folder</source>
-        <translation>Le code est faux&#x202f;; il se trouve dans le fichier attach-code du dossier d’état de l’automate</translation>
-    </message>
-    <message>
-        <source>There were too many wrong codes from this computer; wait a minute</source>
-        <translation>Trop de codes faux depuis cet ordinateur&#x202f;; attendez une minute</translation>
-    </message>
-    <message>
-        <source>The code would cross the network unprotected; use an https address, and start the controller with --certificate</source>
-        <translation>Le code traverserait le réseau sans protection&#x202f;; utilisez une adresse https et démarrez l’automate avec --certificate</translation>
-    </message>
-    <message>
-        <source>The certificate of {0} is not trusted: {1}; name the file of the certificate that you trust</source>
-        <translation>Le certificat de {0} n’est pas approuvé&#xa0;: {1}&#x202f;; indiquez le fichier du certificat auquel vous faites confiance</translation>
-    </message>
-    <message>
-        <source>The certificate cannot be read from {0}; it must be a PEM file</source>
-        <translation>Le certificat ne peut pas être lu depuis {0}&#x202f;; ce doit être un fichier PEM</translation>
-    </message>
-    <message>
-        <source>The connection to {0} is lost; check the network and the controller</source>
-        <translation>La connexion à {0} est perdue&#x202f;; vérifiez le réseau et l’automate</translation>
-    </message>
-    <message>
-        <source>{0} does not answer; check the address and whether the controller runs</source>
-        <translation>{0} ne répond pas&#x202f;; vérifiez l’adresse et si l’automate fonctionne</translation>
-    </message>
-    <message>
-        <source>The controller&apos;s program cannot be built here as it is there; use the same version of Stepwise on both sides</source>
-        <translation>Le programme de l’automate ne peut pas être compilé ici comme là-bas&#x202f;; utilisez la même version de Stepwise des deux côtés</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::Menu</name>
-    <message>
-        <source>File</source>
-        <translation>Fichier</translation>
-    </message>
-    <message>
-        <source>Edit</source>
-        <translation>Édition</translation>
-    </message>
-    <message>
-        <source>Run</source>
-        <translation>Exécution</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Temps</translation>
-    </message>
-    <message>
-        <source>View</source>
-        <translation>Affichage</translation>
-    </message>
-    <message>
-        <source>Help</source>
-        <translation>Aide</translation>
+        <source>Recordings and tables (*.rec *.csv *.tsv *.txt *.trace);;All files (*)</source>
+        <translation>Enregistrements et tableaux (*.rec *.csv *.tsv *.txt *.trace);;Tous les fichiers (*)</translation>
     </message>
 </context>
 </TS>

@@ -291,6 +291,10 @@
         <source>{0} and {1} both set {2} {3}; give each its own</source>
         <translation>{0} 和 {1} 都设置 {2} {3}；请为每个指定各自的寄存器</translation>
     </message>
+    <message>
+        <source>{0} and {1} are both unit {2} at {3}; if one was copied from the other, change its address</source>
+        <translation>{0} 和 {1} 在 {3} 上的站号都是 {2}；若其中一个是从另一个复制的，请更改其地址</translation>
+    </message>
 </context>
 <context>
     <name>Diagnostics</name>
@@ -2703,6 +2707,385 @@
         <source>{0} suppresses alarms, but one press writes it; set &quot;Writes are confirmed&quot;</source>
         <translation>{0} 会抑制报警，但按一下即可写入；请启用“写入需确认”</translation>
     </message>
+    <message>
+        <source>The start panel has {0} controls, but no text says what to press when nothing moves; add a sentence, or a state text that names a control</source>
+        <translation>起始画面有 {0} 个操作元件，但没有文本说明静止时应按什么；请添加一句说明，或添加指明某个操作元件的状态文本</translation>
+    </message>
+    <message>
+        <source>A machine at rest looks the same whether it is broken or only waits. The panel that is seen first must say what to press next: a sentence below the title, or a state text such as “Ready: press S1”.</source>
+        <translation>静止的机器无论是出了故障还是仅在等待，看起来都一样。最先看到的画面必须说明接下来按什么：标题下的一句话，或类似“就绪：请按 S1”的状态文本。</translation>
+    </message>
+</context>
+<context>
+    <name>Examples</name>
+    <message>
+        <source>Alarm texts in five languages</source>
+        <translation>五种语言的报警文本</translation>
+    </message>
+    <message>
+        <source>Heated tank with analog blocks</source>
+        <translation>带模拟量功能块的加热罐</translation>
+    </message>
+    <message>
+        <source>Bottling line</source>
+        <translation>灌装线</translation>
+    </message>
+    <message>
+        <source>Car park with a robot</source>
+        <translation>机器人停车场</translation>
+    </message>
+    <message>
+        <source>Car wash with recipes</source>
+        <translation>带配方的洗车机</translation>
+    </message>
+    <message>
+        <source>Room heated by supply air</source>
+        <translation>送风供暖的房间</translation>
+    </message>
+    <message>
+        <source>Motor valve with command monitor</source>
+        <translation>带指令监视的电动阀</translation>
+    </message>
+    <message>
+        <source>Conveyor with a sequence</source>
+        <translation>带顺序控制的输送带</translation>
+    </message>
+    <message>
+        <source>Depalletiser</source>
+        <translation>卸垛机</translation>
+    </message>
+    <message>
+        <source>District-heating substation</source>
+        <translation>集中供热换热站</translation>
+    </message>
+    <message>
+        <source>Dosing</source>
+        <translation>配料</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>过滤器</translation>
+    </message>
+    <message>
+        <source>Gravel plant</source>
+        <translation>砾石厂</translation>
+    </message>
+    <message>
+        <source>Heater and valve</source>
+        <translation>加热器与阀门</translation>
+    </message>
+    <message>
+        <source>Hour meter with reset and enable</source>
+        <translation>带复位和使能的计时器</translation>
+    </message>
+    <message>
+        <source>Items per hour</source>
+        <translation>每小时产量</translation>
+    </message>
+    <message>
+        <source>Items and meters</source>
+        <translation>工件与计量表</translation>
+    </message>
+    <message>
+        <source>Level lamps</source>
+        <translation>液位指示灯</translation>
+    </message>
+    <message>
+        <source>Light tower</source>
+        <translation>塔灯</translation>
+    </message>
+    <message>
+        <source>Tuning a control loop</source>
+        <translation>控制回路整定</translation>
+    </message>
+    <message>
+        <source>Mixer for two liquids and two bricks</source>
+        <translation>两种液体与两块料的混合机</translation>
+    </message>
+    <message>
+        <source>Motor with self-holding</source>
+        <translation>电机自锁</translation>
+    </message>
+    <message>
+        <source>Operation mode of an agitator</source>
+        <translation>搅拌器的运行模式</translation>
+    </message>
+    <message>
+        <source>PID loop on a first-order process</source>
+        <translation>一阶过程的 PID 回路</translation>
+    </message>
+    <message>
+        <source>Two pumps in a well</source>
+        <translation>一口井中的两台泵</translation>
+    </message>
+    <message>
+        <source>Pulse width modulation of a sine</source>
+        <translation>正弦信号的脉宽调制</translation>
+    </message>
+    <message>
+        <source>Rack with a robot</source>
+        <translation>机器人货架</translation>
+    </message>
+    <message>
+        <source>Robot and CNC machine</source>
+        <translation>机器人与数控机床</translation>
+    </message>
+    <message>
+        <source>Robot that packs boxes</source>
+        <translation>装箱机器人</translation>
+    </message>
+    <message>
+        <source>Two level sensors that watch each other</source>
+        <translation>相互监视的两个液位传感器</translation>
+    </message>
+    <message>
+        <source>Pumping station with six pumps</source>
+        <translation>六泵泵站</translation>
+    </message>
+    <message>
+        <source>Motor with selector</source>
+        <translation>带选择开关的电机</translation>
+    </message>
+    <message>
+        <source>Stack of integers</source>
+        <translation>整数堆栈</translation>
+    </message>
+    <message>
+        <source>Tank that is filled, heated and emptied</source>
+        <translation>罐的充填、加热与排空</translation>
+    </message>
+    <message>
+        <source>Tank, operated by hand</source>
+        <translation>手动操作的罐</translation>
+    </message>
+    <message>
+        <source>Level and volume</source>
+        <translation>液位与体积</translation>
+    </message>
+    <message>
+        <source>Traffic light</source>
+        <translation>交通灯</translation>
+    </message>
+    <message>
+        <source>Valve matrix</source>
+        <translation>阀门矩阵</translation>
+    </message>
+    <message>
+        <source>Three kinds of valves</source>
+        <translation>三种阀门</translation>
+    </message>
+    <message>
+        <source>Pump in waves</source>
+        <translation>波浪中的泵</translation>
+    </message>
+    <message>
+        <source>Truck scale</source>
+        <translation>汽车衡</translation>
+    </message>
+    <message>
+        <source>Workbook</source>
+        <translation>练习册</translation>
+    </message>
+    <message>
+        <source>Tank over Modbus</source>
+        <translation>通过 Modbus 连接的罐</translation>
+    </message>
+    <message>
+        <source>A vehicle between two limit switches, driven by two linked sequential function charts</source>
+        <translation>小车在两个限位开关之间行驶，由两个关联的顺序功能图控制</translation>
+    </message>
+    <message>
+        <source>A motor with three alarms that operators read in five languages</source>
+        <translation>电机的三条报警，可用五种语言显示</translation>
+    </message>
+    <message>
+        <source>One control loop with a block for each task: filter, monitor, ramp, PID, transfer</source>
+        <translation>一个控制回路，每项任务一个功能块：滤波、监视、斜坡、PID、切换</translation>
+    </message>
+    <message>
+        <source>Filler, capper and labeller with buffers between them, controlled as PackML units</source>
+        <translation>灌装机、旋盖机和贴标机，中间带缓冲，按 PackML 控制</translation>
+    </message>
+    <message>
+        <source>A robot parks cars by their number plates and fetches them again</source>
+        <translation>机器人按车牌号停车并取车</translation>
+    </message>
+    <message>
+        <source>Five wash programmes, each with a price and a recipe that the owner can edit</source>
+        <translation>五种洗车程序，价格和配方均可修改</translation>
+    </message>
+    <message>
+        <source>Cascade control: a slow loop for the room, a fast one for the supply air</source>
+        <translation>串级控制：慢回路控制房间，快回路控制送风</translation>
+    </message>
+    <message>
+        <source>A motor valve whose travel is monitored; if it takes too long, an alarm sounds</source>
+        <translation>监视电动阀的行程时间；超时则发出报警</translation>
+    </message>
+    <message>
+        <source>A belt carries an item to the right, waits ten seconds and carries it back</source>
+        <translation>传送带把工件送到右侧，等待十秒后送回</translation>
+    </message>
+    <message>
+        <source>Four belts take boxes off pallets; the settings of one can be copied to another</source>
+        <translation>四条传送带从托盘卸下箱子，设置可互相复制</translation>
+    </message>
+    <message>
+        <source>Heating and hot water from a district-heating network, with frost protection and summer mode</source>
+        <translation>区域供热的采暖和热水，带防冻和夏季模式</translation>
+    </message>
+    <message>
+        <source>A valve doses in pulses and pauses until the batch is complete</source>
+        <translation>阀门以脉冲和间歇方式投料，直到批次完成</translation>
+    </message>
+    <message>
+        <source>The pressure drop shows how dirty a filter is; an alarm reports when it is out of range</source>
+        <translation>压降反映过滤器的堵塞程度，超出范围时报警</translation>
+    </message>
+    <message>
+        <source>Silo, bin, conveyor and truck, controlled by three sequential function charts side by side</source>
+        <translation>料仓、料斗、传送带和卡车，由三个并行的顺序功能图控制</translation>
+    </message>
+    <message>
+        <source>Two on-off controls: a heater with a set point, and a valve that opens on a pump alarm</source>
+        <translation>两个开关控制：带设定值的加热器，以及泵报警时打开的阀门</translation>
+    </message>
+    <message>
+        <source>An hour meter that is loaded, enabled and held, which draws a saw-tooth</source>
+        <translation>可装载、启用和保持的计时器，曲线呈锯齿形</translation>
+    </message>
+    <message>
+        <source>A press makes items; a table counts how many in each hour of the day</source>
+        <translation>压机生产工件，表格统计每小时的数量</translation>
+    </message>
+    <message>
+        <source>Counts items, energy and water; the counts survive a power failure</source>
+        <translation>统计工件、电能和用水量，断电后数据保留</translation>
+    </message>
+    <message>
+        <source>A level sensor of 4 to 20 mA, three lamps and the detection of a wire break</source>
+        <translation>4 至 20 mA 液位传感器、三个指示灯和断线检测</translation>
+    </message>
+    <message>
+        <source>Three signals of a machine on three lamps that flash or stay on</source>
+        <translation>机器的三个信号由三个常亮或闪烁的指示灯显示</translation>
+    </message>
+    <message>
+        <source>A heat exchanger that oscillates; an experiment and its recording give better settings</source>
+        <translation>换热器发生振荡；通过一次试验及其记录得到更好的参数</translation>
+    </message>
+    <message>
+        <source>Liquids are weighed while a belt brings two bricks; then the mixer turns and tips</source>
+        <translation>称量液体，传送带送来两块料，然后搅拌并倾倒</translation>
+    </message>
+    <message>
+        <source>Start, stop and a contactor that holds itself, written in four ways that agree</source>
+        <translation>启动、停止和自保持接触器，用四种等效方式编写</translation>
+    </message>
+    <message>
+        <source>The local control box or the panel: one block decides which of them is in control</source>
+        <translation>就地控制箱或画面：由一个功能块决定控制权</translation>
+    </message>
+    <message>
+        <source>The same process with and without a PID controller, side by side in one trace</source>
+        <translation>同一过程有无 PID 控制器的对比，显示在一个跟踪中</translation>
+    </message>
+    <message>
+        <source>One filter, two sines: the slow one passes, the fast one is damped and lags behind</source>
+        <translation>一个滤波器，两个正弦信号：慢的通过，快的衰减并滞后</translation>
+    </message>
+    <message>
+        <source>A pump tries out its speeds and keeps the one with the least energy per cubic metre</source>
+        <translation>泵逐一试验转速，保持每立方米能耗最低的转速</translation>
+    </message>
+    <message>
+        <source>Two pumps take turns; a float counts only after two steady seconds</source>
+        <translation>两台泵轮换运行；浮球稳定两秒后才有效</translation>
+    </message>
+    <message>
+        <source>A sine becomes pulses for two outputs, as for a motor in two directions</source>
+        <translation>正弦信号转换为两个输出的脉冲，如同双向电机</translation>
+    </message>
+    <message>
+        <source>A robot counts encoder pulses to store and fetch loads on twelve shelves</source>
+        <translation>机器人对编码器脉冲计数，在十二个货位存取货物</translation>
+    </message>
+    <message>
+        <source>A robot takes 25 items one by one to a CNC machine and back</source>
+        <translation>机器人把 25 个工件逐个送到 CNC 机床并取回</translation>
+    </message>
+    <message>
+        <source>A robot puts three items into each box; a camera checks the result</source>
+        <translation>机器人在每个箱子里放三个工件，由相机检查结果</translation>
+    </message>
+    <message>
+        <source>Two sensors are compared; a faulty one is replaced by the healthy one without a bump</source>
+        <translation>比较两个传感器；故障的一个由正常的无扰替代</translation>
+    </message>
+    <message>
+        <source>Starts and stops six pumps by level and running hours, as a town&apos;s day flows in</source>
+        <translation>按液位和运行时间启停六台泵，来水模拟城市的一天</translation>
+    </message>
+    <message>
+        <source>A rotary switch selects the speed of a motor, a number what a module does</source>
+        <translation>旋钮选择电机转速，数字选择模块的功能</translation>
+    </message>
+    <message>
+        <source>Last in, first out: push, pop and reset, in ST and as an instruction list</source>
+        <translation>后进先出：push、pop 和 reset，用 ST 和指令表编写</translation>
+    </message>
+    <message>
+        <source>The same sequence twice: with CASE and as a chart of steps; either can be in control</source>
+        <translation>同一过程写两次：用 CASE 和顺序功能图，任选其一控制</translation>
+    </message>
+    <message>
+        <source>Fill, empty and stir with three switches; two level switches prevent mistakes</source>
+        <translation>用三个开关加料、排空和搅拌，两个液位开关防止误操作</translation>
+    </message>
+    <message>
+        <source>A current of 4 to 20 mA becomes a level, and the level becomes a volume</source>
+        <translation>4 至 20 mA 电流换算为液位，液位换算为体积</translation>
+    </message>
+    <message>
+        <source>Red, yellow and green from one counter of seconds, written in three ways</source>
+        <translation>由一个秒计数器控制红、黄、绿灯，用三种方式编写</translation>
+    </message>
+    <message>
+        <source>Five tanks, three pipelines, fifteen valves; two tanks never feed the same pipeline</source>
+        <translation>五个罐、三条管线、十五个阀门；两个罐绝不同时供同一管线</translation>
+    </message>
+    <message>
+        <source>A motor valve, a spring-return valve and a control valve, each with its block</source>
+        <translation>电动阀、弹簧复位阀和调节阀，各有一个功能块</translation>
+    </message>
+    <message>
+        <source>A float in waves: the pump starts and stops only after five steady seconds</source>
+        <translation>波浪中的浮球：稳定五秒后泵才启停</translation>
+    </message>
+    <message>
+        <source>Four BCD digits become the net weight once the scale has come to rest</source>
+        <translation>秤稳定后，四位 BCD 数换算为净重</translation>
+    </message>
+    <message>
+        <source>Samples of the language on four pages, each a program of its own with a test</source>
+        <translation>四页语言示例，每个都是带测试的独立程序</translation>
+    </message>
+    <message>
+        <source>Automated guided vehicle</source>
+        <translation>自动导引车</translation>
+    </message>
+    <message>
+        <source>First-order filter and two sines</source>
+        <translation>一阶滤波器与两个正弦信号</translation>
+    </message>
+    <message>
+        <source>Pump at its most efficient speed</source>
+        <translation>泵的最高效转速</translation>
+    </message>
+    <message>
+        <source>A controller and a tank, connected on this computer by real Modbus TCP</source>
+        <translation>控制器和罐通过本机上真实的 Modbus TCP 连接</translation>
+    </message>
 </context>
 <context>
     <name>Exchange</name>
@@ -2905,6 +3288,147 @@
     <message>
         <source>The program uses __NEW; &quot;memoryForNew&quot; in project.json sets 65536 bytes aside for it</source>
         <translation>程序使用 __NEW；project.json 中的“memoryForNew”为其预留 65536 字节</translation>
+    </message>
+    <message>
+        <source>The file is empty; export it again</source>
+        <translation>文件为空；请重新导出</translation>
+    </message>
+    <message>
+        <source>This is a ZIP archive, whatever its name says; unpack it and import the folder</source>
+        <translation>无论文件名是什么，这都是 ZIP 压缩包；请解压后导入文件夹</translation>
+    </message>
+    <message>
+        <source>The file is in the folder of the project {0}, which does not list it; it was left out</source>
+        <translation>文件位于项目 {0} 的文件夹中，但该项目未列出它；已略去</translation>
+    </message>
+    <message>
+        <source>Several projects of the folder have a unit named {0}; each became a project of its own, together with the libraries it uses: this one is {1}</source>
+        <translation>文件夹中有多个项目都含有名为 {0} 的 POU；每个项目连同其使用的库已成为独立的项目：此项目为 {1}</translation>
+    </message>
+    <message>
+        <source>The program {0} of the library {1} was left out: the project that uses the library has one of that name</source>
+        <translation>库 {1} 的程序 {0} 已略去：使用该库的项目有同名程序</translation>
+    </message>
+    <message>
+        <source>The folder has no project named {0}; it has: {1}</source>
+        <translation>文件夹中没有名为 {0} 的项目；现有：{1}</translation>
+    </message>
+    <message>
+        <source>The names of inputs and outputs that the configuration of the devices declares ({0} and so on) are in PLC_Configuration</source>
+        <translation>设备配置所声明的输入和输出的名称（{0} 等）在 PLC_Configuration 中</translation>
+    </message>
+</context>
+<context>
+    <name>FigureText</name>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1，位于 %2</translation>
+    </message>
+    <message>
+        <source>An XY plot draws one channel over another: add a second channel to the trace.</source>
+        <translation>XY 图以一个通道为横轴绘制另一个通道：请向跟踪添加第二个通道。</translation>
+    </message>
+    <message>
+        <source>XY plot</source>
+        <translation>XY 图</translation>
+    </message>
+    <message>
+        <source>There are no samples in view: run the program or show another stretch.</source>
+        <translation>可见范围内没有采样值：请运行程序或显示其他区段。</translation>
+    </message>
+    <message>
+        <source>%L1 points over %2</source>
+        <translation>%L1 个点，历时 %2</translation>
+    </message>
+    <message>
+        <source>A spectrum shows the frequencies of the visible channels: add a channel.</source>
+        <translation>频谱显示可见通道的频率：请添加通道。</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>频谱</translation>
+    </message>
+    <message>
+        <source>Frequency [Hz]</source>
+        <translation>频率 [Hz]</translation>
+    </message>
+    <message>
+        <source>amplitude</source>
+        <translation>幅值</translation>
+    </message>
+    <message>
+        <source>%1: no peak, RMS %2</source>
+        <translation>%1：无峰值，有效值 %2</translation>
+    </message>
+    <message>
+        <source>%1: %2, RMS %3</source>
+        <translation>%1：%2，有效值 %3</translation>
+    </message>
+    <message>
+        <source>A frequency response compares an output with an input: add both as channels, and choose the input.</source>
+        <translation>频率响应比较输出与输入：请将两者添加为通道，并选择输入。</translation>
+    </message>
+    <message>
+        <source>Frequency response</source>
+        <translation>频率响应</translation>
+    </message>
+    <message>
+        <source>gain [dB]</source>
+        <translation>增益 [dB]</translation>
+    </message>
+    <message>
+        <source>phase [°]</source>
+        <translation>相位 [°]</translation>
+    </message>
+    <message>
+        <source>coherence</source>
+        <translation>相干性</translation>
+    </message>
+    <message>
+        <source>%1: %L2 of %L3 frequencies with a coherence above 0.8</source>
+        <translation>%1：%L3 个频率中有 %L2 个的相干性高于 0.8</translation>
+    </message>
+    <message>
+        <source>Runs are laid over each other at their triggers: enter a trigger in the properties of the trace.</source>
+        <translation>各次运行按触发点叠加：请在跟踪的属性中输入触发器。</translation>
+    </message>
+    <message>
+        <source>The trigger has not fired in this recording yet.</source>
+        <translation>此记录中触发器尚未触发。</translation>
+    </message>
+    <message>
+        <source>Runs of the visible channels are laid over each other: add a channel.</source>
+        <translation>可见通道的各次运行叠加显示：请添加通道。</translation>
+    </message>
+    <message>
+        <source>Time since the trigger [s]</source>
+        <translation>触发后的时间 [s]</translation>
+    </message>
+    <message>
+        <source>%1: runs differ most %2 after the trigger, by %3</source>
+        <translation>%1：各次运行在触发后 %2 差异最大，为 %3</translation>
+    </message>
+    <message>
+        <source>Charts over Time Only</source>
+        <translation>仅时间曲线图</translation>
+    </message>
+    <message>
+        <source>XY Plot</source>
+        <translation>XY 图</translation>
+    </message>
+    <message>
+        <source>Frequency Response (Bode)</source>
+        <translation>频率响应（伯德图）</translation>
+    </message>
+    <message>
+        <source>Runs over Each Other</source>
+        <translation>叠加各次运行</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n run(s)</source>
+        <translation>
+            <numerusform>%n 次运行</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5480,6 +6004,93 @@
     </message>
 </context>
 <context>
+    <name>Remote</name>
+    <message>
+        <source>The request is not understood; studio and controller may be of different versions</source>
+        <translation>无法理解该请求；开发环境与控制器的版本可能不同</translation>
+    </message>
+    <message>
+        <source>There is no request {0}; studio and controller may be of different versions</source>
+        <translation>没有请求 {0}；开发环境与控制器的版本可能不同</translation>
+    </message>
+    <message>
+        <source>Breakpoints stop a machine in the middle of a scan; `stepwise serve` allows them with --allow-breakpoints</source>
+        <translation>断点会使机器停在扫描周期中间；“stepwise serve”可用 --allow-breakpoints 允许断点</translation>
+    </message>
+    <message>
+        <source>{0} is forced; release it before writing</source>
+        <translation>{0} 已被强制；写入前请取消强制</translation>
+    </message>
+    <message>
+        <source>{0} is not forced</source>
+        <translation>{0} 未被强制</translation>
+    </message>
+    <message>
+        <source>Another program is being built for this controller; try again when it is loaded</source>
+        <translation>正在为此控制器编译另一个程序；请在其载入后重试</translation>
+    </message>
+    <message>
+        <source>The program has {0} {0:error|errors}; the controller goes on with the old one</source>
+        <translation>程序有 {0} 个错误；控制器继续运行旧程序</translation>
+    </message>
+    <message>
+        <source>The controller&apos;s program has no file {0}; load its program again</source>
+        <translation>控制器的程序中没有文件 {0}；请重新加载其程序</translation>
+    </message>
+    <message>
+        <source>A recording is already being fetched; wait until it has arrived</source>
+        <translation>正在获取一个记录；请等待其完成</translation>
+    </message>
+    <message>
+        <source>A controller that serves others cannot be put back in time; fetch its recording and go on from there</source>
+        <translation>正在为他人服务的控制器不能回退时间；请获取其记录并从那里继续</translation>
+    </message>
+    <message>
+        <source>{0} is not the address of a controller; write for example https://plant:8443/</source>
+        <translation>{0} 不是控制器的地址；例如请写 https://plant:8443/</translation>
+    </message>
+    <message>
+        <source>{0} cannot be reached: {1}</source>
+        <translation>无法访问 {0}：{1}</translation>
+    </message>
+    <message>
+        <source>{0} refuses the connection: {1}</source>
+        <translation>{0} 拒绝连接：{1}</translation>
+    </message>
+    <message>
+        <source>The code is wrong; it is in the file attach-code of the controller&apos;s state folder</source>
+        <translation>代码错误；代码在控制器状态文件夹的 attach-code 文件中</translation>
+    </message>
+    <message>
+        <source>There were too many wrong codes from this computer; wait a minute</source>
+        <translation>此计算机输入错误代码的次数过多；请等待一分钟</translation>
+    </message>
+    <message>
+        <source>The code would cross the network unprotected; use an https address, and start the controller with --certificate</source>
+        <translation>代码将在网络上明文传输；请使用 https 地址，并用 --certificate 启动控制器</translation>
+    </message>
+    <message>
+        <source>The certificate of {0} is not trusted: {1}; name the file of the certificate that you trust</source>
+        <translation>{0} 的证书不受信任：{1}；请指定您信任的证书文件</translation>
+    </message>
+    <message>
+        <source>The certificate cannot be read from {0}; it must be a PEM file</source>
+        <translation>无法从 {0} 读取证书；必须是 PEM 文件</translation>
+    </message>
+    <message>
+        <source>The connection to {0} is lost; check the network and the controller</source>
+        <translation>与 {0} 的连接已断开；请检查网络和控制器</translation>
+    </message>
+    <message>
+        <source>{0} does not answer; check the address and whether the controller runs</source>
+        <translation>{0} 没有应答；请检查地址以及控制器是否运行</translation>
+    </message>
+    <message>
+        <source>The controller&apos;s program cannot be built here as it is there; use the same version of Stepwise on both sides</source>
+        <translation>控制器的程序无法在此处按其原样编译；请两侧使用相同版本的 Stepwise</translation>
+    </message>
+</context>
+<context>
     <name>TraceText</name>
     <message>
         <source>Triggered at %1.</source>
@@ -5492,26 +6103,6 @@
 </context>
 <context>
     <name>Tuning</name>
-    <message>
-        <source>The table has no column of times; name one time_s (seconds) or time_ms</source>
-        <translation>表中没有时间列；请将一列命名为 time_s（秒）或 time_ms</translation>
-    </message>
-    <message>
-        <source>The table has no column {0}; it has {1}</source>
-        <translation>表中没有列 {0}；有 {1}</translation>
-    </message>
-    <message>
-        <source>The table has no column {0}; did you mean {1}?</source>
-        <translation>表中没有列 {0}；是否指 {1}？</translation>
-    </message>
-    <message>
-        <source>Line {0} has no number in column {1}; correct or remove the line</source>
-        <translation>第 {0} 行的列 {1} 中没有数字；请更正或删除该行</translation>
-    </message>
-    <message>
-        <source>The time in line {0} is before that of the line above; sort the lines by time</source>
-        <translation>第 {0} 行的时间早于上一行；请按时间对各行排序</translation>
-    </message>
     <message>
         <source>{0} {0:sample is|samples are} too few for a model; record for longer</source>
         <translation>{0} 个采样不足以建立模型；请记录更长时间</translation>
@@ -5774,6 +6365,171 @@
     </message>
 </context>
 <context>
+    <name>Waveform</name>
+    <message>
+        <source>The table has no column of times; name one time_s (seconds) or time_ms</source>
+        <translation>表中没有时间列；请将一列命名为 time_s（秒）或 time_ms</translation>
+    </message>
+    <message>
+        <source>The table has no column {0}; it has {1}</source>
+        <translation>表中没有列 {0}；有 {1}</translation>
+    </message>
+    <message>
+        <source>The table has no column {0}; did you mean {1}?</source>
+        <translation>表中没有列 {0}；是否指 {1}？</translation>
+    </message>
+    <message>
+        <source>Line {0} has no number in column {1}; correct or remove the line</source>
+        <translation>第 {0} 行的列 {1} 中没有数字；请更正或删除该行</translation>
+    </message>
+    <message>
+        <source>The time in line {0} is before that of the line above; sort the lines by time</source>
+        <translation>第 {0} 行的时间早于上一行；请按时间对各行排序</translation>
+    </message>
+    <message>
+        <source>The table has no column of numbers besides the time; add one with a heading</source>
+        <translation>表中除时间外没有数字列；请添加带标题的列</translation>
+    </message>
+    <message>
+        <source>The table has no rows under its headings; write one row per sample</source>
+        <translation>表头下没有数据行；每个采样写一行</translation>
+    </message>
+    <message>
+        <source>The table cannot be shown as a recording: {0}</source>
+        <translation>表不能作为记录显示：{0}</translation>
+    </message>
+    <message>
+        <source>the names of its columns cannot be variables; use letters, digits and underscores</source>
+        <translation>其列名不能作为变量；请使用字母、数字和下划线</translation>
+    </message>
+    <message>
+        <source>{0} {0:sample is|samples are} too few for a spectrum; show a longer stretch</source>
+        <translation>{0} 个采样值不足以计算频谱；请显示更长的区段</translation>
+    </message>
+    <message>
+        <source>{0} {0:sample is|samples are} too few for a frequency response; show a longer stretch</source>
+        <translation>{0} 个采样值不足以计算频率响应；请显示更长的区段</translation>
+    </message>
+    <message>
+        <source>The input does not move here; there is nothing to answer to</source>
+        <translation>此处输入没有变化；没有可计算的响应</translation>
+    </message>
+    <message>
+        <source>{0} needs a closing parenthesis at the end; it goes around the whole expression</source>
+        <translation>{0} 末尾需要右括号；括号包围整个表达式</translation>
+    </message>
+    <message>
+        <source>{0} needs a time above 0 as its second argument, for example {1}</source>
+        <translation>{0} 的第二个实参必须是大于 0 的时间，例如 {1}</translation>
+    </message>
+    <message>
+        <source>{0} takes one expression; remove the others</source>
+        <translation>{0} 只接受一个表达式；请删除其余表达式</translation>
+    </message>
+    <message>
+        <source>The file is not a table; a recording of Stepwise ends with .rec</source>
+        <translation>文件不是表格；Stepwise 的记录以 .rec 结尾</translation>
+    </message>
+    <message>
+        <source>Line {0} is not a sample of a variable: it needs a time and a value</source>
+        <translation>第 {0} 行不是变量的采样值：需要时间和值</translation>
+    </message>
+    <message>
+        <source>The trace cannot be read as XML: {0}; save it again</source>
+        <translation>跟踪无法作为 XML 读取：{0}；请重新保存</translation>
+    </message>
+    <message>
+        <source>{0} has {1} {1:value|values} but {2} {2:time|times}; save the trace again</source>
+        <translation>{0} 有 {1} 个值，但有 {2} 个时间；请重新保存跟踪</translation>
+    </message>
+    <message>
+        <source>The times of {0} run backwards; save the trace again</source>
+        <translation>{0} 的时间倒退；请重新保存跟踪</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::AttachDialog</name>
+    <message>
+        <source>Address</source>
+        <translation>地址</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>代码</translation>
+    </message>
+    <message>
+        <source>Attach to a Controller</source>
+        <translation>连接控制器</translation>
+    </message>
+    <message>
+        <source>from the file attach-code of the controller</source>
+        <translation>来自控制器的 attach-code 文件</translation>
+    </message>
+    <message>
+        <source>only for certificates that this computer does not know</source>
+        <translation>仅用于此计算机不认识的证书</translation>
+    </message>
+    <message>
+        <source>…</source>
+        <translation>…</translation>
+    </message>
+    <message>
+        <source>Choose a certificate</source>
+        <translation>选择证书</translation>
+    </message>
+    <message>
+        <source>Trusted certificate</source>
+        <translation>受信任的证书</translation>
+    </message>
+    <message>
+        <source>Attach</source>
+        <translation>连接</translation>
+    </message>
+    <message>
+        <source>Choose a Certificate</source>
+        <translation>选择证书</translation>
+    </message>
+    <message>
+        <source>Certificates (*.pem *.crt *.cer);;All files (*)</source>
+        <translation>证书 (*.pem *.crt *.cer);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Attaching…</source>
+        <translation>正在连接…</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::Attachment</name>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1，位于 %2</translation>
+    </message>
+    <message>
+        <source>Detach</source>
+        <translation>断开</translation>
+    </message>
+    <message>
+        <source>Attached to %1</source>
+        <translation>已连接到 %1</translation>
+    </message>
+    <message>
+        <source>Attached to %1; its program is not the one that is open here</source>
+        <translation>已连接到 %1；其程序与此处打开的不同</translation>
+    </message>
+    <message>
+        <source>%1 is lost – connecting again…</source>
+        <translation>与 %1 的连接已断开 – 正在重新连接…</translation>
+    </message>
+    <message>
+        <source>Attaching to %1…</source>
+        <translation>正在连接 %1…</translation>
+    </message>
+    <message>
+        <source>The controller runs there; what is written and forced here acts there</source>
+        <translation>控制器在那里运行；在此处写入和强制的值会在那里生效</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::ConversionDialog</name>
     <message>
         <source>%1 as ST</source>
@@ -5945,12 +6701,12 @@
         <translation>%1 次请求，%2 个错误，%3 ms</translation>
     </message>
     <message>
-        <source>connected</source>
-        <translation>已连接</translation>
-    </message>
-    <message>
         <source>not connected</source>
         <translation>未连接</translation>
+    </message>
+    <message>
+        <source>online: %1 of %2</source>
+        <translation>在线：%1 / %2</translation>
     </message>
 </context>
 <context>
@@ -6084,6 +6840,10 @@
         <source>To:</source>
         <translation>目标：</translation>
     </message>
+    <message>
+        <source>This file exists and will be replaced</source>
+        <translation>此文件已存在，将被替换</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::GuideView</name>
@@ -6193,6 +6953,18 @@ Not kept: %3</source>
     <message>
         <source>PLCopen XML, TwinCAT, CODESYS, ST</source>
         <translation>PLCopen XML、TwinCAT、CODESYS、ST</translation>
+    </message>
+    <message>
+        <source>Reading %1…</source>
+        <translation>正在读取 %1…</translation>
+    </message>
+    <message>
+        <source>Becomes a project of its own, with the libraries it uses</source>
+        <translation>成为独立的项目，包含其使用的库</translation>
+    </message>
+    <message>
+        <source>Writing the project…</source>
+        <translation>正在写入项目…</translation>
     </message>
 </context>
 <context>
@@ -7238,6 +8010,33 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     </message>
 </context>
 <context>
+    <name>plc::app::Menu</name>
+    <message>
+        <source>File</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>编辑</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>运行</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>视图</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>帮助</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::MergeDialog</name>
     <message>
         <source>Compare %1</source>
@@ -7278,6 +8077,49 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Difference %1 of %2</source>
         <translation>差异 %1 / %2</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::NativeProgramDialog</name>
+    <message>
+        <source>File</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>Build</source>
+        <translation>生成</translation>
+    </message>
+    <message>
+        <source>Build a Native Program</source>
+        <translation>生成本机程序</translation>
+    </message>
+    <message>
+        <source>…</source>
+        <translation>…</translation>
+    </message>
+    <message>
+        <source>Choose the file</source>
+        <translation>选择文件</translation>
+    </message>
+    <message>
+        <source>Native Program</source>
+        <translation>本机程序</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>机器</translation>
+    </message>
+    <message>
+        <source>The program runs without Stepwise on a machine with Linux: its PLC code and a small runner in one file.</source>
+        <translation>程序无需 Stepwise 即可在 Linux 机器上运行：一个文件包含其 PLC 代码和小型运行时。</translation>
+    </message>
+    <message>
+        <source>Building…</source>
+        <translation>正在生成…</translation>
+    </message>
+    <message>
+        <source>%1 is built</source>
+        <translation>%1 已生成</translation>
     </message>
 </context>
 <context>
@@ -9443,10 +10285,6 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>设定值</translation>
     </message>
     <message>
-        <source>Start the controller; its recording is what is looked at.</source>
-        <translation>请启动控制器；分析的是其记录。</translation>
-    </message>
-    <message>
         <source>The program has no controller block; call one, for example PID.</source>
         <translation>程序没有控制器块；请调用一个，例如 PID。</translation>
     </message>
@@ -9573,10 +10411,6 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>负载阶跃</translation>
     </message>
     <message>
-        <source>The last step with these settings</source>
-        <translation>采用这些设置的最后一次阶跃</translation>
-    </message>
-    <message>
         <source>Tuning</source>
         <translation>参数整定</translation>
     </message>
@@ -9659,6 +10493,14 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>disturbance</source>
         <translation>扰动</translation>
+    </message>
+    <message>
+        <source>gain [dB]</source>
+        <translation>增益 [dB]</translation>
+    </message>
+    <message>
+        <source>phase [°]</source>
+        <translation>相位 [°]</translation>
     </message>
 </context>
 <context>
@@ -10420,6 +11262,10 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <source>Without users, everybody may do everything.</source>
         <translation>没有用户时，任何人都可以执行所有操作。</translation>
     </message>
+    <message>
+        <source>Rename Role</source>
+        <translation>重命名角色</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::PropertySheet</name>
@@ -10527,18 +11373,6 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Maximum</source>
         <translation>最大值</translation>
-    </message>
-    <message>
-        <source>A double click renames the set</source>
-        <translation>双击可重命名该组数据</translation>
-    </message>
-    <message>
-        <source>Remove the Set %1</source>
-        <translation>移除数据组 %1</translation>
-    </message>
-    <message>
-        <source>Remove the Row %1</source>
-        <translation>移除行 %1</translation>
     </message>
     <message>
         <source>A recipe needs a name.</source>
@@ -10777,19 +11611,6 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     </message>
 </context>
 <context>
-    <name>plc::kit::PlotView</name>
-    <message>
-        <source>Chart</source>
-        <translation>曲线图</translation>
-    </message>
-    <message>
-        <source>%1
-Click selects, Ctrl+click shows or hides.</source>
-        <translation>%1
-单击选择，Ctrl+单击显示或隐藏。</translation>
-    </message>
-</context>
-<context>
     <name>plc::kit::PropertyGrid</name>
     <message>
         <source>Choose a variable</source>
@@ -10880,6 +11701,19 @@ Click selects, Ctrl+click shows or hides.</source>
     <message>
         <source>Cancel: %1</source>
         <translation>取消：%1</translation>
+    </message>
+</context>
+<context>
+    <name>plc::plot::PlotView</name>
+    <message>
+        <source>Chart</source>
+        <translation>曲线图</translation>
+    </message>
+    <message>
+        <source>%1
+Click selects, Ctrl+click shows or hides.</source>
+        <translation>%1
+单击选择，Ctrl+单击显示或隐藏。</translation>
     </message>
 </context>
 <context>
@@ -11118,6 +11952,77 @@ Click selects, Ctrl+click shows or hides.</source>
     </message>
 </context>
 <context>
+    <name>plc::trace::FigurePane</name>
+    <message>
+        <source>Save as %1</source>
+        <translation>保存为 %1</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>适应方式</translation>
+    </message>
+    <message>
+        <source>Copy as picture</source>
+        <translation>复制为图片</translation>
+    </message>
+    <message>
+        <source>Save as %1…</source>
+        <translation>保存为 %1…</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>窗函数</translation>
+    </message>
+    <message>
+        <source>Hann window</source>
+        <translation>汉宁窗</translation>
+    </message>
+    <message>
+        <source>Flat top: exact amplitudes</source>
+        <translation>平顶窗：幅值准确</translation>
+    </message>
+    <message>
+        <source>No window</source>
+        <translation>不加窗</translation>
+    </message>
+    <message>
+        <source>Logarithmic</source>
+        <translation>对数</translation>
+    </message>
+    <message>
+        <source>Charts over time only</source>
+        <translation>仅时间曲线图</translation>
+    </message>
+    <message>
+        <source>Horizontal value</source>
+        <translation>横轴值</translation>
+    </message>
+    <message>
+        <source>Window of the spectrum</source>
+        <translation>频谱的窗函数</translation>
+    </message>
+    <message>
+        <source>Logarithmic axes</source>
+        <translation>对数坐标轴</translation>
+    </message>
+    <message>
+        <source>Input:</source>
+        <translation>输入：</translation>
+    </message>
+    <message>
+        <source>Horizontal:</source>
+        <translation>横轴：</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>输入</translation>
+    </message>
+    <message>
+        <source>Measure between Points</source>
+        <translation>测量两点之间</translation>
+    </message>
+</context>
+<context>
     <name>plc::trace::TimeBar</name>
     <message>
         <source>Time</source>
@@ -11328,10 +12233,6 @@ Click selects, Ctrl+click shows or hides.</source>
         <translation>绘制在下方的记录</translation>
     </message>
     <message>
-        <source>Recordings (*.rec);;All files (*)</source>
-        <translation>记录 (*.rec);;所有文件 (*)</translation>
-    </message>
-    <message>
         <source>Trace configuration</source>
         <translation>跟踪配置</translation>
     </message>
@@ -11490,10 +12391,6 @@ Click selects, Ctrl+click shows or hides.</source>
         <translation>从一点拖到另一点：显示两点间的时间、值、斜率和频率 (M)</translation>
     </message>
     <message>
-        <source>Recordings and tables (*.rec *.csv *.tsv *.txt);;All files (*)</source>
-        <translation>记录和表 (*.rec *.csv *.tsv *.txt);;所有文件 (*)</translation>
-    </message>
-    <message>
         <source>XY plot, spectrum, frequency response, runs</source>
         <translation>XY 图、频谱、频率响应、各次运行</translation>
     </message>
@@ -11549,875 +12446,9 @@ Click selects, Ctrl+click shows or hides.</source>
         <source>File to add a channel of</source>
         <translation>要添加通道的文件</translation>
     </message>
-</context>
-<context>
-    <name>Examples</name>
     <message>
-        <source>Alarm texts in five languages</source>
-        <translation>五种语言的报警文本</translation>
-    </message>
-    <message>
-        <source>Heated tank with analog blocks</source>
-        <translation>带模拟量功能块的加热罐</translation>
-    </message>
-    <message>
-        <source>Bottling line</source>
-        <translation>灌装线</translation>
-    </message>
-    <message>
-        <source>Car park with a robot</source>
-        <translation>机器人停车场</translation>
-    </message>
-    <message>
-        <source>Car wash with recipes</source>
-        <translation>带配方的洗车机</translation>
-    </message>
-    <message>
-        <source>Room heated by supply air</source>
-        <translation>送风供暖的房间</translation>
-    </message>
-    <message>
-        <source>Motor valve with command monitor</source>
-        <translation>带指令监视的电动阀</translation>
-    </message>
-    <message>
-        <source>Conveyor with a sequence</source>
-        <translation>带顺序控制的输送带</translation>
-    </message>
-    <message>
-        <source>Depalletiser</source>
-        <translation>卸垛机</translation>
-    </message>
-    <message>
-        <source>District-heating substation</source>
-        <translation>集中供热换热站</translation>
-    </message>
-    <message>
-        <source>Dosing</source>
-        <translation>配料</translation>
-    </message>
-    <message>
-        <source>Filter</source>
-        <translation>过滤器</translation>
-    </message>
-    <message>
-        <source>Gravel plant</source>
-        <translation>砾石厂</translation>
-    </message>
-    <message>
-        <source>Heater and valve</source>
-        <translation>加热器与阀门</translation>
-    </message>
-    <message>
-        <source>Hour meter with reset and enable</source>
-        <translation>带复位和使能的计时器</translation>
-    </message>
-    <message>
-        <source>Items per hour</source>
-        <translation>每小时产量</translation>
-    </message>
-    <message>
-        <source>Items and meters</source>
-        <translation>工件与计量表</translation>
-    </message>
-    <message>
-        <source>Level lamps</source>
-        <translation>液位指示灯</translation>
-    </message>
-    <message>
-        <source>Light tower</source>
-        <translation>塔灯</translation>
-    </message>
-    <message>
-        <source>Tuning a control loop</source>
-        <translation>控制回路整定</translation>
-    </message>
-    <message>
-        <source>Mixer for two liquids and two bricks</source>
-        <translation>两种液体与两块料的混合机</translation>
-    </message>
-    <message>
-        <source>Motor with self-holding</source>
-        <translation>电机自锁</translation>
-    </message>
-    <message>
-        <source>Operation mode of an agitator</source>
-        <translation>搅拌器的运行模式</translation>
-    </message>
-    <message>
-        <source>PID loop on a first-order process</source>
-        <translation>一阶过程的 PID 回路</translation>
-    </message>
-    <message>
-        <source>Two pumps in a well</source>
-        <translation>一口井中的两台泵</translation>
-    </message>
-    <message>
-        <source>Pulse width modulation of a sine</source>
-        <translation>正弦信号的脉宽调制</translation>
-    </message>
-    <message>
-        <source>Rack with a robot</source>
-        <translation>机器人货架</translation>
-    </message>
-    <message>
-        <source>Robot and CNC machine</source>
-        <translation>机器人与数控机床</translation>
-    </message>
-    <message>
-        <source>Robot that packs boxes</source>
-        <translation>装箱机器人</translation>
-    </message>
-    <message>
-        <source>Two level sensors that watch each other</source>
-        <translation>相互监视的两个液位传感器</translation>
-    </message>
-    <message>
-        <source>Pumping station with six pumps</source>
-        <translation>六泵泵站</translation>
-    </message>
-    <message>
-        <source>Motor with selector</source>
-        <translation>带选择开关的电机</translation>
-    </message>
-    <message>
-        <source>Stack of integers</source>
-        <translation>整数堆栈</translation>
-    </message>
-    <message>
-        <source>Tank that is filled, heated and emptied</source>
-        <translation>罐的充填、加热与排空</translation>
-    </message>
-    <message>
-        <source>Tank, operated by hand</source>
-        <translation>手动操作的罐</translation>
-    </message>
-    <message>
-        <source>Level and volume</source>
-        <translation>液位与体积</translation>
-    </message>
-    <message>
-        <source>Traffic light</source>
-        <translation>交通灯</translation>
-    </message>
-    <message>
-        <source>Valve matrix</source>
-        <translation>阀门矩阵</translation>
-    </message>
-    <message>
-        <source>Three kinds of valves</source>
-        <translation>三种阀门</translation>
-    </message>
-    <message>
-        <source>Pump in waves</source>
-        <translation>波浪中的泵</translation>
-    </message>
-    <message>
-        <source>Truck scale</source>
-        <translation>汽车衡</translation>
-    </message>
-    <message>
-        <source>Workbook</source>
-        <translation>练习册</translation>
-    </message>
-    <message>
-        <source>Tank over Modbus</source>
-        <translation>通过 Modbus 连接的罐</translation>
-    </message>
-    <message>
-        <source>A vehicle between two limit switches, driven by two linked sequential function charts</source>
-        <translation>小车在两个限位开关之间行驶，由两个关联的顺序功能图控制</translation>
-    </message>
-    <message>
-        <source>A motor with three alarms that operators read in five languages</source>
-        <translation>电机的三条报警，可用五种语言显示</translation>
-    </message>
-    <message>
-        <source>One control loop with a block for each task: filter, monitor, ramp, PID, transfer</source>
-        <translation>一个控制回路，每项任务一个功能块：滤波、监视、斜坡、PID、切换</translation>
-    </message>
-    <message>
-        <source>Filler, capper and labeller with buffers between them, controlled as PackML units</source>
-        <translation>灌装机、旋盖机和贴标机，中间带缓冲，按 PackML 控制</translation>
-    </message>
-    <message>
-        <source>A robot parks cars by their number plates and fetches them again</source>
-        <translation>机器人按车牌号停车并取车</translation>
-    </message>
-    <message>
-        <source>Five wash programmes, each with a price and a recipe that the owner can edit</source>
-        <translation>五种洗车程序，价格和配方均可修改</translation>
-    </message>
-    <message>
-        <source>Cascade control: a slow loop for the room, a fast one for the supply air</source>
-        <translation>串级控制：慢回路控制房间，快回路控制送风</translation>
-    </message>
-    <message>
-        <source>A motor valve whose travel is monitored; if it takes too long, an alarm sounds</source>
-        <translation>监视电动阀的行程时间；超时则发出报警</translation>
-    </message>
-    <message>
-        <source>A belt carries an item to the right, waits ten seconds and carries it back</source>
-        <translation>传送带把工件送到右侧，等待十秒后送回</translation>
-    </message>
-    <message>
-        <source>Four belts take boxes off pallets; the settings of one can be copied to another</source>
-        <translation>四条传送带从托盘卸下箱子，设置可互相复制</translation>
-    </message>
-    <message>
-        <source>Heating and hot water from a district-heating network, with frost protection and summer mode</source>
-        <translation>区域供热的采暖和热水，带防冻和夏季模式</translation>
-    </message>
-    <message>
-        <source>A valve doses in pulses and pauses until the batch is complete</source>
-        <translation>阀门以脉冲和间歇方式投料，直到批次完成</translation>
-    </message>
-    <message>
-        <source>The pressure drop shows how dirty a filter is; an alarm reports when it is out of range</source>
-        <translation>压降反映过滤器的堵塞程度，超出范围时报警</translation>
-    </message>
-    <message>
-        <source>Silo, bin, conveyor and truck, controlled by three sequential function charts side by side</source>
-        <translation>料仓、料斗、传送带和卡车，由三个并行的顺序功能图控制</translation>
-    </message>
-    <message>
-        <source>Two on-off controls: a heater with a set point, and a valve that opens on a pump alarm</source>
-        <translation>两个开关控制：带设定值的加热器，以及泵报警时打开的阀门</translation>
-    </message>
-    <message>
-        <source>An hour meter that is loaded, enabled and held, which draws a saw-tooth</source>
-        <translation>可装载、启用和保持的计时器，曲线呈锯齿形</translation>
-    </message>
-    <message>
-        <source>A press makes items; a table counts how many in each hour of the day</source>
-        <translation>压机生产工件，表格统计每小时的数量</translation>
-    </message>
-    <message>
-        <source>Counts items, energy and water; the counts survive a power failure</source>
-        <translation>统计工件、电能和用水量，断电后数据保留</translation>
-    </message>
-    <message>
-        <source>A level sensor of 4 to 20 mA, three lamps and the detection of a wire break</source>
-        <translation>4 至 20 mA 液位传感器、三个指示灯和断线检测</translation>
-    </message>
-    <message>
-        <source>Three signals of a machine on three lamps that flash or stay on</source>
-        <translation>机器的三个信号由三个常亮或闪烁的指示灯显示</translation>
-    </message>
-    <message>
-        <source>A heat exchanger that oscillates; an experiment and its recording give better settings</source>
-        <translation>换热器发生振荡；通过一次试验及其记录得到更好的参数</translation>
-    </message>
-    <message>
-        <source>Liquids are weighed while a belt brings two bricks; then the mixer turns and tips</source>
-        <translation>称量液体，传送带送来两块料，然后搅拌并倾倒</translation>
-    </message>
-    <message>
-        <source>Start, stop and a contactor that holds itself, written in four ways that agree</source>
-        <translation>启动、停止和自保持接触器，用四种等效方式编写</translation>
-    </message>
-    <message>
-        <source>The local control box or the panel: one block decides which of them is in control</source>
-        <translation>就地控制箱或画面：由一个功能块决定控制权</translation>
-    </message>
-    <message>
-        <source>The same process with and without a PID controller, side by side in one trace</source>
-        <translation>同一过程有无 PID 控制器的对比，显示在一个跟踪中</translation>
-    </message>
-    <message>
-        <source>One filter, two sines: the slow one passes, the fast one is damped and lags behind</source>
-        <translation>一个滤波器，两个正弦信号：慢的通过，快的衰减并滞后</translation>
-    </message>
-    <message>
-        <source>A pump tries out its speeds and keeps the one with the least energy per cubic metre</source>
-        <translation>泵逐一试验转速，保持每立方米能耗最低的转速</translation>
-    </message>
-    <message>
-        <source>Two pumps take turns; a float counts only after two steady seconds</source>
-        <translation>两台泵轮换运行；浮球稳定两秒后才有效</translation>
-    </message>
-    <message>
-        <source>A sine becomes pulses for two outputs, as for a motor in two directions</source>
-        <translation>正弦信号转换为两个输出的脉冲，如同双向电机</translation>
-    </message>
-    <message>
-        <source>A robot counts encoder pulses to store and fetch loads on twelve shelves</source>
-        <translation>机器人对编码器脉冲计数，在十二个货位存取货物</translation>
-    </message>
-    <message>
-        <source>A robot takes 25 items one by one to a CNC machine and back</source>
-        <translation>机器人把 25 个工件逐个送到 CNC 机床并取回</translation>
-    </message>
-    <message>
-        <source>A robot puts three items into each box; a camera checks the result</source>
-        <translation>机器人在每个箱子里放三个工件，由相机检查结果</translation>
-    </message>
-    <message>
-        <source>Two sensors are compared; a faulty one is replaced by the healthy one without a bump</source>
-        <translation>比较两个传感器；故障的一个由正常的无扰替代</translation>
-    </message>
-    <message>
-        <source>Starts and stops six pumps by level and running hours, as a town&apos;s day flows in</source>
-        <translation>按液位和运行时间启停六台泵，来水模拟城市的一天</translation>
-    </message>
-    <message>
-        <source>A rotary switch selects the speed of a motor, a number what a module does</source>
-        <translation>旋钮选择电机转速，数字选择模块的功能</translation>
-    </message>
-    <message>
-        <source>Last in, first out: push, pop and reset, in ST and as an instruction list</source>
-        <translation>后进先出：push、pop 和 reset，用 ST 和指令表编写</translation>
-    </message>
-    <message>
-        <source>The same sequence twice: with CASE and as a chart of steps; either can be in control</source>
-        <translation>同一过程写两次：用 CASE 和顺序功能图，任选其一控制</translation>
-    </message>
-    <message>
-        <source>Fill, empty and stir with three switches; two level switches prevent mistakes</source>
-        <translation>用三个开关加料、排空和搅拌，两个液位开关防止误操作</translation>
-    </message>
-    <message>
-        <source>A current of 4 to 20 mA becomes a level, and the level becomes a volume</source>
-        <translation>4 至 20 mA 电流换算为液位，液位换算为体积</translation>
-    </message>
-    <message>
-        <source>Red, yellow and green from one counter of seconds, written in three ways</source>
-        <translation>由一个秒计数器控制红、黄、绿灯，用三种方式编写</translation>
-    </message>
-    <message>
-        <source>Five tanks, three pipelines, fifteen valves; two tanks never feed the same pipeline</source>
-        <translation>五个罐、三条管线、十五个阀门；两个罐绝不同时供同一管线</translation>
-    </message>
-    <message>
-        <source>A motor valve, a spring-return valve and a control valve, each with its block</source>
-        <translation>电动阀、弹簧复位阀和调节阀，各有一个功能块</translation>
-    </message>
-    <message>
-        <source>A float in waves: the pump starts and stops only after five steady seconds</source>
-        <translation>波浪中的浮球：稳定五秒后泵才启停</translation>
-    </message>
-    <message>
-        <source>Four BCD digits become the net weight once the scale has come to rest</source>
-        <translation>秤稳定后，四位 BCD 数换算为净重</translation>
-    </message>
-    <message>
-        <source>Samples of the language on four pages, each a program of its own with a test</source>
-        <translation>四页语言示例，每个都是带测试的独立程序</translation>
-    </message>
-    <message>
-        <source>Automated guided vehicle</source>
-        <translation>自动导引车</translation>
-    </message>
-    <message>
-        <source>First-order filter and two sines</source>
-        <translation>一阶滤波器与两个正弦信号</translation>
-    </message>
-    <message>
-        <source>Pump at its most efficient speed</source>
-        <translation>泵的最高效转速</translation>
-    </message>
-    <message>
-        <source>A controller and a tank, connected on this computer by real Modbus TCP</source>
-        <translation>控制器和罐通过本机上真实的 Modbus TCP 连接</translation>
-    </message>
-</context>
-<context>
-    <name>FigureText</name>
-    <message>
-        <source>%1 at %2</source>
-        <translation>%1，位于 %2</translation>
-    </message>
-    <message>
-        <source>An XY plot draws one channel over another: add a second channel to the trace.</source>
-        <translation>XY 图以一个通道为横轴绘制另一个通道：请向跟踪添加第二个通道。</translation>
-    </message>
-    <message>
-        <source>XY plot</source>
-        <translation>XY 图</translation>
-    </message>
-    <message>
-        <source>There are no samples in view: run the program or show another stretch.</source>
-        <translation>可见范围内没有采样值：请运行程序或显示其他区段。</translation>
-    </message>
-    <message>
-        <source>%L1 points over %2</source>
-        <translation>%L1 个点，历时 %2</translation>
-    </message>
-    <message>
-        <source>A spectrum shows the frequencies of the visible channels: add a channel.</source>
-        <translation>频谱显示可见通道的频率：请添加通道。</translation>
-    </message>
-    <message>
-        <source>Spectrum</source>
-        <translation>频谱</translation>
-    </message>
-    <message>
-        <source>Frequency [Hz]</source>
-        <translation>频率 [Hz]</translation>
-    </message>
-    <message>
-        <source>amplitude</source>
-        <translation>幅值</translation>
-    </message>
-    <message>
-        <source>%1: no peak, RMS %2</source>
-        <translation>%1：无峰值，有效值 %2</translation>
-    </message>
-    <message>
-        <source>%1: %2, RMS %3</source>
-        <translation>%1：%2，有效值 %3</translation>
-    </message>
-    <message>
-        <source>A frequency response compares an output with an input: add both as channels, and choose the input.</source>
-        <translation>频率响应比较输出与输入：请将两者添加为通道，并选择输入。</translation>
-    </message>
-    <message>
-        <source>Frequency response</source>
-        <translation>频率响应</translation>
-    </message>
-    <message>
-        <source>gain [dB]</source>
-        <translation>增益 [dB]</translation>
-    </message>
-    <message>
-        <source>phase [°]</source>
-        <translation>相位 [°]</translation>
-    </message>
-    <message>
-        <source>coherence</source>
-        <translation>相干性</translation>
-    </message>
-    <message>
-        <source>%1: %L2 of %L3 frequencies with a coherence above 0.8</source>
-        <translation>%1：%L3 个频率中有 %L2 个的相干性高于 0.8</translation>
-    </message>
-    <message>
-        <source>Runs are laid over each other at their triggers: enter a trigger in the properties of the trace.</source>
-        <translation>各次运行按触发点叠加：请在跟踪的属性中输入触发器。</translation>
-    </message>
-    <message>
-        <source>The trigger has not fired in this recording yet.</source>
-        <translation>此记录中触发器尚未触发。</translation>
-    </message>
-    <message>
-        <source>Runs of the visible channels are laid over each other: add a channel.</source>
-        <translation>可见通道的各次运行叠加显示：请添加通道。</translation>
-    </message>
-    <message>
-        <source>Time since the trigger [s]</source>
-        <translation>触发后的时间 [s]</translation>
-    </message>
-    <message>
-        <source>%1: runs differ most %2 after the trigger, by %3</source>
-        <translation>%1：各次运行在触发后 %2 差异最大，为 %3</translation>
-    </message>
-    <message>
-        <source>Charts over Time Only</source>
-        <translation>仅时间曲线图</translation>
-    </message>
-    <message>
-        <source>XY Plot</source>
-        <translation>XY 图</translation>
-    </message>
-    <message>
-        <source>Frequency Response (Bode)</source>
-        <translation>频率响应（伯德图）</translation>
-    </message>
-    <message>
-        <source>Runs over Each Other</source>
-        <translation>叠加各次运行</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n run(s)</source>
-        <translation>
-            <numerusform>%n 次运行</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>Waveform</name>
-    <message>
-        <source>The table has no column of times; name one time_s (seconds) or time_ms</source>
-        <translation>表中没有时间列；请将一列命名为 time_s（秒）或 time_ms</translation>
-    </message>
-    <message>
-        <source>The table has no column {0}; it has {1}</source>
-        <translation>表中没有列 {0}；有 {1}</translation>
-    </message>
-    <message>
-        <source>The table has no column {0}; did you mean {1}?</source>
-        <translation>表中没有列 {0}；是否指 {1}？</translation>
-    </message>
-    <message>
-        <source>Line {0} has no number in column {1}; correct or remove the line</source>
-        <translation>第 {0} 行的列 {1} 中没有数字；请更正或删除该行</translation>
-    </message>
-    <message>
-        <source>The time in line {0} is before that of the line above; sort the lines by time</source>
-        <translation>第 {0} 行的时间早于上一行；请按时间对各行排序</translation>
-    </message>
-    <message>
-        <source>The table has no column of numbers besides the time; add one with a heading</source>
-        <translation>表中除时间外没有数字列；请添加带标题的列</translation>
-    </message>
-    <message>
-        <source>The table has no rows under its headings; write one row per sample</source>
-        <translation>表头下没有数据行；每个采样写一行</translation>
-    </message>
-    <message>
-        <source>The table cannot be shown as a recording: {0}</source>
-        <translation>表不能作为记录显示：{0}</translation>
-    </message>
-    <message>
-        <source>the names of its columns cannot be variables; use letters, digits and underscores</source>
-        <translation>其列名不能作为变量；请使用字母、数字和下划线</translation>
-    </message>
-    <message>
-        <source>{0} {0:sample is|samples are} too few for a spectrum; show a longer stretch</source>
-        <translation>{0} 个采样值不足以计算频谱；请显示更长的区段</translation>
-    </message>
-    <message>
-        <source>{0} {0:sample is|samples are} too few for a frequency response; show a longer stretch</source>
-        <translation>{0} 个采样值不足以计算频率响应；请显示更长的区段</translation>
-    </message>
-    <message>
-        <source>The input does not move here; there is nothing to answer to</source>
-        <translation>此处输入没有变化；没有可计算的响应</translation>
-    </message>
-    <message>
-        <source>{0} needs a closing parenthesis at the end; it goes around the whole expression</source>
-        <translation>{0} 末尾需要右括号；括号包围整个表达式</translation>
-    </message>
-    <message>
-        <source>{0} needs a time above 0 as its second argument, for example {1}</source>
-        <translation>{0} 的第二个实参必须是大于 0 的时间，例如 {1}</translation>
-    </message>
-    <message>
-        <source>{0} takes one expression; remove the others</source>
-        <translation>{0} 只接受一个表达式；请删除其余表达式</translation>
-    </message>
-</context>
-<context>
-    <name>plc::plot::PlotView</name>
-    <message>
-        <source>Chart</source>
-        <translation>曲线图</translation>
-    </message>
-    <message>
-        <source>%1
-Click selects, Ctrl+click shows or hides.</source>
-        <translation>%1
-单击选择，Ctrl+单击显示或隐藏。</translation>
-    </message>
-</context>
-<context>
-    <name>plc::trace::FigurePane</name>
-    <message>
-        <source>Save as %1</source>
-        <translation>保存为 %1</translation>
-    </message>
-    <message>
-        <source>Fit</source>
-        <translation>适应方式</translation>
-    </message>
-    <message>
-        <source>Copy as picture</source>
-        <translation>复制为图片</translation>
-    </message>
-    <message>
-        <source>Save as %1…</source>
-        <translation>保存为 %1…</translation>
-    </message>
-    <message>
-        <source>Window</source>
-        <translation>窗函数</translation>
-    </message>
-    <message>
-        <source>Hann window</source>
-        <translation>汉宁窗</translation>
-    </message>
-    <message>
-        <source>Flat top: exact amplitudes</source>
-        <translation>平顶窗：幅值准确</translation>
-    </message>
-    <message>
-        <source>No window</source>
-        <translation>不加窗</translation>
-    </message>
-    <message>
-        <source>Logarithmic</source>
-        <translation>对数</translation>
-    </message>
-    <message>
-        <source>Charts over time only</source>
-        <translation>仅时间曲线图</translation>
-    </message>
-    <message>
-        <source>Horizontal value</source>
-        <translation>横轴值</translation>
-    </message>
-    <message>
-        <source>Window of the spectrum</source>
-        <translation>频谱的窗函数</translation>
-    </message>
-    <message>
-        <source>Logarithmic axes</source>
-        <translation>对数坐标轴</translation>
-    </message>
-    <message>
-        <source>Input:</source>
-        <translation>输入：</translation>
-    </message>
-    <message>
-        <source>Horizontal:</source>
-        <translation>横轴：</translation>
-    </message>
-    <message>
-        <source>Input</source>
-        <translation>输入</translation>
-    </message>
-    <message>
-        <source>Measure between Points</source>
-        <translation>测量两点之间</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::AttachDialog</name>
-    <message>
-        <source>Address</source>
-        <translation>地址</translation>
-    </message>
-    <message>
-        <source>Code</source>
-        <translation>代码</translation>
-    </message>
-    <message>
-        <source>Attach to a Controller</source>
-        <translation>连接控制器</translation>
-    </message>
-    <message>
-        <source>from the file attach-code of the controller</source>
-        <translation>来自控制器的 attach-code 文件</translation>
-    </message>
-    <message>
-        <source>only for certificates that this computer does not know</source>
-        <translation>仅用于此计算机不认识的证书</translation>
-    </message>
-    <message>
-        <source>…</source>
-        <translation>…</translation>
-    </message>
-    <message>
-        <source>Choose a certificate</source>
-        <translation>选择证书</translation>
-    </message>
-    <message>
-        <source>Trusted certificate</source>
-        <translation>受信任的证书</translation>
-    </message>
-    <message>
-        <source>Attach</source>
-        <translation>连接</translation>
-    </message>
-    <message>
-        <source>Choose a Certificate</source>
-        <translation>选择证书</translation>
-    </message>
-    <message>
-        <source>Certificates (*.pem *.crt *.cer);;All files (*)</source>
-        <translation>证书 (*.pem *.crt *.cer);;所有文件 (*)</translation>
-    </message>
-    <message>
-        <source>Attaching…</source>
-        <translation>正在连接…</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::Attachment</name>
-    <message>
-        <source>%1 at %2</source>
-        <translation>%1，位于 %2</translation>
-    </message>
-    <message>
-        <source>Detach</source>
-        <translation>断开</translation>
-    </message>
-    <message>
-        <source>Attached to %1</source>
-        <translation>已连接到 %1</translation>
-    </message>
-    <message>
-        <source>Attached to %1; its program is not the one that is open here</source>
-        <translation>已连接到 %1；其程序与此处打开的不同</translation>
-    </message>
-    <message>
-        <source>%1 is lost – connecting again…</source>
-        <translation>与 %1 的连接已断开 – 正在重新连接…</translation>
-    </message>
-    <message>
-        <source>Attaching to %1…</source>
-        <translation>正在连接 %1…</translation>
-    </message>
-    <message>
-        <source>The controller runs there; what is written and forced here acts there</source>
-        <translation>控制器在那里运行；在此处写入和强制的值会在那里生效</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::NativeProgramDialog</name>
-    <message>
-        <source>File</source>
-        <translation>文件</translation>
-    </message>
-    <message>
-        <source>Build</source>
-        <translation>生成</translation>
-    </message>
-    <message>
-        <source>Build a Native Program</source>
-        <translation>生成本机程序</translation>
-    </message>
-    <message>
-        <source>…</source>
-        <translation>…</translation>
-    </message>
-    <message>
-        <source>Choose the file</source>
-        <translation>选择文件</translation>
-    </message>
-    <message>
-        <source>Native Program</source>
-        <translation>本机程序</translation>
-    </message>
-    <message>
-        <source>Machine</source>
-        <translation>机器</translation>
-    </message>
-    <message>
-        <source>The program runs without Stepwise on a machine with Linux: its PLC code and a small runner in one file.</source>
-        <translation>程序无需 Stepwise 即可在 Linux 机器上运行：一个文件包含其 PLC 代码和小型运行时。</translation>
-    </message>
-    <message>
-        <source>Building…</source>
-        <translation>正在生成…</translation>
-    </message>
-    <message>
-        <source>%1 is built</source>
-        <translation>%1 已生成</translation>
-    </message>
-</context>
-<context>
-    <name>Remote</name>
-    <message>
-        <source>The request is not understood; studio and controller may be of different versions</source>
-        <translation>无法理解该请求；开发环境与控制器的版本可能不同</translation>
-    </message>
-    <message>
-        <source>There is no request {0}; studio and controller may be of different versions</source>
-        <translation>没有请求 {0}；开发环境与控制器的版本可能不同</translation>
-    </message>
-    <message>
-        <source>Breakpoints stop a machine in the middle of a scan; `stepwise serve` allows them with --allow-breakpoints</source>
-        <translation>断点会使机器停在扫描周期中间；“stepwise serve”可用 --allow-breakpoints 允许断点</translation>
-    </message>
-    <message>
-        <source>{0} is forced; release it before writing</source>
-        <translation>{0} 已被强制；写入前请取消强制</translation>
-    </message>
-    <message>
-        <source>{0} is not forced</source>
-        <translation>{0} 未被强制</translation>
-    </message>
-    <message>
-        <source>Another program is being built for this controller; try again when it is loaded</source>
-        <translation>正在为此控制器编译另一个程序；请在其载入后重试</translation>
-    </message>
-    <message>
-        <source>The program has {0} {0:error|errors}; the controller goes on with the old one</source>
-        <translation>程序有 {0} 个错误；控制器继续运行旧程序</translation>
-    </message>
-    <message>
-        <source>The controller&apos;s program has no file {0}; load its program again</source>
-        <translation>控制器的程序中没有文件 {0}；请重新加载其程序</translation>
-    </message>
-    <message>
-        <source>A recording is already being fetched; wait until it has arrived</source>
-        <translation>正在获取一个记录；请等待其完成</translation>
-    </message>
-    <message>
-        <source>A controller that serves others cannot be put back in time; fetch its recording and go on from there</source>
-        <translation>正在为他人服务的控制器不能回退时间；请获取其记录并从那里继续</translation>
-    </message>
-    <message>
-        <source>{0} is not the address of a controller; write for example https://plant:8443/</source>
-        <translation>{0} 不是控制器的地址；例如请写 https://plant:8443/</translation>
-    </message>
-    <message>
-        <source>{0} cannot be reached: {1}</source>
-        <translation>无法访问 {0}：{1}</translation>
-    </message>
-    <message>
-        <source>{0} refuses the connection: {1}</source>
-        <translation>{0} 拒绝连接：{1}</translation>
-    </message>
-    <message>
-        <source>The code is wrong; it is in the file attach-code of the controller&apos;s state folder</source>
-        <translation>代码错误；代码在控制器状态文件夹的 attach-code 文件中</translation>
-    </message>
-    <message>
-        <source>There were too many wrong codes from this computer; wait a minute</source>
-        <translation>此计算机输入错误代码的次数过多；请等待一分钟</translation>
-    </message>
-    <message>
-        <source>The code would cross the network unprotected; use an https address, and start the controller with --certificate</source>
-        <translation>代码将在网络上明文传输；请使用 https 地址，并用 --certificate 启动控制器</translation>
-    </message>
-    <message>
-        <source>The certificate of {0} is not trusted: {1}; name the file of the certificate that you trust</source>
-        <translation>{0} 的证书不受信任：{1}；请指定您信任的证书文件</translation>
-    </message>
-    <message>
-        <source>The certificate cannot be read from {0}; it must be a PEM file</source>
-        <translation>无法从 {0} 读取证书；必须是 PEM 文件</translation>
-    </message>
-    <message>
-        <source>The connection to {0} is lost; check the network and the controller</source>
-        <translation>与 {0} 的连接已断开；请检查网络和控制器</translation>
-    </message>
-    <message>
-        <source>{0} does not answer; check the address and whether the controller runs</source>
-        <translation>{0} 没有应答；请检查地址以及控制器是否运行</translation>
-    </message>
-    <message>
-        <source>The controller&apos;s program cannot be built here as it is there; use the same version of Stepwise on both sides</source>
-        <translation>控制器的程序无法在此处按其原样编译；请两侧使用相同版本的 Stepwise</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::Menu</name>
-    <message>
-        <source>File</source>
-        <translation>文件</translation>
-    </message>
-    <message>
-        <source>Edit</source>
-        <translation>编辑</translation>
-    </message>
-    <message>
-        <source>Run</source>
-        <translation>运行</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>时间</translation>
-    </message>
-    <message>
-        <source>View</source>
-        <translation>视图</translation>
-    </message>
-    <message>
-        <source>Help</source>
-        <translation>帮助</translation>
+        <source>Recordings and tables (*.rec *.csv *.tsv *.txt *.trace);;All files (*)</source>
+        <translation>记录和表格 (*.rec *.csv *.tsv *.txt *.trace);;所有文件 (*)</translation>
     </message>
 </context>
 </TS>
