@@ -173,7 +173,7 @@ QSize StudioStyle::sizeFromContents(ContentsType type, const QStyleOption* optio
         result += QSize(4, 4);
         break;
     case CT_TabBarTab:
-        if (const QStyleOptionTab* tab = asPicture(option, widget)) result.setWidth(tab->iconSize.width() + 18);
+        if (const QStyleOptionTab* tab = asPicture(option, widget)) result.setWidth(tab->iconSize.width() + 14);
         break;
     case CT_ToolButton:
         result = result.expandedTo(QSize(26, 26));

@@ -13,7 +13,9 @@
 
 namespace plc::hmi {
 
-Overlay::Overlay(const OverlayLook& look, QWidget* parent) : QWidget(parent), m_look(look), m_box(new QWidget(this)) {
+Overlay::Overlay(const OverlayLook& look, QWidget* parent)
+    : QWidget(parent), m_theme(*look.theme), m_look(look), m_box(new QWidget(this)) {
+    m_look.theme = &m_theme;
     setGeometry(parent->rect());
     parent->installEventFilter(this);
     setAttribute(Qt::WA_DeleteOnClose);

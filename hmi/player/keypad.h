@@ -40,6 +40,7 @@ protected:
     QPushButton* key(const QString& text, bool isMain = false) const;
     QString words(SystemText text) const { return systemText(*m_look.texts, text, m_look.tag); }
 
+    PanelTheme m_theme; // a copy: theme files are read again while this is in sight
     OverlayLook m_look;
     QWidget* m_box;
 };

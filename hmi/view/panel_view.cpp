@@ -76,8 +76,13 @@ void PanelView::paintEvent(QPaintEvent* event) {
     const QRect covered(
         QPoint(static_cast<int>(std::ceil(area.left())), static_cast<int>(std::ceil(area.top()))),
         QPoint(static_cast<int>(std::floor(area.right())) - 1, static_cast<int>(std::floor(area.bottom())) - 1));
+    // A pixel or two beside a panel that fills the view come from rounding: they belong to its ground.
+    const PanelTheme& theme = m_scene.theme();
+    const QColor own = theme.color(m_scene.panel().text("background"));
+    const QColor ground = own.isValid() ? own : theme.color("background");
+    const bool isFilled = width() - area.width() < 4 && height() - area.height() < 4;
     for (const QRect& rect : event->region() - covered)
-        painter.fillRect(rect, m_scene.theme().color("background").darker(m_scene.theme().isDark() ? 130 : 108));
+        painter.fillRect(rect, isFilled ? ground : theme.color("background").darker(theme.isDark() ? 130 : 108));
     const QRegion inside = event->region() & area.toAlignedRect();
     if (inside.isEmpty()) return;
     painter.translate(area.topLeft());

@@ -12,7 +12,7 @@ namespace plc::hmi {
 
 namespace {
 
-constexpr int kFewControls = 1; // one control says by itself what there is to press
+constexpr int kFewControls = 2; // start and stop say by themselves what there is to press
 
 /// Chinese and Japanese are written without spaces.
 bool hasNoSpaces(const QString& text) {

@@ -27,7 +27,7 @@ protected:
         window->resetLayout();
         window->resize(size);
         ASSERT_TRUE(waitFor([&] { return window->size() == size && below(); }));
-        QTest::qWait(50);
+        QTest::qWait(50); // a duration: tab bars settle by queued events of their own
     }
     QList<QTabBar*> bars() const {
         QList<QTabBar*> shown;
@@ -87,7 +87,9 @@ TEST_F(DockTabsTest, EachPictureSaysItsNameAndBringsItsDockToTheFront) {
             if (dock->windowTitle() != bar.tabText(i)) continue;
             EXPECT_TRUE(waitFor([&] { return dock->widget()->visibleRegion().boundingRect().width() > 50; }));
         }
-        EXPECT_TRUE(waitFor([&] { return cut(bar).isEmpty(); })) << "in front: " << bar.tabText(i).toStdString();
+        EXPECT_TRUE(waitFor([&] { return cut(bar).isEmpty(); }))
+            << "in front: " << bar.tabText(i).toStdString() << ", " << bar.tabRect(i).left() << " to "
+            << bar.tabRect(i).right() << " of " << bar.width();
     }
 }
 

@@ -166,7 +166,7 @@ TEST_F(HostileImport, CancelledHalfWayNothingIsReadAndNothingWritten) {
     clicker.start(0);
     dialog->preview(folder.path() + "/tree");
     EXPECT_EQ(clicks, 1);
-    EXPECT_EQ(complaint(), "Cancelled");
+    EXPECT_EQ(complaint(), "cancelled");
     expectNothing("cancelled reading");
     clicker.stop();
     dialog->preview(folder.path() + "/tree");

@@ -162,7 +162,7 @@ TEST_F(GermanStudioTest, ADivisionByZeroReadsGermanEverywhere) {
     bool isOnButton = false;
     ASSERT_TRUE(waitFor([&] {
         for (auto* button : window->findChildren<QToolButton*>())
-            isOnButton |= button->isVisible() && button->text() == "Division durch null";
+            isOnButton |= button->isVisible() && button->text().startsWith("Division durch null");
         return isOnButton;
     }));
     EXPECT_TRUE(waitFor([&] {
@@ -173,7 +173,7 @@ TEST_F(GermanStudioTest, ADivisionByZeroReadsGermanEverywhere) {
     }));
     const auto* strip = window->live().player()->findChild<hmi::PlayerStatus*>();
     ASSERT_NE(strip, nullptr);
-    EXPECT_TRUE(waitFor([&] { return strip->stateText().endsWith(": Division durch null"); }))
+    EXPECT_TRUE(waitFor([&] { return strip->stateText().contains(": Division durch null"); }))
         << strip->stateText().toStdString();
 }
 

@@ -84,6 +84,12 @@ protected:
         });
         timer->start(10);
     }
+    /// Where the caret is: a right click moves it to the place clicked.
+    QPoint caret() {
+        const auto at = editor().SendScintilla(QsciScintilla::SCI_GETCURRENTPOS);
+        return {static_cast<int>(editor().SendScintilla(QsciScintilla::SCI_POINTXFROMPOSITION, 0UL, at)),
+                static_cast<int>(editor().SendScintilla(QsciScintilla::SCI_POINTYFROMPOSITION, 0UL, at)) + 3};
+    }
     static void rightClick(QWidget* widget, QPoint at) {
         QContextMenuEvent event(QContextMenuEvent::Mouse, at, widget->mapToGlobal(at));
         QApplication::sendEvent(widget, &event);
@@ -104,7 +110,7 @@ TEST_F(WhyViewTest, TheTextsMenuAnswersWhyAndAClickGoesToPlaceAndScan) {
     runUntilLamp();
     editor().goTo(at("lamp := TRUE") + 1);
     chooseInNextMenu("askWhy");
-    rightClick(editor().viewport(), {10, 10});
+    rightClick(editor().viewport(), caret());
     ASSERT_TRUE(answered()) << answer();
     EXPECT_TRUE(window->dock("why")->isVisible());
     EXPECT_NE(answer().find("lamp is TRUE"), std::string::npos) << answer();
@@ -150,7 +156,7 @@ TEST_F(WhyViewTest, AQuestionMayOutliveTheWindow) {
     window->control().disconnectSession();
     window.reset();
     std::thread([&held] { held.reset(); }).join();
-    QTest::qWait(10);
+    QTest::qWait(10); // a duration: what was posted to the control that is gone would come now
 }
 
 TEST_F(WhyViewTest, AQuestionCanBeCancelledAndANewOneReplacesIt) {

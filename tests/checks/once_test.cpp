@@ -23,7 +23,7 @@ std::set<std::string> modules() {
     return names;
 }
 
-/// "std::string_view text, size_t" -> "std::string_view,size_t": names of parameters do not tell functions apart.
+/// "std::string_view text, size_t" -> "std::string_view, size_t": names of parameters do not tell functions apart.
 std::string typesOf(const std::string& parameters) {
     static const std::regex name(R"(\s*\b\w+\s*(,|$))");
     return std::regex_replace(parameters, name, "$1");
@@ -82,7 +82,7 @@ TEST(Once, AFilesOwnNamesAreItsOwnInTheModule) {
 TEST(Once, TellsNamesFromOtherLines) {
     EXPECT_EQ(declaredBy("bool isDigit(char c) { return c >= '0'; }"), "isDigit(char)");
     EXPECT_EQ(declaredBy("std::string joined(std::string_view a, const std::string& b) {"),
-              "joined(std::string_view,const std::string&)");
+              "joined(std::string_view, const std::string&)");
     EXPECT_EQ(declaredBy("constexpr size_t kMost = 4;"), "constant kMost");
     EXPECT_EQ(declaredBy("struct Reading {"), "type Reading");
     EXPECT_EQ(declaredBy("struct Reading;"), std::nullopt);

@@ -89,7 +89,7 @@ TEST(DesignComfort, TheOutlineSaysWhatThingsAre) {
     auto* outline = studio.designer->findChild<Outline*>();
     ASSERT_TRUE(outline);
     EXPECT_EQ(outline->itemOf("a")->text(0).toStdString(), "Lamp  Main.running");
-    EXPECT_EQ(outline->itemOf("b")->text(0).toStdString(), "Button  “Go”");
+    EXPECT_EQ(outline->itemOf("b")->text(0).toStdString(), "Button  \"Go\"");
     EXPECT_EQ(outline->itemOf("c")->text(0).toStdString(), "Rectangle  c");
     EXPECT_EQ(outline->itemOf("d")->text(0).toStdString(), "Horn");
     studio.designer->selection().set({"a"});

@@ -111,7 +111,7 @@ TEST_F(BuildCommand, TheProgramRefusesWhatItDoesNotKnow) {
              {{"--for", "5 apples"}, "needs a duration"},
              {{"--set", "Main.go"}, "PATH=VALUE"},
              {{"--set", "Main.gone=1"}, "gone"},
-             {{"--set", "Main.count=red", "--scans", "1"}, "is not a value for Main.count (type INT)"},
+             {{"--set", "Main.count=red", "--scans", "1"}, "is not a value for Main.count; write one of type INT"},
              {{"--watch", "Nobody"}, "Nobody"},
              {{"--start", "tomorrow"}, "is not a date and time"},
              {{"--record", path("no/such/folder/x.rec"), "--scans", "1"}, "no/such/folder"}}) {
@@ -135,10 +135,10 @@ TEST_F(BuildCommand, WhatCannotBeBuiltLeavesNothingBehind) {
     };
     const std::string main = path("main.st"), kept = path("kept");
     expectRefused({}, 2, "needs a project folder");
-    expectRefused({main}, 2, "--output names the program");
+    expectRefused({main}, 2, "build needs --output FILE");
     expectRefused({main, "--output", kept, "--target", "z80"}, 2, "x86_64 or aarch64, not z80");
-    expectRefused({main, "--output", path("no/where/x")}, 2, "cannot be a file");
-    expectRefused({main, "--output", path("")}, 2, "cannot be a file");
+    expectRefused({main, "--output", path("no/where/x")}, 2, "cannot be written: it is a folder");
+    expectRefused({main, "--output", path("")}, 2, "cannot be written: it is a folder");
     expectRefused({main, "--output", kept, "--linker", "no-such-linker"}, 2,
                   "There is no linker no-such-linker; install it, or leave --linker out");
     expectRefused({main, "--output", kept, "--linker", "/bin/false"}, 2, "could not link");

@@ -97,7 +97,7 @@ TEST(TraceFigures, WrongWordsAreRefusedWithTheRemedy) {
     const std::string table = tableIn(folder);
     for (const auto& [words, say_] :
          {std::pair{std::vector<std::string>{"--xy", "Force"}, "two expressions"},
-          std::pair{std::vector<std::string>{"--xy", "Force,Way", "--spectrum", "Way"}, "only one"},
+          std::pair{std::vector<std::string>{"--xy", "Force,Way", "--spectrum", "Way"}, "Only one of"},
           std::pair{std::vector<std::string>{"--spectrum", "Force", "--window", "round"}, "hann"},
           std::pair{std::vector<std::string>{"--channels", "Force", "--note", "soon"}, "a time and a text"},
           std::pair{std::vector<std::string>{"--channels", "Force", "--measured", "x.csv"}, "a file and expressions"},

@@ -214,10 +214,11 @@ TEST_F(TuneCommand, SaysWhatIsWrong) {
     };
     refused({}, "one project");
     refused({path("valve.csv")}, "valve, level");
-    refused({path("valve.csv"), "--input", "valve"}, "go together");
+    refused({path("valve.csv"), "--input", "valve"}, "belong together");
     refused({path("valve.csv"), "--input", "valv", "--output", "level"}, "did you mean valve");
     refused({path("valve.csv"), "--input", "valve", "--output", "level", "--rule", "magic"}, "magic");
-    refused({path("valve.csv"), "--input", "valve", "--output", "level", "--step", "7"}, "no step 7");
+    refused({path("valve.csv"), "--input", "valve", "--output", "level", "--step", "7"},
+            "no step 7; choose one from 1 to 2");
     refused({path("valve.csv"), "--input", "valve", "--output", "level", "--brisk", "2"}, "from 0 to 1");
     refused({path("flat.csv"), "--input", "u", "--output", "y"}, "no step");
     refused({path("missing.csv"), "--input", "u", "--output", "y"}, "no such file");

@@ -134,7 +134,7 @@ TEST(ServeCommand, SaysWhyItCannotStart) {
     const Service service({files.program, "--state", files.state});
     const QString port = QString::number(QUrl(service.url).port());
     EXPECT_NE(answer({"--state", files.state}).find("Another server already works"), std::string::npos);
-    EXPECT_NE(answer({"--state", files.folder.filePath("other"), "--port", port}).find("Nothing can listen at"),
+    EXPECT_NE(answer({"--state", files.folder.filePath("other"), "--port", port}).find("cannot be used"),
               std::string::npos);
 }
 

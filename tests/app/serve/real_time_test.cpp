@@ -107,8 +107,8 @@ TEST_F(RealTime, WhatTheMachineGrantsIsSoAndEveryWishIsAnswered) {
         const QByteArray answer = said.mid(at + static_cast<qsizetype>(std::strlen(wish)));
         EXPECT_TRUE(answer.startsWith("granted\n") || answer.startsWith("not granted (")) << said.toStdString();
     }
-    const auto thread = scanThread();
-    ASSERT_TRUE(thread);
+    std::optional<pid_t> thread;
+    ASSERT_TRUE(waitUntil([&] { return (thread = scanThread()).has_value(); }));
     if (said.contains("priority 60: granted")) {
         EXPECT_EQ(::sched_getscheduler(*thread), SCHED_FIFO);
     }
@@ -122,8 +122,8 @@ TEST_F(RealTime, WhatTheMachineGrantsIsSoAndEveryWishIsAnswered) {
 
 TEST_F(RealTime, StatisticsHaveWakeUpExecutionAndEndOfScan) {
     start({"--stats"});
-    const auto thread = scanThread();
-    EXPECT_TRUE(thread);
+    std::optional<pid_t> thread; // has its name a moment after the start
+    EXPECT_TRUE(waitUntil([&] { return (thread = scanThread()).has_value(); }));
     EXPECT_TRUE(waitUntil([&, begin = std::chrono::steady_clock::now()] {
         return std::chrono::steady_clock::now() - begin > std::chrono::milliseconds(500);
     }));

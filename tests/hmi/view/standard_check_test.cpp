@@ -154,7 +154,8 @@ TEST(StandardCheck, APanelOfTooManyThingsIsCrowded) {
 
 TEST(StandardCheck, AStartPanelSaysWhatToPress) {
     const std::string buttons = R"({"id":"a","kind":"button","rect":[0,0,120,48],"text":"S1 Start","target":"M.s1"},
-                                   {"id":"b","kind":"button","rect":[0,60,120,48],"text":"S2 Stop","target":"M.s2"})";
+                                   {"id":"b","kind":"button","rect":[0,60,120,48],"text":"S2 Stop","target":"M.s2"},
+                                   {"id":"c","kind":"button","rect":[0,440,120,48],"text":"S3 Reset","target":"M.s3"})";
     const auto withText = [&](const char* text) {
         return findings(
             project({panelOf(QStringLiteral("main"),
@@ -175,14 +176,15 @@ TEST(StandardCheck, AStartPanelSaysWhatToPress) {
     EXPECT_EQ(withState("Ready: press S1"), "");
     EXPECT_EQ(withState("Stopped"), "H1117 .");
     EXPECT_EQ(withState("S1"), "H1117 .") << "the name of a state";
-    EXPECT_EQ(findings(project({panelOf(QStringLiteral("main"), buttons.substr(0, buttons.find("},") + 1))})), "")
-        << "one control speaks for itself";
+    EXPECT_EQ(findings(project({panelOf(QStringLiteral("main"), buttons.substr(0, buttons.rfind("},") + 1))})), "")
+        << "start and stop speak for themselves";
 }
 
 TEST(StandardCheck, TheHintIsLookedForInTheFirstLanguage) {
     CheckInput input = project({panelOf(
         QStringLiteral("main"), R"({"id":"a","kind":"button","rect":[0,0,120,48],"text":"@start","target":"M.s1"},
             {"id":"b","kind":"button","rect":[0,60,120,48],"text":"@stop","target":"M.s2"},
+            {"id":"c","kind":"button","rect":[0,440,120,48],"text":"@stop","target":"M.s3"},
             {"id":"s","kind":"multiState","rect":[0,120,160,44],"value":"M.s",
              "states":[{"value":"0","text":"@rest"},{"value":"1","text":"@runs"}]})")});
     TextTable table;
@@ -206,7 +208,8 @@ TEST(StandardCheck, TheHintIsLookedForInTheFirstLanguage) {
 
 TEST(StandardCheck, TheHintMayBeOnTheFrameOrInAFaceplate) {
     const std::string buttons = R"({"id":"a","kind":"button","rect":[0,0,120,48],"text":"Open","target":"M.s1"},
-                                   {"id":"b","kind":"button","rect":[0,60,120,48],"text":"Close","target":"M.s2"})",
+                                   {"id":"b","kind":"button","rect":[0,60,120,48],"text":"Close","target":"M.s2"},
+                                   {"id":"c","kind":"button","rect":[0,440,120,40],"text":"Reset","target":"M.s3"})",
                       hint =
                           R"({"id":"t","kind":"text","rect":[0,0,400,40],"text":"Press Open and wait for the lamp."})",
                       back = R"(,{"id":"k","kind":"button","rect":[0,500,120,48],"action":"back"})",
