@@ -158,7 +158,9 @@ std::string codesysXml(const std::string& micro, const std::string& times) {
 
 /// In a file of its own, as bytes.
 plc::Result<Table> readFile(const std::string& bytes) {
-    const std::string path = testing::TempDir() + "table_test.trace";
+    // Named for the test: others run beside it.
+    const std::string path =
+        testing::TempDir() + testing::UnitTest::GetInstance()->current_test_info()->name() + ".trace";
     std::ofstream(path, std::ios::binary) << bytes;
     return readTable(path);
 }
