@@ -1,6 +1,7 @@
 #include "projects/waveform/derivation.h"
 
 #include "projects/waveform/errors.h"
+#include "projects/waveform/table_parts.h"
 #include "runtime/base/text.h"
 
 #include <cmath>
@@ -14,12 +15,6 @@ namespace {
 constexpr std::pair<const char*, OperationKind> kWords[] = {{"DERIVATIVE", OperationKind::Derivative},
                                                             {"INTEGRAL", OperationKind::Integral},
                                                             {"FILTER", OperationKind::Filter}};
-
-std::string trimmed(const std::string& text) {
-    const size_t first = text.find_first_not_of(" \t");
-    if (first == std::string::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
 
 /// The word, with the parenthesis after it in `open`; nothing where the text is not such a call.
 std::optional<std::pair<const char*, OperationKind>> callAt(const std::string& text, size_t& open) {
