@@ -144,7 +144,7 @@ TypeId anyInputType(WorldBuilder& world, const Variable& variable) {
 Operand anyArgument(Context& context, const Variable& parameter, const syntax::Expr& argument) {
     // Outside of a body (in an initial value, in a watch) there is no frame that could hold the structure.
     if (!context.function) return unknown(context, argument.range);
-    tree::Expr* sequence = context.arena.make<tree::Expr>();
+    tree::Expr* sequence = newSequence(context, context.world.anyInput, argument.range);
     tree::Place* place = placeOfArgument(context, argument, sequence->statements);
     if (!place || context.isKind(place->type, TypeKind::Unknown)) return unknown(context, argument.range);
     if (!belongs(context, place->type, familyOf(parameter))) {
@@ -163,9 +163,6 @@ Operand anyArgument(Context& context, const Variable& parameter, const syntax::E
     set("TypeClass", [&](TypeId t) { return constant(context, {t, number}, argument.range); });
     set("pValue", [&](TypeId t) { return addressOf(context, place, t, argument.range); });
     set("diSize", [&](TypeId t) { return constant(context, {t, size}, argument.range); });
-    sequence->kind = tree::ExprKind::Sequence;
-    sequence->type = type;
-    sequence->range = argument.range;
     sequence->a = load(context, made, argument.range).expr;
     return {sequence, &context.types};
 }

@@ -399,10 +399,7 @@ Operand callUnit(Context& context, const Denoted& callee, const syntax::Expr& e)
         // A wrong call of something without a result is kept: as a statement it has no value that could be unknown.
         return unit.result.isValid() && !context.isKind(unit.result, TypeKind::Void) ? unknown(context, e.range) : out;
     if (!before.empty() || !after.empty()) {
-        tree::Expr* sequence = context.arena.make<tree::Expr>();
-        sequence->kind = tree::ExprKind::Sequence;
-        sequence->range = e.range;
-        sequence->type = result->type;
+        tree::Expr* sequence = newSequence(context, result->type, e.range);
         sequence->statements = std::move(before);
         // The result is read before `after` runs: what is copied back might overwrite what it was computed from.
         if (context.isKind(result->type, TypeKind::Void)) {
@@ -455,10 +452,7 @@ Operand withEnable(Context& context, Operand value, const StandardArguments& arg
     const bool setsOk = computed.kind == tree::ExprKind::Intrinsic || computed.kind == tree::ExprKind::Convert;
     if (eno && setsOk) computed.ok = eno;
     const auto sequence = [&](tree::Expr* inner, bool ok) {
-        tree::Expr* out = context.arena.make<tree::Expr>();
-        out->kind = tree::ExprKind::Sequence;
-        out->range = range;
-        out->type = value.type();
+        tree::Expr* out = newSequence(context, value.type(), range);
         out->statements.push_back(assignStmt(context, eno, constant(context, {boolean, int64_t(ok)}, range).expr, {}));
         out->a = inner;
         return out;
@@ -468,10 +462,7 @@ Operand withEnable(Context& context, Operand value, const StandardArguments& arg
     const bool isVoid = context.isKind(value.type(), TypeKind::Void);
     // A conditional has a value; what gives none needs a statement around it.
     if (isVoid) { // only as a statement: IF en THEN … END_IF
-        tree::Expr* out = context.arena.make<tree::Expr>();
-        out->kind = tree::ExprKind::Sequence;
-        out->range = range;
-        out->type = value.type();
+        tree::Expr* out = newSequence(context, value.type(), range);
         tree::Stmt* choice = newStmt(context, tree::StmtKind::If, {});
         choice->a = en;
         tree::Stmt* evaluate = newStmt(context, tree::StmtKind::Evaluate, {});

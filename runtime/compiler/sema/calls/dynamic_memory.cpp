@@ -180,10 +180,7 @@ Operand newCall(Context& context, const syntax::Expr& e) {
         makeBinary(context, library::BinaryOp::Multiply, lint, load(context, count, e.range), size, e.range);
     const Operand address = callMemory(context, "__ALLOCATE", bytes, e.range);
     if (address.isUnknown()) return unknown(context, e.range);
-    tree::Expr* sequence = context.arena.make<tree::Expr>();
-    sequence->kind = tree::ExprKind::Sequence;
-    sequence->type = pointer;
-    sequence->range = e.range;
+    tree::Expr* sequence = newSequence(context, pointer, e.range);
     sequence->statements.push_back(assignStmt(context, count, wanted.expr, {}));
     sequence->statements.push_back(assignStmt(context, made, sameBits(context, address, pointer).expr, {}));
     if (std::vector<tree::Stmt*> begin = initialisation(context, made, count, type, e.range); !begin.empty()) {
@@ -252,10 +249,7 @@ Operand deleteCall(Context& context, const syntax::Expr& e) {
     choice->body.push_back(
         // Last, because FB_Exit and the release still read it.
         assignStmt(context, pointer, constant(context, {pointer->type, int64_t(0)}, e.range).expr, {}));
-    tree::Expr* sequence = context.arena.make<tree::Expr>();
-    sequence->kind = tree::ExprKind::Sequence;
-    sequence->type = context.elementary(TypeKind::Void);
-    sequence->range = e.range;
+    tree::Expr* sequence = newSequence(context, context.elementary(TypeKind::Void), e.range);
     sequence->statements.push_back(choice);
     return {sequence, &context.types};
 }

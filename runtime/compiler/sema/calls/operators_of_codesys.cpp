@@ -66,10 +66,7 @@ Operand testAndSet(Context& context, const syntax::Expr& e) {
     Operand before = load(context, flag.place, argument.range);
     if (!isBool) before = convertNode(context, before, boolean);
     tree::Place* was = localPlace(context, newLocal(context, "was", boolean), boolean, e.range);
-    tree::Expr* sequence = context.arena.make<tree::Expr>();
-    sequence->kind = tree::ExprKind::Sequence;
-    sequence->type = boolean;
-    sequence->range = e.range;
+    tree::Expr* sequence = newSequence(context, boolean, e.range);
     sequence->statements.push_back(assignStmt(context, was, before.expr, {}));
     sequence->statements.push_back(
         assignStmt(context, flag.place, constant(context, {type, int64_t(1)}, e.range).expr, {}));
@@ -103,10 +100,7 @@ std::optional<Operand> nameOfValue(Context& context, const Operand& value, TypeI
     }
     // A variable of an enumeration can hold a number without a name (a cast, a register): its digits are shown.
     choice->elseBody.push_back(assignStmt(context, name, convertNode(context, selector, text).expr, {}));
-    tree::Expr* sequence = context.arena.make<tree::Expr>();
-    sequence->kind = tree::ExprKind::Sequence;
-    sequence->type = text;
-    sequence->range = range;
+    tree::Expr* sequence = newSequence(context, text, range);
     sequence->statements.push_back(assignStmt(context, kept, value.expr, {}));
     sequence->statements.push_back(choice);
     sequence->a = load(context, name, range).expr;

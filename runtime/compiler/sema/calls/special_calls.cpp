@@ -152,12 +152,11 @@ Operand sizeCall(Context& context, const syntax::Expr& e, TypeKind result) {
 
 /// ADR('text'), as programs for CODESYS give texts to functions that take addresses: valid until the unit ends.
 Operand addressOfLiteral(Context& context, const syntax::Expr& argument, SourceRange range) {
-    tree::Expr* sequence = context.arena.make<tree::Expr>();
-    tree::Place* place = placeOfArgument(context, argument, sequence->statements);
+    std::vector<tree::Stmt*> before;
+    tree::Place* place = placeOfArgument(context, argument, before);
     if (!place) return unknown(context, range);
-    sequence->kind = tree::ExprKind::Sequence;
-    sequence->type = context.types.pointer(place->type);
-    sequence->range = range;
+    tree::Expr* sequence = newSequence(context, context.types.pointer(place->type), range);
+    sequence->statements = std::move(before);
     sequence->a = addressOf(context, place, sequence->type, range).expr;
     return {sequence, &context.types};
 }
@@ -286,7 +285,7 @@ Operand queryCall(Context& context, const syntax::Expr& e) {
                      findings::OperatorNotForType(context.textOf(e.base->range), context.nameOf(wanted)));
         return unknown(context, e.range);
     }
-    // A block itself may be asked as well; what is compared is the number at the begin of the instance it is at.
+    // A block itself may be asked as well; what is compared is the number at the start of the instance it refers to.
     if (context.isKind(from.type(), TypeKind::Block) && from.expr->place)
         from = addressOf(context, from.expr->place, context.types.pointer(from.type()), from.expr->range);
     if (!context.isKind(from.type(), TypeKind::Interface) && !context.isKind(from.type(), TypeKind::Pointer)) {
@@ -299,10 +298,7 @@ Operand queryCall(Context& context, const syntax::Expr& e) {
     cast->type = wanted;
     cast->range = e.range;
     cast->a = from.expr;
-    tree::Expr* sequence = context.arena.make<tree::Expr>();
-    sequence->kind = tree::ExprKind::Sequence;
-    sequence->type = context.elementary(TypeKind::Bool);
-    sequence->range = e.range;
+    tree::Expr* sequence = newSequence(context, context.elementary(TypeKind::Bool), e.range);
     sequence->statements.push_back(assignStmt(context, to.place, cast, {}));
     // The result is read from the target and not from the cast, which is thus made once.
     sequence->a = inverted(context, isNull(context, load(context, to.place, e.range), e.range), e.range).expr;

@@ -213,10 +213,7 @@ Operand signatureCall(Context& context, const Signature& signature, const syntax
     Operand out = signature.operatorName.empty() ? signatureResult(context, signature, std::move(operands), e, hint)
                                                  : operatorResult(context, signature, std::move(operands), e, hint);
     if (!before.empty() && !out.isUnknown()) {
-        tree::Expr* sequence = context.arena.make<tree::Expr>();
-        sequence->kind = tree::ExprKind::Sequence;
-        sequence->range = e.range;
-        sequence->type = out.type();
+        tree::Expr* sequence = newSequence(context, out.type(), e.range);
         sequence->statements = std::move(before);
         sequence->a = out.expr;
         out = {sequence, &context.types};

@@ -69,7 +69,7 @@ Operand variableInfo(Context& context, const syntax::Expr& e) {
     tree::Place* place = denoted.place;
     if (context.isKind(place->type, TypeKind::Unknown)) return unknown(context, e.range);
 
-    tree::Expr* sequence = context.arena.make<tree::Expr>();
+    tree::Expr* sequence = newSequence(context, type, e.range);
     tree::Place* made = localPlace(context, newLocal(context, "info", type), type, e.range);
     const auto set = [&](const char* name, const auto& valueOf) {
         const types::Field* field = context.types[type].findField(name);
@@ -97,9 +97,6 @@ Operand variableInfo(Context& context, const syntax::Expr& e) {
     setNumber("BaseTypeClass", typeClassOf(context.types, measures.element));
     setNumber("ElemBitSize", measures.elementBits);
     setText("Symbol", std::string(context.textOf(argument->range)));
-    sequence->kind = tree::ExprKind::Sequence;
-    sequence->type = type;
-    sequence->range = e.range;
     sequence->a = load(context, made, e.range).expr;
     return {sequence, &context.types};
 }

@@ -44,6 +44,14 @@ Operand constant(Context& context, types::Value value, SourceRange range, bool i
     return {e, &context.types, isFlexible};
 }
 
+tree::Expr* newSequence(Context& context, TypeId type, SourceRange range) {
+    tree::Expr* sequence = context.arena.make<tree::Expr>();
+    sequence->kind = tree::ExprKind::Sequence;
+    sequence->type = type;
+    sequence->range = range;
+    return sequence;
+}
+
 Operand load(Context& context, tree::Place* place, SourceRange range) {
     tree::Expr* e = context.arena.make<tree::Expr>();
     e->kind = tree::ExprKind::Load;
@@ -167,13 +175,10 @@ Operand anyExpression(Context& context, const syntax::Expr& e, TypeId hint) {
         const Denoted inner = target(context, *e.base);
         const TypeId type = inner.kind == Denoted::Kind::Place ? inner.place->type : hint;
         Operand value = expression(context, *e.right, type);
-        tree::Expr* sequence = context.arena.make<tree::Expr>();
-        sequence->kind = tree::ExprKind::Sequence;
-        sequence->range = e.range;
+        tree::Expr* sequence = newSequence(context, type, e.range);
         assignTo(context, inner, value, e.range, sequence->statements, true);
         if (inner.kind != Denoted::Kind::Place) return value;
         sequence->a = load(context, inner.place, e.base->range).expr;
-        sequence->type = sequence->a->type;
         return {sequence, &context.types};
     }
     case ExprKind::ArrayInit:

@@ -6,6 +6,8 @@ namespace plc::sema {
 
 Operand unknown(Context& context, SourceRange range);
 Operand constant(Context& context, types::Value value, SourceRange range, bool isFlexible = false);
+/// Runs its statements, then is its value `a`.
+tree::Expr* newSequence(Context& context, TypeId type, SourceRange range);
 Operand load(Context& context, tree::Place* place, SourceRange range);
 [[nodiscard]] bool isNumeric(const Context& context, TypeId type);
 void refer(Context& context, SourceRange range, SymbolId symbol, Access access);
