@@ -13,15 +13,13 @@
 
 namespace plc::hmi {
 
-Overlay::Overlay(const OverlayLook& look, QWidget* parent)
-    : QWidget(parent), m_theme(*look.theme), m_look(look), m_box(new QWidget(this)) {
-    m_look.theme = &m_theme;
+Overlay::Overlay(const OverlayLook& look, QWidget* parent) : QWidget(parent), m_look(look), m_box(new QWidget(this)) {
     setGeometry(parent->rect());
     parent->installEventFilter(this);
     setAttribute(Qt::WA_DeleteOnClose);
     setFocusPolicy(Qt::StrongFocus);
     setLayoutDirection(hmi::isRightToLeft(look.tag) ? Qt::RightToLeft : Qt::LeftToRight);
-    const PanelTheme& theme = *look.theme;
+    const PanelTheme& theme = look.theme;
     const auto name = [&](const char* role) { return theme.color(role).name(); };
     const QStringList families = look.texts->settings().fontFamilies(look.tag);
     QFont font;
@@ -225,7 +223,7 @@ QString Keypad::complaint() const { return m_hint->text(); }
 void Keypad::complain(const QString& text) {
     m_hint->setText(text);
     QPalette palette = m_hint->palette();
-    m_hint->setStyleSheet(QStringLiteral("color: %1; font-weight: bold;").arg(m_look.theme->color("alarm").name()));
+    m_hint->setStyleSheet(QStringLiteral("color: %1; font-weight: bold;").arg(m_look.theme.color("alarm").name()));
 }
 
 void Keypad::type(const QString& text) {

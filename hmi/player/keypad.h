@@ -16,7 +16,7 @@ namespace plc::hmi {
 
 /// What overlays need of the player: look and language.
 struct OverlayLook {
-    const PanelTheme* theme = nullptr;
+    PanelTheme theme; // not a pointer: theme files are read again while an overlay is in sight
     const TextCatalog* texts = nullptr;
     QString tag;
 };
@@ -40,7 +40,6 @@ protected:
     QPushButton* key(const QString& text, bool isMain = false) const;
     QString words(SystemText text) const { return systemText(*m_look.texts, text, m_look.tag); }
 
-    PanelTheme m_theme; // a copy: theme files are read again while this is in sight
     OverlayLook m_look;
     QWidget* m_box;
 };

@@ -12,7 +12,7 @@
 
 namespace plc::hmi {
 
-OverlayLook PanelPlayer::look() { return {&scene().theme(), &m_project.texts, language()}; }
+OverlayLook PanelPlayer::look() { return {scene().theme(), &m_project.texts, language()}; }
 
 /// All that a scene of this player shows, but for the panel itself.
 void PanelPlayer::setUpScene(PanelScene& one) {

@@ -13,7 +13,6 @@ PlayerStatus::PlayerStatus(QWidget* parent) : QWidget(parent) {
 void PlayerStatus::setState(const OverlayLook& look, const QString& text, StateWeight weight) {
     if (text == m_state && weight == m_weight && look.tag == m_look.tag && look.theme == m_look.theme) return;
     m_look = look;
-    m_theme = *look.theme;
     m_state = text;
     m_weight = weight;
     setVisible(!m_state.isEmpty() || !m_refusal.isEmpty());
@@ -24,7 +23,6 @@ void PlayerStatus::setState(const OverlayLook& look, const QString& text, StateW
 void PlayerStatus::setRefusal(const OverlayLook& look, const QString& text) {
     if (text == m_refusal) return;
     m_look = look;
-    m_theme = *look.theme;
     m_refusal = text;
     setVisible(!m_state.isEmpty() || !m_refusal.isEmpty());
     raise();
@@ -56,16 +54,16 @@ void PlayerStatus::paintEvent(QPaintEvent*) {
     };
     if (!m_state.isEmpty()) {
         // Values of a controller that does not run lie under a veil: they are not fresh.
-        QColor veil = m_theme.color("background");
+        QColor veil = m_look.theme.color("background");
         veil.setAlphaF(m_weight == StateWeight::Notice ? 0.0f : 0.45f);
         painter.fillRect(rect().adjusted(0, stateRect().height(), 0, 0), veil);
         strip(stateRect(),
-              m_theme.color(m_weight == StateWeight::Bad      ? "alarm"
-                            : m_weight == StateWeight::Notice ? "warning"
-                                                              : "faint"),
+              m_look.theme.color(m_weight == StateWeight::Bad      ? "alarm"
+                                 : m_weight == StateWeight::Notice ? "warning"
+                                                                   : "faint"),
               m_state, 0);
     }
-    if (!m_refusal.isEmpty()) strip(refusalRect(), m_theme.color("warning"), m_refusal, 8);
+    if (!m_refusal.isEmpty()) strip(refusalRect(), m_look.theme.color("warning"), m_refusal, 8);
 }
 
 } // namespace plc::hmi

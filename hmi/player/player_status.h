@@ -25,7 +25,6 @@ private:
     QRect stateRect() const;
     QRect refusalRect() const;
     OverlayLook m_look;
-    PanelTheme m_theme; // a copy: theme files are read again while this is in sight
     QString m_state, m_refusal;
     StateWeight m_weight = StateWeight::Quiet;
 };

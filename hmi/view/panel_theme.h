@@ -40,6 +40,7 @@ public:
         double contrast = 0, needed = 0;
     };
     std::vector<Weak> weaknesses() const;
+    bool operator==(const PanelTheme&) const = default;
 
 private:
     PanelThemeKind m_kind = PanelThemeKind::Light;

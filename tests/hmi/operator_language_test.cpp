@@ -57,7 +57,7 @@ TEST(OperatorLanguage, TheKeypadHasTheLettersOfTheScriptAndLatinOnesOnAKey) {
     QWidget window;
     window.resize(900, 600);
     window.show();
-    Keypad russian(request, {&PanelTheme::of(PanelThemeKind::Light), &texts, QStringLiteral("ru")}, &window);
+    Keypad russian(request, {PanelTheme::of(PanelThemeKind::Light), &texts, QStringLiteral("ru")}, &window);
     russian.show();
     const auto shown = [&](const QString& letter) {
         for (QPushButton* button : russian.findChildren<QPushButton*>())
