@@ -250,6 +250,17 @@ void DesignContext::putNames(const QString& title, const NamesInPanels& names, N
     }
 }
 
+QUndoCommand* DesignContext::newEdit(const QString& title, std::function<void()> forward, std::function<void()> back,
+                                     const NamesInPanels& names) {
+    const auto both = [this, title, names](const std::function<void()>& change, Names which) {
+        change();
+        putNames(title, names, which);
+    };
+    return new kit::ClosureCommand(
+        title, [both, forward = std::move(forward)] { both(forward, Names::After); },
+        [both, back = std::move(back)] { both(back, Names::Before); });
+}
+
 bool DesignContext::renameVariable(const QString& from, const QString& to) {
     bool any =
         rewritePanels(tr("Rename %1").arg(from), [&](const Panel& panel) { return renamedVariable(panel, from, to); });

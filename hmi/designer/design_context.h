@@ -79,9 +79,9 @@ public:
     using NamesInPanels = std::vector<NameInPanel>;
     /// Where elements of all panels have a text under that key that `renamed` makes another.
     NamesInPanels namesToRename(std::string_view key, const std::function<QString(const QString&)>& renamed) const;
-    enum class Names { Before, After };
-    /// Puts them in: as an undo step in panels that are open. Places that have gone are left out.
-    void putNames(const QString& title, const NamesInPanels& names, Names which);
+    /// A step of an editor of recipes or people, and the panels' names that follow in it. Whoever pushes it owns it.
+    QUndoCommand* newEdit(const QString& title, std::function<void()> forward, std::function<void()> back,
+                          const NamesInPanels& names);
     /// A variable was renamed in the code: bindings of panels and conditions of alarms follow.
     bool renameVariable(const QString& from, const QString& to);
     /// Where panels and alarms name a variable.
@@ -124,6 +124,9 @@ signals:
     void positionChanged();
 
 private:
+    enum class Names { Before, After };
+    /// Puts them in: as an undo step in panels that are open. Places that have gone are left out.
+    void putNames(const QString& title, const NamesInPanels& names, Names which);
     /// With what is edited in an open designer.
     const Panel& latest(const NamedPanel& panel) const;
     void rewritePanel(NamedPanel& panel, const QString& title, const Edit& change);

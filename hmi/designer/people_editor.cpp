@@ -101,13 +101,14 @@ QString PeopleEditor::problem() const { return m_problem->text(); }
 
 void PeopleEditor::tell(const Message& problem) { m_problem->setText(kit::messageText(problem)); }
 
-void PeopleEditor::edit(const QString& title, const std::function<void(PeopleFile&)>& change) {
+void PeopleEditor::edit(const QString& title, const std::function<void(PeopleFile&)>& change,
+                        const DesignContext::NamesInPanels& names) {
     const PeopleFile before = m_context.project().people;
     PeopleFile after = before;
     change(after);
     if (after.write() == before.write()) return rebuild();
-    m_undo.push(new kit::ClosureCommand(
-        title, [this, after] { m_context.setPeople(after); }, [this, before] { m_context.setPeople(before); }));
+    m_undo.push(m_context.newEdit(
+        title, [this, after] { m_context.setPeople(after); }, [this, before] { m_context.setPeople(before); }, names));
 }
 
 void PeopleEditor::addUser() {
@@ -226,32 +227,23 @@ void PeopleEditor::commitRole(int row, int column, const QString& typed) {
 
 /// Users who have it and elements that are kept for it follow, in the same step: else nobody could press them.
 void PeopleEditor::renameRole(int row, const QString& name) {
-    const PeopleFile before = m_context.project().people;
-    PeopleFile after = before;
-    const QString old = std::exchange(after.roles()[static_cast<size_t>(row)].name, name);
-    if (old == name) return rebuild();
+    const QString old = m_context.project().people.roles()[static_cast<size_t>(row)].name;
     const auto renamed = [&](QStringList roles) {
         for (QString& one : roles)
             if (isSame(one, old)) one = name;
         return roles;
     };
-    for (User& user : after.users()) user.roles = renamed(user.roles);
     const auto names = m_context.namesToRename("access", [&](const QString& access) {
         const QStringList roles = LogIn::rolesOf(access), now = renamed(roles);
         return now == roles ? access : now.join(QStringLiteral(", "));
     });
-    const QString title = tr("Rename Role");
-    using Names = DesignContext::Names;
-    m_undo.push(new kit::ClosureCommand(
-        title,
-        [=, this] {
-            m_context.setPeople(after);
-            m_context.putNames(title, names, Names::After);
+    edit(
+        tr("Rename Role"),
+        [&](PeopleFile& file) {
+            file.roles()[static_cast<size_t>(row)].name = name;
+            for (User& user : file.users()) user.roles = renamed(user.roles);
         },
-        [=, this] {
-            m_context.setPeople(before);
-            m_context.putNames(title, names, Names::Before);
-        }));
+        names);
 }
 
 void PeopleEditor::rebuild() {

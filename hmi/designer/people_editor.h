@@ -32,7 +32,8 @@ public:
     bool setPassword(int row, const QString& password);
 
 private:
-    void edit(const QString& title, const std::function<void(PeopleFile&)>& change);
+    void edit(const QString& title, const std::function<void(PeopleFile&)>& change,
+              const DesignContext::NamesInPanels& names = {});
     void commitUser(int row, int column, const QString& text);
     void commitRole(int row, int column, const QString& text);
     void renameRole(int row, const QString& name);

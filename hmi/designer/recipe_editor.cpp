@@ -96,11 +96,12 @@ RecipeEditor::RecipeEditor(DesignContext& context, QWidget* parent)
 
 const Recipe* RecipeEditor::current() const { return m_context.project().recipes.find(m_current); }
 
-void RecipeEditor::perform(const QString& title, RecipeFile after) {
+void RecipeEditor::perform(const QString& title, RecipeFile after, const DesignContext::NamesInPanels& names) {
     const RecipeFile before = m_context.project().recipes;
     if (after.write() == before.write()) return rebuild();
-    m_undo.push(new kit::ClosureCommand(
-        title, [this, after] { m_context.setRecipes(after); }, [this, before] { m_context.setRecipes(before); }));
+    m_undo.push(m_context.newEdit(
+        title, [this, after] { m_context.setRecipes(after); }, [this, before] { m_context.setRecipes(before); },
+        names));
 }
 
 void RecipeEditor::edit(const QString& title, const std::function<void(Recipe&)>& change) {
@@ -157,22 +158,11 @@ void RecipeEditor::renameRecipe(int row, const QString& name) {
     if (wanted == recipe.name) return rebuild();
     if (wanted.isEmpty()) return refuse(tr("A recipe needs a name."));
     if (after.find(wanted)) return refuse(tr("The recipe \"%1\" already exists; choose another name.").arg(wanted));
-    const RecipeFile before = after;
-    const QString title = tr("Rename Recipe"), old = std::exchange(recipe.name, wanted);
+    const QString old = std::exchange(recipe.name, wanted);
     m_current = wanted;
     // Panels that show it follow, in the same step.
-    const auto names = m_context.namesToRename("recipe", [&](const QString& one) { return one == old ? wanted : one; });
-    using Names = DesignContext::Names;
-    m_undo.push(new kit::ClosureCommand(
-        title,
-        [=, this] {
-            m_context.setRecipes(after);
-            m_context.putNames(title, names, Names::After);
-        },
-        [=, this] {
-            m_context.setRecipes(before);
-            m_context.putNames(title, names, Names::Before);
-        }));
+    perform(tr("Rename Recipe"), std::move(after),
+            m_context.namesToRename("recipe", [&](const QString& one) { return one == old ? wanted : one; }));
 }
 
 void RecipeEditor::addVariable(const QString& path) {

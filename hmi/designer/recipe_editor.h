@@ -36,7 +36,7 @@ public:
 private:
     const Recipe* current() const;
     void edit(const QString& title, const std::function<void(Recipe&)>& change);
-    void perform(const QString& title, RecipeFile after);
+    void perform(const QString& title, RecipeFile after, const DesignContext::NamesInPanels& names = {});
     void commit(int row, int column, const QString& text);
     void renameRecipe(int row, const QString& name);
     void rebuild();
