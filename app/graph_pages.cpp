@@ -115,37 +115,25 @@ void GraphPages::add(StPage* page, editor::LadderView* ladder) {
         for (StPage* each : m_tabs.pages())
             if (each->ladder()) each->ladder()->setLook(editor::LadderLook::fromBits(bits));
     });
-    connect(
-        ladder, &editor::LadderView::writeRequested, this,
-        [this, ladder](const QString& variable, const QString& value) {
-            const QString path = m_marks.pathOf(variable, ladder->unit());
-            if (path.isEmpty())
-                return emit m_tabs.message(
-                    EditorTabs::tr(
-                        "%1 is not a variable of the running program; check the name, or press F5 to build the program")
-                        .arg(variable),
-                    true);
-            if (auto written = m_control.write(path, value); !written)
-                emit m_tabs.message(kit::messageText(written.error()), true);
-        });
+    connect(ladder, &editor::LadderView::writeRequested, this,
+            [this, ladder](const QString& variable, const QString& value) {
+                const QString path = m_marks.pathOrComplain(variable, ladder->unit());
+                if (path.isEmpty()) return;
+                if (auto written = m_control.write(path, value); !written)
+                    emit m_tabs.message(kit::messageText(written.error()), true);
+            });
     StEditor* text = &page->first();
     ladder->setComputed(computedPlaces(
         *m_computed, page->file(), [text] { return text->utf8(); },
         [this, ladder] { return m_control.preferredInstance(ladder->unit().section('.', 0, 0)); }));
-    connect(
-        ladder, &editor::LadderView::forceRequested, this,
-        [this, ladder](const QString& variable, const QString& value) {
-            const QString path = m_marks.pathOf(variable, ladder->unit());
-            if (path.isEmpty())
-                return emit m_tabs.message(
-                    EditorTabs::tr(
-                        "%1 is not a variable of the running program; check the name, or press F5 to build the program")
-                        .arg(variable),
-                    true);
-            if (value.isEmpty()) return m_control.unforce(path);
-            if (auto forced = m_control.force(path, value); !forced)
-                emit m_tabs.message(kit::messageText(forced.error()), true);
-        });
+    connect(ladder, &editor::LadderView::forceRequested, this,
+            [this, ladder](const QString& variable, const QString& value) {
+                const QString path = m_marks.pathOrComplain(variable, ladder->unit());
+                if (path.isEmpty()) return;
+                if (value.isEmpty()) return m_control.unforce(path);
+                if (auto forced = m_control.force(path, value); !forced)
+                    emit m_tabs.message(kit::messageText(forced.error()), true);
+            });
 }
 
 } // namespace plc::app

@@ -46,14 +46,20 @@ QString OnlineMarks::pathOf(const QString& name, const QString& pou) const {
     return {};
 }
 
-void OnlineMarks::askForValue(const QString& name, const QString& pou, bool force) {
+QString OnlineMarks::pathOrComplain(const QString& name, const QString& pou) const {
     const QString path = pathOf(name, pou);
     if (path.isEmpty())
-        return emit m_tabs.message(
+        emit m_tabs.message(
             EditorTabs::tr(
                 "%1 is not a variable of the running program; check the name, or press F5 to build the program")
                 .arg(name),
             true);
+    return path;
+}
+
+void OnlineMarks::askForValue(const QString& name, const QString& pou, bool force) {
+    const QString path = pathOrComplain(name, pou);
+    if (path.isEmpty()) return;
     const auto shown = m_control.value(path);
     bool ok = false;
     const QString present = shown.isBool ? (shown.isTrue ? "FALSE" : "TRUE") : shown.text; // a BOOL is to be the other

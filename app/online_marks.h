@@ -21,6 +21,8 @@ public:
     [[nodiscard]] editor::OnlineValues values();
     void askForValue(const QString& name, const QString& pou, bool force);
     [[nodiscard]] QString pathOf(const QString& name, const QString& pou) const;
+    /// The same, and a message where there is none.
+    [[nodiscard]] QString pathOrComplain(const QString& name, const QString& pou) const;
 
 private:
     void refreshValues();
