@@ -93,7 +93,7 @@ std::vector<std::string> keysOf(const std::vector<PropertyDescriptor>& propertie
     return out;
 }
 
-bool isOperated(const Element& element) {
+bool needsWords(const Element& element) {
     static constexpr ElementKind kOperated[] = {
         ElementKind::Button, ElementKind::Switch,    ElementKind::CheckBox,    ElementKind::Slider,
         ElementKind::Knob,   ElementKind::TextEntry, ElementKind::MaskedEntry, ElementKind::NumericEntry,
@@ -281,7 +281,7 @@ private:
 
     /// What is operated says what it does, in words of its own or in a text beside it.
     void checkName(const Element& element) {
-        if (!isOperated(element) || saysWhatItDoes(element) || hasTextBeside(element)) return;
+        if (!needsWords(element) || saysWhatItDoes(element) || hasTextBeside(element)) return;
         add(FindingKind::UnnamedControl, false, element.id(), {}, errors::ControlWithoutWords());
     }
 

@@ -1,5 +1,6 @@
 #include "projects/exchange/xml.h"
 
+#include "runtime/base/chars.h"
 #include "runtime/base/messages.h"
 
 #include <algorithm>
@@ -184,11 +185,7 @@ std::string toXml(pugi::xml_node node) {
     return out.str();
 }
 
-std::string trimmed(std::string_view text) {
-    const size_t begin = text.find_first_not_of(" \t\r\n");
-    if (begin == std::string_view::npos) return {};
-    return std::string(text.substr(begin, text.find_last_not_of(" \t\r\n") - begin + 1));
-}
+std::string trimmed(std::string_view text) { return std::string(plc::trimmed(text)); }
 
 std::string trimmedLines(std::string_view text) {
     const size_t end = text.find_last_not_of(" \t\r\n");

@@ -194,8 +194,8 @@ Result<Stage> stageFor(const history::History& history, const TrialPlan& plan, b
 
 namespace {
 
-Result<TrialRun> tryOut(const history::History& history, const TrialPlan& plan,
-                        const std::optional<tuning::ProcessModel>& process, bool isDelayed) {
+Result<TrialRun> tryOutOn(const history::History& history, const TrialPlan& plan,
+                          const std::optional<tuning::ProcessModel>& process, bool isDelayed) {
     auto stage = stageFor(history, plan, isDelayed);
     if (!stage) return stage.error();
     Controller& controller = *stage->controller;
@@ -234,7 +234,7 @@ bool seesTheScanBefore(const history::History& history, TrialPlan plan) {
     plan.writes.clear();
     plan.program.reset();
     const auto repeats = [&](bool isDelayed) {
-        const auto run = tryOut(history, plan, std::nullopt, isDelayed);
+        const auto run = tryOutOn(history, plan, std::nullopt, isDelayed);
         return run && !run->firstDifference;
     };
     return !repeats(false) && repeats(true);
@@ -244,7 +244,7 @@ bool seesTheScanBefore(const history::History& history, TrialPlan plan) {
 
 Result<TrialRun> tryOut(const history::History& history, const TrialPlan& plan,
                         const std::optional<tuning::ProcessModel>& process) {
-    return tryOut(history, plan, process, seesTheScanBefore(history, plan));
+    return tryOutOn(history, plan, process, seesTheScanBefore(history, plan));
 }
 
 Result<TrialPlan> planFor(const Loop& loop, const history::History& history, history::Position from,

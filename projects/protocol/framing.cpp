@@ -1,6 +1,7 @@
 #include "projects/protocol/framing.h"
 
 #include "projects/protocol/errors.h"
+#include "runtime/base/chars.h"
 #include "runtime/base/text.h"
 
 #include <algorithm>
@@ -9,12 +10,6 @@
 namespace plc::protocol {
 
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-    const size_t begin = text.find_first_not_of(" \t\r");
-    if (begin == std::string_view::npos) return {};
-    return text.substr(begin, text.find_last_not_of(" \t\r") + 1 - begin);
-}
 
 /// The one Content-Length of a head.
 std::optional<uint64_t> lengthOf(std::string_view head) {

@@ -1,6 +1,7 @@
 #include "projects/waveform/table_parts.h"
 
 #include "projects/waveform/errors.h"
+#include "runtime/base/chars.h"
 
 #include <algorithm>
 #include <cctype>
@@ -10,18 +11,12 @@
 
 namespace plc::waveform {
 
-namespace {} // namespace
-
 std::string lowered(std::string text) {
     for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return text;
 }
 
-std::string trimmed(const std::string& text) {
-    const size_t first = text.find_first_not_of(" \t");
-    if (first == std::string::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
+std::string trimmed(const std::string& text) { return std::string(withoutBlanks(text)); }
 
 size_t splitLine(const std::string& text, size_t at, char separator, std::vector<std::string>& cells) {
     cells.clear();

@@ -13,6 +13,13 @@ constexpr bool isNameByte(char c) {
            static_cast<unsigned char>(c) >= 0x80;
 }
 
+/// Without the spaces and tabs around it.
+constexpr std::string_view withoutBlanks(std::string_view text) {
+    while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
+    while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
+    return text;
+}
+
 /// Without the blanks, tabs and ends of lines around it.
 constexpr std::string_view trimmed(std::string_view text) {
     while (!text.empty() && isBlank(text.front())) text.remove_prefix(1);

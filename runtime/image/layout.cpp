@@ -193,8 +193,7 @@ std::string Layout::pathOf(const Root& root) {
 }
 
 Result<Place> Layout::find(std::string_view path) const {
-    while (!path.empty() && (path.front() == ' ' || path.front() == '\t')) path.remove_prefix(1);
-    while (!path.empty() && (path.back() == ' ' || path.back() == '\t')) path.remove_suffix(1);
+    path = withoutBlanks(path);
     if (!path.empty() && path.front() == '%') return address(path);
     Result<std::vector<PathPart>> parts = readPath(path);
     if (!parts) return parts.error();

@@ -25,12 +25,6 @@ int64_t clockOf(int64_t nanoseconds) { return (nanoseconds % kDay + kDay) % kDay
 
 int64_t floorDivide(int64_t a, int64_t b) { return a / b - (a % b < 0 ? 1 : 0); }
 
-std::string_view trimmed(std::string_view text) {
-    while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
-    while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
-    return text;
-}
-
 /// Takes one of `prefixes` and the `#` behind it off the begin. False: there is another prefix.
 bool takePrefix(std::string_view& text, std::initializer_list<std::string_view> prefixes) {
     const size_t hash = text.find('#');
@@ -220,7 +214,7 @@ std::string dateTimeText(int64_t nanoseconds, bool isLong) {
 }
 
 std::optional<int64_t> parseDuration(std::string_view text) {
-    text = trimmed(text);
+    text = withoutBlanks(text);
     bool isNegative = take(text, '-');
     if (!takePrefix(text, {"t", "time", "lt", "ltime"})) return std::nullopt;
     if (take(text, '-'))
@@ -271,7 +265,7 @@ static std::optional<int64_t> momentOf(CivilDate date, int64_t time) {
 }
 
 std::optional<int64_t> parseDate(std::string_view text) {
-    text = trimmed(text);
+    text = withoutBlanks(text);
     if (!takePrefix(text, {"d", "date", "ld", "ldate"})) return std::nullopt;
     const auto date = takeDate(text);
     if (!date || !text.empty()) return std::nullopt;
@@ -279,14 +273,14 @@ std::optional<int64_t> parseDate(std::string_view text) {
 }
 
 std::optional<int64_t> parseTimeOfDay(std::string_view text) {
-    text = trimmed(text);
+    text = withoutBlanks(text);
     if (!takePrefix(text, {"tod", "time_of_day", "ltod", "ltime_of_day"})) return std::nullopt;
     const auto time = takeTimeOfDay(text);
     return time && text.empty() ? time : std::nullopt;
 }
 
 std::optional<int64_t> parseDateTime(std::string_view text) {
-    text = trimmed(text);
+    text = withoutBlanks(text);
     if (!takePrefix(text, {"dt", "date_and_time", "ldt", "ldate_and_time"})) return std::nullopt;
     const auto date = takeDate(text);
     if (!date || !take(text, '-')) return std::nullopt;
