@@ -2,8 +2,8 @@
 #include "tests/app/studio_fixture.h"
 #include "tests/support/paths.h"
 
-#include "app/live_views.h"
-#include "app/new_project.h"
+#include "app/panels/live_views.h"
+#include "app/project/new_project.h"
 #include "editor/debug/watch_view.h"
 #include "hmi/designer/palette.h"
 #include "hmi/designer/panel_designer.h"
