@@ -1,5 +1,5 @@
 // stepwise: with a command it works without a display, else it opens the studio.
-#include "app/cli/command.h"
+#include "app/cli/command_line.h"
 #include "app/main_window.h"
 #include "app/settings/settings.h"
 #include "app/settings/translation.h"
