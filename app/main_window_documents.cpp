@@ -11,11 +11,11 @@
 #include "app/project/search_view.h"
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
-#include "hmi/designer/alarm_editor.h"
+#include "hmi/designer/editors/alarm_editor.h"
+#include "hmi/designer/editors/people_editor.h"
+#include "hmi/designer/editors/recipe_editor.h"
+#include "hmi/designer/editors/text_editor.h"
 #include "hmi/designer/panel_designer.h"
-#include "hmi/designer/people_editor.h"
-#include "hmi/designer/recipe_editor.h"
-#include "hmi/designer/text_editor.h"
 #include "projects/storage/project_file.h"
 
 #include <QDir>

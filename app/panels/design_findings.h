@@ -3,7 +3,7 @@
 // (fonts are measured).
 #pragma once
 #include "app/project/problems_view.h"
-#include "hmi/view/panel_check.h"
+#include "hmi/check/panel_check.h"
 
 #include <QObject>
 #include <QTimer>

@@ -7,7 +7,7 @@
 #include "editor/trace/run_recording.h"
 #include "editor/trace/time_slider.h"
 #include "editor/trace/trace_view.h"
-#include "hmi/designer/design_context.h"
+#include "hmi/designer/context/design_context.h"
 #include "hmi/player/panel_player.h"
 
 #include <QObject>

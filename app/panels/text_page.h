@@ -1,7 +1,7 @@
 // A file of the project as plain text: a panel, texts or alarms that could not be understood, with the line marked that
 // is wrong. Owned by the tabs; GUI thread.
 #pragma once
-#include "hmi/player/disk_state.h"
+#include "hmi/station/disk_state.h"
 
 #include <QWidget>
 

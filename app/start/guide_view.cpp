@@ -2,7 +2,7 @@
 
 #include "editor/kit/theme.h"
 #include "editor/kit/translation_tag.h"
-#include "hmi/view/picture_file.h"
+#include "hmi/view/paint/picture_file.h"
 
 #include <QDesktopServices>
 #include <QDir>

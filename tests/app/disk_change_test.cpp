@@ -7,7 +7,7 @@
 #include "app/panels/text_page.h"
 #include "app/project/problems_view.h"
 #include "app/project/project_tree.h"
-#include "hmi/designer/design_canvas.h"
+#include "hmi/designer/canvas/design_canvas.h"
 #include "hmi/designer/panel_designer.h"
 #include "tests/app/studio_fixture.h"
 

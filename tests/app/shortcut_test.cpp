@@ -6,10 +6,10 @@
 #include "app/project/search_view.h"
 #include "editor/debug/debug_views.h"
 #include "editor/debug/watch_view.h"
-#include "hmi/designer/alarm_editor.h"
-#include "hmi/designer/outline.h"
+#include "hmi/designer/canvas/outline.h"
+#include "hmi/designer/editors/alarm_editor.h"
+#include "hmi/designer/editors/text_editor.h"
 #include "hmi/designer/panel_designer.h"
-#include "hmi/designer/text_editor.h"
 #include "tests/app/studio_fixture.h"
 
 #include <QAction>

@@ -3,7 +3,7 @@
 
 #include "app/cli/kit/errors.h"
 #include "hmi/alarms/statistics.h"
-#include "hmi/player/panel_project.h"
+#include "hmi/station/panel_project.h"
 #include "hmi/texts/csv.h"
 #include "projects/storage/project_file.h"
 

@@ -5,9 +5,9 @@
 #include "app/cli/run/timed_write.h"
 #include "editor/kit/theme.h"
 #include "hmi/alarms/alarm_export.h"
+#include "hmi/check/standard_check.h"
 #include "hmi/player/panel_player.h"
-#include "hmi/player/range_check.h"
-#include "hmi/view/standard_check.h"
+#include "hmi/station/range_check.h"
 
 #include <QApplication>
 #include <QFileInfo>

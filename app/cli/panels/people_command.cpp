@@ -5,7 +5,7 @@
 #include "hmi/model/errors.h"
 #include "hmi/people/audit_trail.h"
 #include "hmi/people/password.h"
-#include "hmi/player/panel_project.h"
+#include "hmi/station/panel_project.h"
 #include "projects/storage/project_file.h"
 
 #include <iostream>

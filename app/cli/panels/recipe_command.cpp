@@ -4,8 +4,8 @@
 #include "app/cli/kit/errors.h"
 #include "app/cli/run/timed_write.h"
 #include "hmi/model/errors.h"
-#include "hmi/player/panel_project.h"
-#include "hmi/player/recipe_transfer.h"
+#include "hmi/station/panel_project.h"
+#include "hmi/station/recipe_transfer.h"
 #include "projects/storage/project_file.h"
 
 #include <iostream>

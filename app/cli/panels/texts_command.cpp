@@ -3,8 +3,8 @@
 
 #include "app/cli/kit/errors.h"
 #include "app/cli/panels/panel_findings.h"
-#include "hmi/player/text_exchange.h"
 #include "hmi/player/text_pictures.h"
+#include "hmi/station/text_exchange.h"
 #include "projects/storage/project_file.h"
 
 #include <iostream>
