@@ -46,9 +46,8 @@ struct File {
     std::string path, text;
 };
 
-std::vector<File> filesOf(const std::string& id) {
-    if (id == "motor")
-        return {{"src/main.st", std::string(R"(/// Starts and stops a motor; stop wins.
+std::vector<File> motorFiles() {
+    return {{"src/main.st", std::string(R"(/// Starts and stops a motor; stop wins.
 PROGRAM Main
 VAR
     Start AT %IX0.0 : BOOL;        // button, normally open
@@ -58,7 +57,7 @@ END_VAR
 Motor := (Start OR Motor) AND Stop;
 END_PROGRAM
 )") + kConfiguration},
-                {"src/plant.st", R"(/// The hand on the buttons and the motor behind the contactor.
+            {"src/plant.st", R"(/// The hand on the buttons and the motor behind the contactor.
 {attribute 'simulation'}
 PROGRAM Plant
 VAR
@@ -75,7 +74,7 @@ ELSE
 END_IF
 END_PROGRAM
 )"},
-                {"tests/motor.st", R"(TEST 'starts, holds and stops'
+            {"tests/motor.st", R"(TEST 'starts, holds and stops'
 Plant.StartButton := TRUE;
 RUN T#50ms;
 Plant.StartButton := FALSE;
@@ -86,9 +85,10 @@ RUN T#50ms;
 ASSERT NOT Main.Motor;
 END_TEST
 )"}};
-    if (id == "pid")
-        return {
-            {"src/main.st", std::string(R"(/// A temperature loop: the controller moves the heater, the plant warms up.
+}
+
+std::vector<File> pidFiles() {
+    return {{"src/main.st", std::string(R"(/// A temperature loop: the controller moves the heater, the plant warms up.
 PROGRAM Main
 VAR
     SetPoint : REAL := 50.0;           // [°C]
@@ -120,8 +120,10 @@ RUN T#5m;
 ASSERT ABS(Main.SetPoint - Main.Measured) < 1.0;
 END_TEST
 )"}};
-    if (id == "sequence")
-        return {{"src/main.st", std::string(R"(/// Fill, mix, empty: a sequential function chart.
+}
+
+std::vector<File> sequenceFiles() {
+    return {{"src/main.st", std::string(R"(/// Fill, mix, empty: a sequential function chart.
 PROGRAM Main
 VAR
     Start : BOOL;
@@ -153,7 +155,7 @@ TRANSITION FROM Mix TO Discharge := Mix.T >= T#3s; END_TRANSITION
 TRANSITION FROM Discharge TO Ready := Empty; END_TRANSITION
 END_PROGRAM
 )") + kConfiguration},
-                {"src/plant.st", R"(/// A tank with a full and an empty switch.
+            {"src/plant.st", R"(/// A tank with a full and an empty switch.
 {attribute 'simulation'}
 PROGRAM Plant
 VAR
@@ -169,7 +171,7 @@ Main.Full := Level >= 95.0;
 Main.Empty := Level <= 1.0;
 END_PROGRAM
 )"},
-                {"tests/cycle.st", R"(TEST 'runs a whole cycle'
+            {"tests/cycle.st", R"(TEST 'runs a whole cycle'
 Main.Start := TRUE;
 RUN UNTIL Main.Valve FOR T#1s;
 Main.Start := FALSE;
@@ -180,6 +182,9 @@ RUN T#100ms;
 ASSERT NOT Main.Drain;
 END_TEST
 )"}};
+}
+
+std::vector<File> emptyFiles() {
     return {{"src/main.st", std::string(R"(PROGRAM Main
 VAR
     counter : INT;
@@ -187,6 +192,13 @@ END_VAR
 counter := counter + 1;
 END_PROGRAM
 )") + kConfiguration}};
+}
+
+std::vector<File> filesOf(const std::string& id) {
+    if (id == "motor") return motorFiles();
+    if (id == "pid") return pidFiles();
+    if (id == "sequence") return sequenceFiles();
+    return emptyFiles();
 }
 
 } // namespace

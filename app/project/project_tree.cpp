@@ -249,43 +249,96 @@ void ProjectTree::addVariables(QTreeWidgetItem* parent, const std::string& owner
     }
 }
 
+namespace {
+
+/// The group of the tree that a unit is shown in; "" for what is in none.
+QString groupOf(const analysis::OutlineItem& item) {
+    if (item.isSimulation) return QStringLiteral("simulation");
+    switch (item.kind) {
+    case SymbolKind::Program:
+        return QStringLiteral("programs");
+    case SymbolKind::FunctionBlock:
+    case SymbolKind::Interface:
+        return QStringLiteral("blocks");
+    case SymbolKind::Function:
+        return QStringLiteral("functions");
+    case SymbolKind::Type:
+        return QStringLiteral("types");
+    case SymbolKind::GlobalList:
+        return QStringLiteral("globals");
+    case SymbolKind::Task:
+        return QStringLiteral("tasks");
+    case SymbolKind::Variable:
+    case SymbolKind::Constant:
+    case SymbolKind::Enumerator:
+    case SymbolKind::Method:
+    case SymbolKind::Property:
+    case SymbolKind::Action:
+    case SymbolKind::Namespace:
+    case SymbolKind::Label:
+    case SymbolKind::Step:
+    case SymbolKind::StandardFunction:
+        break;
+    }
+    return {};
+}
+
+} // namespace
+
 void ProjectTree::reload() {
     if (!m_workspace.isOpen() || !m_workspace.model()) {
         m_tree->clear();
         m_shape.clear();
         return;
     }
+    const Units units = unitsByGroup();
+    gatherVariables();
+    const QString shape = shapeOf(units);
+    if (shape == m_shape) {
+        m_variables.clear();
+        return;
+    }
+    m_shape = shape;
+    m_tree->clear();
+    if (isByFile())
+        addFiles();
+    else
+        addUnits(units);
+    addDesigns();
+    addTests();
+    addLibraries();
+    for (int i = 0; i < m_tree->topLevelItemCount(); ++i) {
+        QTreeWidgetItem* item = m_tree->topLevelItem(i);
+        if (!m_collapsed.contains(item->data(0, Name).toString())) item->setExpanded(true);
+        if (item->childCount() == 0 && item->data(0, Kind).toString().startsWith("group:"))
+            item->setForeground(0, kit::colors().muted);
+    }
+    m_variables.clear();
+    markChanged();
+    filter(m_filter->text());
+}
+
+ProjectTree::Units ProjectTree::unitsByGroup() const {
     const auto& model = *m_workspace.model();
-    struct Part {
-        QString file;
-        analysis::OutlineItem item;
-    };
-    std::map<QString, std::vector<Part>> parts; // by group key
-    QString shape;
+    Units units;
     for (const QString& file : m_workspace.files()) {
         if (m_workspace.isTestFile(file)) continue;
         const auto id = model.fileOf(file.toStdString());
         if (!id) continue;
         const auto place = [&](auto&& self, const std::vector<analysis::OutlineItem>& items) -> void {
             for (const analysis::OutlineItem& item : items) {
-                const QString key = item.isSimulation                  ? "simulation"
-                                    : item.kind == SymbolKind::Program ? "programs"
-                                    : item.kind == SymbolKind::FunctionBlock || item.kind == SymbolKind::Interface
-                                        ? "blocks"
-                                    : item.kind == SymbolKind::Function   ? "functions"
-                                    : item.kind == SymbolKind::Type       ? "types"
-                                    : item.kind == SymbolKind::GlobalList ? "globals"
-                                    : item.kind == SymbolKind::Task       ? "tasks"
-                                                                          : "";
                 if (item.kind == SymbolKind::Namespace) self(self, item.children);
-                if (key.isEmpty()) continue;
-                parts[key].push_back({file, item});
-                shape += key + file + QString::fromStdString(item.name) + QString::number(item.nameRange.begin) +
-                         QString::number(item.children.size());
+                if (const QString key = groupOf(item); !key.isEmpty()) units[key].push_back({file, item});
             }
         };
         place(place, model.outline(*id));
     }
+    return units;
+}
+
+/// By owner, those that the user has written in files of the project.
+void ProjectTree::gatherVariables() {
+    const auto& model = *m_workspace.model();
     m_variables.clear();
     for (const sema::Symbol& symbol : model.checked().analysis->symbols) {
         if ((symbol.kind != SymbolKind::Variable && symbol.kind != SymbolKind::Constant) ||
@@ -294,33 +347,44 @@ void ProjectTree::reload() {
         if (!m_workspace.files().contains(QString::fromStdString(model.sources()[symbol.declaration.file].path())))
             continue;
         m_variables[foldCase(symbol.owner)].push_back(&symbol);
-        shape += QString::fromStdString(symbol.owner + "." + symbol.name) + QString::number(symbol.declaration.begin);
     }
+}
+
+/// Everything that the tree shows: while this stays the same, no row is made again.
+QString ProjectTree::shapeOf(const Units& units) const {
+    QString shape;
+    for (const auto& [key, parts] : units)
+        for (const Unit& each : parts)
+            shape += key + each.file + QString::fromStdString(each.item.name) +
+                     QString::number(each.item.nameRange.begin) + QString::number(each.item.children.size());
+    for (const auto& [owner, variables] : m_variables)
+        for (const sema::Symbol* symbol : variables)
+            shape +=
+                QString::fromStdString(symbol->owner + "." + symbol->name) + QString::number(symbol->declaration.begin);
     const projects::Project& project = m_workspace.project();
     for (const auto* list : {&project.panels, &project.traces, &project.libraries})
         for (const std::string& name : *list) shape += QString::fromStdString(name);
     shape += m_workspace.files().join('|') + m_workspace.folder();
-    shape += isByFile() ? "|by file" : "";
-    if (shape == m_shape) return;
-    m_shape = shape;
+    return shape + (isByFile() ? "|by file" : "");
+}
 
-    m_tree->clear();
+void ProjectTree::addUnits(const Units& units) {
     const auto fill = [&](const QString& title, Icon icon, const QString& key) {
         QTreeWidgetItem* parent = group(title, static_cast<int>(icon), key);
-        for (const Part& part : parts[key]) addUnit(parent, part.item, part.file);
-        return parent;
+        if (const auto found = units.find(key); found != units.end())
+            for (const Unit& each : found->second) addUnit(parent, each.item, each.file);
     };
-    if (isByFile()) {
-        addFiles();
-    } else {
-        fill(tr("Programs"), Icon::Program, "programs");
-        fill(tr("Blocks"), Icon::Block, "blocks");
-        fill(tr("Functions"), Icon::Function, "functions");
-        fill(tr("Types"), Icon::Structure, "types");
-        fill(tr("Globals"), Icon::Globals, "globals");
-        fill(tr("Tasks"), Icon::Task, "tasks");
-        fill(tr("Simulation"), Icon::Simulation, "simulation");
-    }
+    fill(tr("Programs"), Icon::Program, "programs");
+    fill(tr("Blocks"), Icon::Block, "blocks");
+    fill(tr("Functions"), Icon::Function, "functions");
+    fill(tr("Types"), Icon::Structure, "types");
+    fill(tr("Globals"), Icon::Globals, "globals");
+    fill(tr("Tasks"), Icon::Task, "tasks");
+    fill(tr("Simulation"), Icon::Simulation, "simulation");
+}
+
+/// Panels and what belongs to them, devices, traces.
+void ProjectTree::addDesigns() {
     const auto names = [&](QTreeWidgetItem* parent, const std::vector<std::string>& list, const QString& kind,
                            Icon icon, const QString& ending) {
         for (const std::string& name : list) {
@@ -332,25 +396,24 @@ void ProjectTree::reload() {
             item->setData(0, Name, shown);
         }
     };
+    const auto single = [&](const QString& title, Icon icon, const char* kind) {
+        auto* item = new QTreeWidgetItem(m_tree, {title});
+        item->setIcon(0, kit::icon(icon));
+        item->setData(0, Kind, kind);
+    };
+    const projects::Project& project = m_workspace.project();
     names(group(tr("Panels"), static_cast<int>(Icon::Panel), "panels"), project.panels, "panel", Icon::Panel,
           ".panel.json");
-    auto* texts = new QTreeWidgetItem(m_tree, {tr("Texts")});
-    texts->setIcon(0, kit::icon(Icon::Texts));
-    texts->setData(0, Kind, "texts");
-    auto* alarms = new QTreeWidgetItem(m_tree, {tr("Alarms")});
-    alarms->setIcon(0, kit::icon(Icon::Alarm));
-    alarms->setData(0, Kind, "alarms");
-    auto* recipes = new QTreeWidgetItem(m_tree, {tr("Recipes")});
-    recipes->setIcon(0, kit::icon(Icon::Table));
-    recipes->setData(0, Kind, "recipes");
-    auto* people = new QTreeWidgetItem(m_tree, {tr("Users and Rights")});
-    people->setIcon(0, kit::icon(Icon::User));
-    people->setData(0, Kind, "people");
-    auto* devices = new QTreeWidgetItem(m_tree, {tr("Devices")});
-    devices->setIcon(0, kit::icon(Icon::Link));
-    devices->setData(0, Kind, "devices");
+    single(tr("Texts"), Icon::Texts, "texts");
+    single(tr("Alarms"), Icon::Alarm, "alarms");
+    single(tr("Recipes"), Icon::Table, "recipes");
+    single(tr("Users and Rights"), Icon::User, "people");
+    single(tr("Devices"), Icon::Link, "devices");
     names(group(tr("Traces"), static_cast<int>(Icon::Trace), "traces"), project.traces, "trace", Icon::Trace,
           ".trace.json");
+}
+
+void ProjectTree::addTests() {
     QTreeWidgetItem* tests = group(tr("Tests"), static_cast<int>(Icon::Test), "tests");
     for (const QString& file : m_workspace.files()) {
         if (!m_workspace.isTestFile(file)) continue;
@@ -362,16 +425,6 @@ void ProjectTree::reload() {
         item->setData(0, Name, file);
         item->setData(0, Note, QString(""));
     }
-    addLibraries();
-    for (int i = 0; i < m_tree->topLevelItemCount(); ++i) {
-        QTreeWidgetItem* item = m_tree->topLevelItem(i);
-        if (!m_collapsed.contains(item->data(0, Name).toString())) item->setExpanded(true);
-        if (item->childCount() == 0 && item->data(0, Kind).toString().startsWith("group:"))
-            item->setForeground(0, kit::colors().muted);
-    }
-    m_variables.clear();
-    markChanged();
-    filter(m_filter->text());
 }
 
 /// Source files in order, each with its units.

@@ -60,7 +60,18 @@ signals:
 
 private:
     enum Role { Kind = Qt::UserRole, File, Offset, EndOffset, Name, Path, Note };
+    struct Unit {
+        QString file;
+        analysis::OutlineItem item;
+    };
+    using Units = std::map<QString, std::vector<Unit>>; // by the key of their group
+    [[nodiscard]] Units unitsByGroup() const;
+    void gatherVariables();
+    [[nodiscard]] QString shapeOf(const Units& units) const;
+    void addUnits(const Units& units);
     void addFiles();
+    void addDesigns();
+    void addTests();
     void markChanged();
     void addLibraries();
     [[nodiscard]] bool isByFile() const;
