@@ -1,18 +1,16 @@
 // The table of actions: shortcuts as CODESYS has them (F5 run, F8 step in, F10 over, F9 breakpoint, F11 build), all
 // editable.
-#include "app/attachment.h"
-#include "app/devices_view.h"
-#include "app/editor_tabs.h"
-#include "app/exchange_dialogs.h"
-#include "app/explanation_dialog.h"
-#include "app/focus_command.h"
-#include "app/inside_views.h"
+#include "app/frame/perspectives.h"
+#include "app/frame/side_bars.h"
 #include "app/main_window.h"
-#include "app/native_program.h"
-#include "app/perspectives.h"
-#include "app/problems_view.h"
-#include "app/search_view.h"
-#include "app/side_bars.h"
+#include "app/online/attachment.h"
+#include "app/online/devices_view.h"
+#include "app/online/inside_views.h"
+#include "app/pages/editor_tabs.h"
+#include "app/pages/focus_command.h"
+#include "app/project/problems_view.h"
+#include "app/project/search_view.h"
+#include "app/window_commands.h"
 #include "editor/debug/watch_view.h"
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
@@ -135,8 +133,8 @@ const std::vector<ActionSpec> kActions = {
     {"run.force", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Force Prepared Values"), "F7", drawn(Icon::Force), [](MainWindow& w) { w.watch().forcePrepared(); }},
     {"run.releaseAll", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Release All Forces"), "Alt+F7", drawn(Icon::Unforce), [](MainWindow& w) { if (w.control().session()) w.control().session()->unforceAll(); }},
     {"run.devices", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Connect or Disconnect the Devices"), "", drawn(Icon::Link), [](MainWindow& w) { DevicesView::of(w).toggleConnection(); }},
-    {"run.attach", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Attach to a Controller…"), "", drawn(Icon::Link), [](MainWindow& w) { Attachment::of(w).ask(w); }},
-    {"run.detach", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Detach from the Controller"), "", none, [](MainWindow& w) { Attachment::of(w).detach(); }},
+    {"run.attach", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Attach to a Controller…"), "", drawn(Icon::Link), [](MainWindow& w) { attachmentOf(w).ask(); }},
+    {"run.detach", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Detach from the Controller"), "", none, [](MainWindow& w) { attachmentOf(w).detach(); }},
     {"run.native", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Build a Native Program…"), "", drawn(Icon::Export), [](MainWindow& w) { buildNativeProgram(w); }},
     {"run.tests", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run the Tests"), "Ctrl+T", drawn(Icon::Test), [](MainWindow& w) { w.runTests(); }},
 
@@ -195,5 +193,12 @@ const std::vector<ActionSpec> kActions = {
 } // namespace
 
 const std::vector<ActionSpec>& actionTable() { return kActions; }
+
+QMap<QString, QKeySequence> defaultShortcuts() {
+    QMap<QString, QKeySequence> out;
+    for (const ActionSpec& spec : kActions)
+        out[QLatin1String(spec.id)] = {QString::fromLatin1(spec.shortcut), QKeySequence::PortableText};
+    return out;
+}
 
 } // namespace plc::app

@@ -1,8 +1,8 @@
 // stepwise: with a command it works without a display, else it opens the studio.
-#include "app/cli/command.h"
+#include "app/cli/command_line.h"
 #include "app/main_window.h"
-#include "app/settings.h"
-#include "app/translation.h"
+#include "app/settings/settings.h"
+#include "app/settings/translation.h"
 #include "runtime/compiler/jit/jit.h"
 #include "runtime/controller/controller.h"
 

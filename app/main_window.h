@@ -1,13 +1,15 @@
 // The studio's window: docks around the open documents, the actions, the status line. It puts the parts together and
 // holds no logic of its own: project and texts are the Workspace's, the controller the RunControl's. GUI thread.
 #pragma once
-#include "app/search_view.h"
-#include "app/settings.h"
+#include "app/project/search_view.h"
+#include "app/settings/settings.h"
 #include "editor/debug/run_control.h"
 #include "editor/workspace/workspace.h"
 #include "projects/analysis/conversion.h"
 
+#include <QKeySequence>
 #include <QMainWindow>
+#include <QMap>
 
 #include <functional>
 #include <vector>
@@ -248,6 +250,7 @@ private:
 };
 
 [[nodiscard]] const std::vector<ActionSpec>& actionTable();
+[[nodiscard]] QMap<QString, QKeySequence> defaultShortcuts(); // by the id of the action
 /// The window anew in the language `tag`; project, controller and all that is unsaved go on.
 [[nodiscard]] std::unique_ptr<MainWindow> inOtherLanguage(std::unique_ptr<MainWindow> window, QApplication& application,
                                                           const QString& tag);

@@ -1,10 +1,10 @@
 // The window in another language: it is built anew around the project and the controller, which go on meanwhile.
-#include "app/design_findings.h"
-#include "app/editor_tabs.h"
-#include "app/living.h"
 #include "app/main_window.h"
-#include "app/test_runner.h"
-#include "app/translation.h"
+#include "app/pages/editor_tabs.h"
+#include "app/panels/design_findings.h"
+#include "app/panels/living.h"
+#include "app/settings/translation.h"
+#include "app/testing/test_runner.h"
 #include "hmi/designer/panel_designer.h"
 
 #include <QApplication>

@@ -1,19 +1,19 @@
 // What the main window's actions do with the project: open, new, rename, libraries, tests, and what is kept per
 // project.
-#include "app/editor_tabs.h"
-#include "app/guide_view.h"
-#include "app/live_views.h"
+#include "app/frame/perspectives.h"
+#include "app/frame/side_bars.h"
+#include "app/frame/status_line.h"
 #include "app/main_window.h"
-#include "app/new_project.h"
-#include "app/perspectives.h"
-#include "app/project_tree.h"
-#include "app/search_view.h"
-#include "app/settings_dialog.h"
-#include "app/side_bars.h"
-#include "app/start_page.h"
-#include "app/status_line.h"
-#include "app/test_view.h"
-#include "app/tour.h"
+#include "app/pages/editor_tabs.h"
+#include "app/panels/live_views.h"
+#include "app/project/new_project.h"
+#include "app/project/project_tree.h"
+#include "app/project/search_view.h"
+#include "app/settings/settings_dialog.h"
+#include "app/start/guide_view.h"
+#include "app/start/start_page.h"
+#include "app/start/tour.h"
+#include "app/testing/test_view.h"
 #include "editor/debug/debug_views.h"
 #include "editor/debug/watch_view.h"
 #include "editor/kit/message_text.h"
@@ -332,7 +332,7 @@ void MainWindow::connectTests() {
 // ------------------------------------------------------------------ settings and the like
 
 void MainWindow::openSettings() {
-    SettingsDialog dialog(m_settings, m_actions, this);
+    SettingsDialog dialog(m_settings, m_actions, defaultShortcuts(), this);
     if (dialog.exec() != QDialog::Accepted) return;
     changeTheme(m_settings.theme());
     m_tabs->applySettings();

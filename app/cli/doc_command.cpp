@@ -1,6 +1,6 @@
-#include "app/cli/command.h"
+#include "app/cli/command_line.h"
 
-#include "app/cli/errors.h"
+#include "app/cli/kit/errors.h"
 #include "app/cli/manual.h"
 #include "projects/analysis/explanation.h"
 #include "projects/analysis/library_reference.h"

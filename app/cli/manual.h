@@ -1,7 +1,7 @@
 // The manual pages and shell completions, made from the tables of the commands: what --help shows, in the forms that
 // man, bash and zsh read. Functions, any thread.
 #pragma once
-#include "app/cli/arguments.h"
+#include "app/cli/kit/arguments.h"
 
 #include <string>
 #include <vector>

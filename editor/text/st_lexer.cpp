@@ -115,6 +115,107 @@ void StLexer::setModel(const std::shared_ptr<const analysis::CodeModel>& model, 
             m_classOfName.emplace(foldCase(analysedText.substr(token.begin, token.end - token.begin)), token.kind);
 }
 
+namespace {
+
+auto endsBefore(uint32_t at) {
+    return [at](const analysis::ColouredToken& token) { return token.end <= at; };
+}
+
+/// What a token is by its kind alone; a name needs more, and is Plain here.
+TokenClass classOf(const lex::Token& token, std::string_view words) {
+    switch (token.kind) {
+    case lex::TokenKind::Identifier:
+        return token.soft != lex::SoftWord::None ? TokenClass::Keyword : TokenClass::Plain;
+    case lex::TokenKind::IntegerLiteral:
+    case lex::TokenKind::RealLiteral:
+    case lex::TokenKind::DurationLiteral:
+    case lex::TokenKind::DateLiteral:
+    case lex::TokenKind::TimeOfDayLiteral:
+    case lex::TokenKind::DateTimeLiteral:
+        return TokenClass::Number;
+    case lex::TokenKind::StringLiteral:
+    case lex::TokenKind::WstringLiteral:
+        return TokenClass::Text;
+    case lex::TokenKind::TypedPrefix:
+        return TokenClass::Type;
+    case lex::TokenKind::DirectAddress:
+        return TokenClass::Address;
+    case lex::TokenKind::Pragma:
+        return TokenClass::Pragma;
+    case lex::TokenKind::True:
+    case lex::TokenKind::False:
+        return TokenClass::Constant;
+    case lex::TokenKind::Error: // a comment may go on behind the piece
+        return words.starts_with("(*") || words.starts_with("/*") ? TokenClass::Comment : TokenClass::Error;
+    default:
+        return lex::isKeyword(token.kind) ? TokenClass::Keyword : TokenClass::Operator;
+    }
+}
+
+/// An instruction of a list: the first word of a line, or behind a label, and no statement.
+bool isInstruction(const lex::TokenList& list, size_t i, std::string_view piece) {
+    const auto kindAt = [&](size_t at) {
+        return at < list.tokens.size() ? list.tokens[at].kind : lex::TokenKind::EndOfFile;
+    };
+    const auto isNewLine = [&](size_t at) { // first on its line
+        return at == 0 ||
+               piece.substr(list.tokens[at - 1].end, list.tokens[at].begin - list.tokens[at - 1].end).find('\n') !=
+                   std::string_view::npos;
+    };
+    const lex::Token& token = list.tokens[i];
+    if (!analysis::isListOperator(piece.substr(token.begin, token.end - token.begin))) return false;
+    if (!isNewLine(i) && !(i >= 2 && kindAt(i - 1) == lex::TokenKind::Colon && isNewLine(i - 2))) return false;
+    const lex::TokenKind next =
+        isNewLine(std::min(i + 1, list.tokens.size() - 1)) ? lex::TokenKind::EndOfFile : kindAt(i + 1);
+    return next != lex::TokenKind::Assign && next != lex::TokenKind::Dot && next != lex::TokenKind::Colon &&
+           next != lex::TokenKind::LeftBracket;
+}
+
+} // namespace
+
+/// Reads a piece of the text, which begins at `at`, and adds its colours.
+void StLexer::addColours(std::string_view piece, uint32_t at, std::vector<analysis::ColouredToken>& tokens) const {
+    diagnostics::Sink sink;
+    const lex::TokenList list = lex::tokenize(FileId(size_t(0)), std::string(piece), sink);
+    for (size_t i = 0; i < list.tokens.size(); ++i) {
+        const lex::Token& token = list.tokens[i];
+        if (token.kind == lex::TokenKind::EndOfFile) continue;
+        const std::string_view words = piece.substr(token.begin, token.end - token.begin);
+        TokenClass kind = classOf(token, words);
+        if (token.kind == lex::TokenKind::Identifier) {
+            const auto known = m_classOfName.find(foldCase(words));
+            if (known != m_classOfName.end()) kind = known->second;
+            if (kind == TokenClass::Plain && isInstruction(list, i, piece)) kind = TokenClass::Keyword;
+        }
+        tokens.push_back({at + token.begin, at + token.end, kind});
+    }
+    for (const lex::Comment& comment : list.comments)
+        tokens.push_back({at + comment.begin, at + comment.end, TokenClass::Comment});
+    std::sort(tokens.begin(), tokens.end(), [](const auto& a, const auto& b) { return a.begin < b.begin; });
+}
+
+/// The colours of what is shown from `first` to `end`, and perhaps of more before it.
+std::vector<analysis::ColouredToken> StLexer::coloursOf(std::string_view text, uint32_t first, uint32_t end) const {
+    std::vector<analysis::ColouredToken> tokens;
+    if (text == m_analysedText && !m_exact.empty()) {
+        const auto from = std::partition_point(m_exact.begin(), m_exact.end(), endsBefore(first));
+        const auto to = std::partition_point(from, m_exact.end(),
+                                             [&](const analysis::ColouredToken& token) { return token.begin < end; });
+        tokens.assign(from, to);
+        return tokens;
+    }
+    // What lies before the first change keeps its colours; behind it only what is asked for is read again.
+    const auto same = static_cast<uint32_t>(
+        std::mismatch(text.begin(), text.end(), m_analysedText.begin(), m_analysedText.end()).first - text.begin());
+    const auto kept =
+        same == 0 ? m_exact.begin() : std::partition_point(m_exact.begin(), m_exact.end(), endsBefore(same - 1));
+    tokens.assign(std::min(kept, std::partition_point(m_exact.begin(), m_exact.end(), endsBefore(first))), kept);
+    const uint32_t restart = kept == m_exact.begin() ? 0 : std::prev(kept)->end;
+    const auto lineEnd = std::min(text.size(), text.find('\n', std::max<size_t>(end, restart)));
+    addColours(text.substr(restart, lineEnd - restart), restart, tokens);
+    return tokens;
+}
+
 void StLexer::styleText(int start, int end) {
     QsciScintilla* view = editor();
     if (!view || start < 0 || end <= start) return;
@@ -122,106 +223,10 @@ void StLexer::styleText(int start, int end) {
     // Scintilla's own bytes: a large text is not copied for every key.
     const auto* bytes =
         reinterpret_cast<const char*>(view->SendScintillaPtrResult(QsciScintillaBase::SCI_GETCHARACTERPOINTER));
-    const std::string_view text(bytes, length);
-    const auto first = static_cast<uint32_t>(start);
-    const auto endsBefore = [](uint32_t at) {
-        return [at](const analysis::ColouredToken& token) { return token.end <= at; };
-    };
-
-    std::vector<analysis::ColouredToken> tokens;
-    if (text == m_analysedText && !m_exact.empty()) {
-        const auto from = std::partition_point(m_exact.begin(), m_exact.end(), endsBefore(first));
-        const auto to = std::partition_point(from, m_exact.end(), [&](const analysis::ColouredToken& token) {
-            return token.begin < static_cast<uint32_t>(end);
-        });
-        tokens.assign(from, to);
-    } else {
-        // What lies before the first change keeps its colours; behind it only what is asked for is read again.
-        const auto same = static_cast<uint32_t>(
-            std::mismatch(text.begin(), text.end(), m_analysedText.begin(), m_analysedText.end()).first - text.begin());
-        const auto kept =
-            same == 0 ? m_exact.begin() : std::partition_point(m_exact.begin(), m_exact.end(), endsBefore(same - 1));
-        tokens.assign(std::min(kept, std::partition_point(m_exact.begin(), m_exact.end(), endsBefore(first))), kept);
-        const uint32_t restart = kept == m_exact.begin() ? 0 : std::prev(kept)->end;
-        const auto lineEnd =
-            std::min(text.size(), text.find('\n', std::max<size_t>(static_cast<size_t>(end), restart)));
-        const std::string piece(text.substr(restart, lineEnd - restart));
-        diagnostics::Sink sink;
-        const lex::TokenList list = lex::tokenize(FileId(size_t(0)), piece, sink);
-        const auto kindAt = [&](size_t i) {
-            return i < list.tokens.size() ? list.tokens[i].kind : lex::TokenKind::EndOfFile;
-        };
-        const auto isNewLine = [&](size_t i) { // first on its line
-            return i == 0 || std::string_view(text)
-                                     .substr(list.tokens[i - 1].end, list.tokens[i].begin - list.tokens[i - 1].end)
-                                     .find('\n') != std::string_view::npos;
-        };
-        for (size_t i = 0; i < list.tokens.size(); ++i) {
-            const lex::Token& token = list.tokens[i];
-            TokenClass kind = lex::isKeyword(token.kind) ? TokenClass::Keyword : TokenClass::Operator;
-            switch (token.kind) {
-            case lex::TokenKind::Identifier: {
-                const auto known =
-                    m_classOfName.find(foldCase(std::string_view(piece).substr(token.begin, token.end - token.begin)));
-                kind = known != m_classOfName.end()        ? known->second
-                       : token.soft != lex::SoftWord::None ? TokenClass::Keyword
-                                                           : TokenClass::Plain;
-                // an instruction: the first word of a line, or behind a label, and no statement
-                if (kind == TokenClass::Plain &&
-                    analysis::isListOperator(std::string_view(text).substr(token.begin, token.end - token.begin))) {
-                    const bool isFirst =
-                        isNewLine(i) || (i >= 2 && kindAt(i - 1) == lex::TokenKind::Colon && isNewLine(i - 2));
-                    const lex::TokenKind next =
-                        isNewLine(std::min(i + 1, list.tokens.size() - 1)) ? lex::TokenKind::EndOfFile : kindAt(i + 1);
-                    if (isFirst && next != lex::TokenKind::Assign && next != lex::TokenKind::Dot &&
-                        next != lex::TokenKind::Colon && next != lex::TokenKind::LeftBracket)
-                        kind = TokenClass::Keyword;
-                }
-                break;
-            }
-            case lex::TokenKind::IntegerLiteral:
-            case lex::TokenKind::RealLiteral:
-            case lex::TokenKind::DurationLiteral:
-            case lex::TokenKind::DateLiteral:
-            case lex::TokenKind::TimeOfDayLiteral:
-            case lex::TokenKind::DateTimeLiteral:
-                kind = TokenClass::Number;
-                break;
-            case lex::TokenKind::StringLiteral:
-            case lex::TokenKind::WstringLiteral:
-                kind = TokenClass::Text;
-                break;
-            case lex::TokenKind::TypedPrefix:
-                kind = TokenClass::Type;
-                break;
-            case lex::TokenKind::DirectAddress:
-                kind = TokenClass::Address;
-                break;
-            case lex::TokenKind::Pragma:
-                kind = TokenClass::Pragma;
-                break;
-            case lex::TokenKind::True:
-            case lex::TokenKind::False:
-                kind = TokenClass::Constant;
-                break;
-            case lex::TokenKind::Error: { // a comment may go on behind the piece
-                const std::string_view head = std::string_view(piece).substr(token.begin, 2);
-                kind = head == "(*" || head == "/*" ? TokenClass::Comment : TokenClass::Error;
-                break;
-            }
-            case lex::TokenKind::EndOfFile:
-                continue;
-            default:
-                break;
-            }
-            tokens.push_back({restart + token.begin, restart + token.end, kind});
-        }
-        for (const lex::Comment& comment : list.comments)
-            tokens.push_back({restart + comment.begin, restart + comment.end, TokenClass::Comment});
-        std::sort(tokens.begin(), tokens.end(), [](const auto& a, const auto& b) { return a.begin < b.begin; });
-    }
+    const auto tokens =
+        coloursOf(std::string_view(bytes, length), static_cast<uint32_t>(start), static_cast<uint32_t>(end));
     startStyling(start);
-    uint32_t at = first;
+    auto at = static_cast<uint32_t>(start);
     const auto last = static_cast<uint32_t>(std::min<size_t>(length, static_cast<size_t>(end)));
     // setStyling counts in bytes; gaps are white space.
     const auto style = [&](uint32_t upTo, TokenClass kind) {

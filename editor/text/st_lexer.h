@@ -23,6 +23,9 @@ public:
     [[nodiscard]] QColor colourOf(analysis::TokenClass kind) const;
 
 private:
+    [[nodiscard]] std::vector<analysis::ColouredToken> coloursOf(std::string_view text, uint32_t first,
+                                                                 uint32_t end) const;
+    void addColours(std::string_view piece, uint32_t at, std::vector<analysis::ColouredToken>& tokens) const;
     std::unordered_map<std::string, analysis::TokenClass> m_classOfName; // folded
     std::vector<analysis::ColouredToken> m_exact;                        // of m_analysedText
     std::string m_analysedText;

@@ -120,6 +120,12 @@ protected:
 
 private:
     void makeActions(QToolBar* bar);
+    void addViewActions(QToolBar* bar);
+    void addToolActions(QToolBar* bar);
+    void addTriggerActions(QToolBar* bar);
+    void addChartActions(QToolBar* bar);
+    void fillFileMenu(QMenu* files);
+    void fillExportMenu(QMenu* exports);
     void change(const QString& text, const std::function<void(TraceSetup&)>& change, int mergeId = -1);
     TraceSetup applyEdit(const TraceSetup& next);
     void setupTaken();

@@ -23,53 +23,117 @@
 
 namespace plc::trace {
 
+namespace {
+
+template <typename Run>
+QAction* addTool(QToolBar& bar, TraceView& view, kit::Icon icon, const QString& text, const QString& tip, Run&& run) {
+    QAction* action = bar.addAction(kit::icon(icon), text);
+    action->setToolTip(tip);
+    QObject::connect(action, &QAction::triggered, &view, run);
+    return action;
+}
+
+QAction* checkable(QAction* action) {
+    action->setCheckable(true);
+    return action;
+}
+
+/// A button of the bar that opens a menu.
+QMenu* addMenu(QToolBar& bar, kit::Icon icon, const QString& text) {
+    auto* button = new QToolButton(&bar);
+    button->setIcon(kit::icon(icon));
+    button->setToolTip(text);
+    button->setAccessibleName(text);
+    button->setPopupMode(QToolButton::InstantPopup);
+    auto* menu = new QMenu(text, button);
+    button->setMenu(menu);
+    bar.addWidget(button);
+    return menu;
+}
+
+} // namespace
+
 void TraceView::makeActions(QToolBar* bar) {
     bar->setIconSize(QSize(18, 18));
-    auto add = [&](kit::Icon icon, const QString& text, const QString& tip, auto&& run) {
-        QAction* action = bar->addAction(kit::icon(icon), text);
-        action->setToolTip(tip);
-        connect(action, &QAction::triggered, this, run);
-        return action;
+    addViewActions(bar);
+    bar->addSeparator();
+    addToolActions(bar);
+    bar->addSeparator();
+    addTriggerActions(bar);
+    bar->addSeparator();
+    addChartActions(bar);
+    auto* spacer = new QWidget(bar);
+    spacer->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    bar->addWidget(spacer);
+    QMenu* figures = addMenu(*bar, kit::Icon::Trace, tr("XY plot, spectrum, frequency response, runs"));
+    connect(figures, &QMenu::aboutToShow, this, [this, figures] {
+        figures->clear();
+        addFigureActions(*figures);
+    });
+    fillFileMenu(addMenu(*bar, kit::Icon::Save, tr("Trace configuration")));
+    fillExportMenu(addMenu(*bar, kit::Icon::Export, tr("Export")));
+    addAction(kit::makeUndoAction(m_undo, this));
+    addAction(kit::makeRedoAction(m_undo, this));
+    for (QAction* action : actions()) action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    new kit::OwnKeys(this);
+}
+
+void TraceView::addViewActions(QToolBar* bar) {
+    const auto add = [&](kit::Icon icon, const QString& text, const QString& tip, auto&& run) {
+        return addTool(*bar, *this, icon, text, tip, run);
     };
-    auto toggle = [&](QAction* action) {
-        action->setCheckable(true);
-        return action;
-    };
-    m_follow = toggle(add(kit::Icon::Follow, tr("Follow"), tr("Follow the newest scan (End)"),
-                          [this] { m_plot->setFollowing(m_follow->isChecked()); }));
+    m_follow = checkable(add(kit::Icon::Follow, tr("Follow"), tr("Follow the newest scan (End)"),
+                             [this] { m_plot->setFollowing(m_follow->isChecked()); }));
     add(kit::Icon::Fit, tr("Fit"), tr("Show everything recorded (Home)"), [this] {
         m_plot->setFollowing(false);
         m_plot->fit();
     });
     add(kit::Icon::ZoomY, tr("Fit values"), tr("Let the value axes fit again"), [this] { m_plot->fitValues(); });
     add(kit::Icon::Back, tr("Zoom back"), tr("Back to the view before (Backspace)"), [this] { m_plot->zoomBack(); });
-    bar->addSeparator();
+}
+
+void TraceView::addToolActions(QToolBar* bar) {
+    const auto add = [&](kit::Icon icon, const QString& text, const QString& tip, auto&& run) {
+        return addTool(*bar, *this, icon, text, tip, run);
+    };
     auto* tools = new QActionGroup(this);
-    m_zoomTool = toggle(add(kit::Icon::ZoomBox, tr("Zoom"), tr("Drag a box to zoom: flat for time, upright for values"),
-                            [this] { m_plot->setTool(plot::PlotTool::ZoomBox); }));
-    m_panTool = toggle(add(kit::Icon::Pan, tr("Pan"), tr("Drag to pan (middle button always does)"),
-                           [this] { m_plot->setTool(plot::PlotTool::Pan); }));
-    m_rulerTool = toggle(add(kit::Icon::Variable, tr("Measure between points"),
-                             tr("Drag from one point to another: time, value, slope and frequency between them (M)"),
-                             [this] { m_plot->setTool(plot::PlotTool::Ruler); }));
+    m_zoomTool =
+        checkable(add(kit::Icon::ZoomBox, tr("Zoom"), tr("Drag a box to zoom: flat for time, upright for values"),
+                      [this] { m_plot->setTool(plot::PlotTool::ZoomBox); }));
+    m_panTool = checkable(add(kit::Icon::Pan, tr("Pan"), tr("Drag to pan (middle button always does)"),
+                              [this] { m_plot->setTool(plot::PlotTool::Pan); }));
+    m_rulerTool = checkable(add(kit::Icon::Variable, tr("Measure between points"),
+                                tr("Drag from one point to another: time, value, slope and frequency between them (M)"),
+                                [this] { m_plot->setTool(plot::PlotTool::Ruler); }));
     for (QAction* tool : {m_zoomTool, m_panTool, m_rulerTool}) tools->addAction(tool);
     m_zoomTool->setChecked(true);
-    m_cursors = toggle(add(kit::Icon::Cursor, tr("Cursors"), tr("Two cursors (Ctrl+click sets A, Shift+click sets B)"),
-                           [this] { m_plot->setCursorsShown(m_cursors->isChecked()); }));
-    m_tableShown = toggle(
+    m_cursors =
+        checkable(add(kit::Icon::Cursor, tr("Cursors"), tr("Two cursors (Ctrl+click sets A, Shift+click sets B)"),
+                      [this] { m_plot->setCursorsShown(m_cursors->isChecked()); }));
+    m_tableShown = checkable(
         add(kit::Icon::Statistics, tr("Measure"), tr("Table of values and statistics between the cursors"), [this] {
             const bool shown = m_tableShown->isChecked();
             if (shown && !m_plot->hasCursors()) m_plot->setCursorsShown(true);
             change(tr("Measuring table"), [shown](TraceSetup& s) { s.hasTable = shown; });
         }));
-    bar->addSeparator();
-    m_arm = toggle(add(kit::Icon::Trigger, tr("Trigger"), tr("Arm the trigger set in the properties of the trace"),
-                       [this] { m_arm->isChecked() ? armTrigger() : m_trigger.disarm(); }));
+}
+
+void TraceView::addTriggerActions(QToolBar* bar) {
+    const auto add = [&](kit::Icon icon, const QString& text, const QString& tip, auto&& run) {
+        return addTool(*bar, *this, icon, text, tip, run);
+    };
+    m_arm = checkable(add(kit::Icon::Trigger, tr("Trigger"), tr("Arm the trigger set in the properties of the trace"),
+                          [this] { m_arm->isChecked() ? armTrigger() : m_trigger.disarm(); }));
     add(kit::Icon::ChevronLeft, tr("Previous trigger"), tr("Where the trigger would have fired before"),
         [this] { findTrigger(history::History::Direction::Backward); });
     add(kit::Icon::ChevronRight, tr("Next trigger"), tr("Where the trigger would have fired next"),
         [this] { findTrigger(history::History::Direction::Forward); });
-    bar->addSeparator();
+}
+
+void TraceView::addChartActions(QToolBar* bar) {
+    const auto add = [&](kit::Icon icon, const QString& text, const QString& tip, auto&& run) {
+        return addTool(*bar, *this, icon, text, tip, run);
+    };
     add(kit::Icon::Add, tr("Add chart"), tr("Another chart over the same time"),
         [this] { change(tr("Add chart"), [](TraceSetup& s) { s.charts.emplace_back(); }); });
     add(kit::Icon::Layers, tr("Compare"), tr("Load an older recording beneath the present one"), [this] {
@@ -82,27 +146,10 @@ void TraceView::makeActions(QToolBar* bar) {
                                          tr("Recordings and tables (*.rec *.csv *.tsv *.txt *.trace);;All files (*)"));
         if (!path.isEmpty()) report(compareWith(path));
     });
+}
 
-    auto* spacer = new QWidget(bar);
-    spacer->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-    bar->addWidget(spacer);
-    auto menuButton = [&](kit::Icon icon, const QString& text) {
-        auto* button = new QToolButton(bar);
-        button->setIcon(kit::icon(icon));
-        button->setToolTip(text);
-        button->setAccessibleName(text);
-        button->setPopupMode(QToolButton::InstantPopup);
-        auto* menu = new QMenu(text, button);
-        button->setMenu(menu);
-        bar->addWidget(button);
-        return menu;
-    };
-    QMenu* figures = menuButton(kit::Icon::Trace, tr("XY plot, spectrum, frequency response, runs"));
-    connect(figures, &QMenu::aboutToShow, this, [this, figures] {
-        figures->clear();
-        addFigureActions(*figures);
-    });
-    QMenu* files = menuButton(kit::Icon::Save, tr("Trace configuration"));
+/// Configurations and recordings.
+void TraceView::fillFileMenu(QMenu* files) {
     files->addAction(kit::icon(kit::Icon::Open), tr("Open configuration…"), this, [this] {
         const QString path = QFileDialog::getOpenFileName(this, tr("Open trace configuration"), m_folder,
                                                           tr("Trace configurations (*.trace.json)"));
@@ -139,7 +186,9 @@ void TraceView::makeActions(QToolBar* bar) {
         close->setEnabled(showsFile());
         save->setEnabled(m_recording != nullptr);
     });
-    QMenu* exports = menuButton(kit::Icon::Export, tr("Export"));
+}
+
+void TraceView::fillExportMenu(QMenu* exports) {
     exports->addAction(kit::icon(kit::Icon::Copy), tr("Copy as picture"), this, [this] {
         plot::copyPicture(m_plot->model(), {m_plot->size(), 2});
     });
@@ -158,10 +207,6 @@ void TraceView::makeActions(QToolBar* bar) {
         QPainter painter(&printer);
         plot::printPlot(m_plot->model(), painter, QRectF(QPointF(), printer.pageLayout().paintRectPixels(96).size()));
     });
-    addAction(kit::makeUndoAction(m_undo, this));
-    addAction(kit::makeRedoAction(m_undo, this));
-    for (QAction* action : actions()) action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-    new kit::OwnKeys(this);
 }
 
 QAction* TraceView::toolAction(plot::PlotTool tool) const {

@@ -1,7 +1,7 @@
 // Asks over which array a faceplate is arranged: the parameter, the array, its indices, columns and gaps. Main thread.
 #pragma once
-#include "hmi/designer/arrange.h"
-#include "hmi/designer/design_context.h"
+#include "hmi/designer/context/arrange.h"
+#include "hmi/designer/context/design_context.h"
 
 #include <QDialog>
 

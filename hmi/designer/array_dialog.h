@@ -1,6 +1,6 @@
 // Asks how many copies of the selection are laid out and how: count, columns, gaps, step of the index.
 #pragma once
-#include "hmi/designer/arrange.h"
+#include "hmi/designer/context/arrange.h"
 
 #include <QDialog>
 

@@ -1,8 +1,8 @@
 // The designer of one panel: palette, canvas, property sheet, outline, findings, live preview, and its actions.
 // Owned by its Qt parent (a tab of the studio); the context must outlive it. Main thread.
 #pragma once
-#include "hmi/designer/design_canvas.h"
-#include "hmi/designer/property_sheet.h"
+#include "hmi/designer/canvas/design_canvas.h"
+#include "hmi/designer/sheet/property_sheet.h"
 
 #include <QTimer>
 #include <QWidget>

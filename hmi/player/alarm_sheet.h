@@ -2,7 +2,7 @@
 // service, putting back. Over the player, which owns it; main thread.
 #pragma once
 #include "hmi/player/keypad.h"
-#include "hmi/player/operator_station.h"
+#include "hmi/station/operator_station.h"
 
 namespace plc::hmi {
 

@@ -2,8 +2,8 @@
 // Touch friendly: every key is at least 44 pixels. Owned by the player; main thread.
 #pragma once
 #include "hmi/texts/system_texts.h"
-#include "hmi/view/panel_theme.h"
-#include "hmi/view/requests.h"
+#include "hmi/view/paint/panel_theme.h"
+#include "hmi/view/scene/requests.h"
 
 #include <QWidget>
 

@@ -4,7 +4,8 @@
 #include "hmi/model/errors.h"
 #include "hmi/model/property_literals.h"
 #include "hmi/player/panel_player.h"
-#include "hmi/player/recipe_transfer.h"
+#include "hmi/station/recipe_transfer.h"
+#include "hmi/view/element_factory.h"
 
 #include <QApplication>
 #include <QCryptographicHash>
@@ -34,7 +35,7 @@ QImage renderPanel(const PanelProject& project, session::Session* session, const
             alarms.take(one.records);
         }
     }
-    PanelScene scene;
+    PanelScene scene{makeElementView};
     scene.setDesigning(!session);
     scene.setFolder(project.folder);
     scene.setPicturesOutside(project.picturesOutside);

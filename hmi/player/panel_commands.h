@@ -1,8 +1,8 @@
 // What the command line does with panels: pictures in every language at a moment of a run, the check, and playing
 // without the studio. Functions for the application's `panel` command; main thread, a QApplication must exist.
 #pragma once
-#include "hmi/player/panel_project.h"
-#include "hmi/player/program_facts.h"
+#include "hmi/station/panel_project.h"
+#include "hmi/station/program_facts.h"
 #include "projects/session/session.h"
 
 namespace plc::hmi {

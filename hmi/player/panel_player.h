@@ -2,7 +2,7 @@
 // widget for a dock or full screen, also used for pictures. The project and the run must outlive it; main thread.
 #pragma once
 #include "editor/kit/ask_why.h"
-#include "hmi/player/operator_station.h"
+#include "hmi/station/operator_station.h"
 #include "hmi/view/panel_view.h"
 
 #include <QPointer>

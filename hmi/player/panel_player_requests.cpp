@@ -6,7 +6,7 @@
 #include "hmi/model/property_literals.h"
 #include "hmi/player/alarm_sheet.h"
 #include "hmi/player/pop_up.h"
-#include "hmi/view/recipe_view.h"
+#include "hmi/view/lists/recipe_view.h"
 
 #include <algorithm>
 

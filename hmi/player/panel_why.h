@@ -3,7 +3,7 @@
 // recording must outlive it. Closed before the answer is there, it ends the search.
 #pragma once
 #include "editor/kit/ask_why.h"
-#include "hmi/player/operator_names.h"
+#include "hmi/station/operator_names.h"
 #include "runtime/history/history.h"
 
 #include <QWidget>

@@ -1,7 +1,7 @@
 // The strips over a playing panel: what state the controller is in, and why a write was refused. Owned by the player.
 #pragma once
 #include "hmi/player/keypad.h"
-#include "hmi/player/operator_station.h"
+#include "hmi/station/operator_station.h"
 
 #include <QWidget>
 

@@ -2,7 +2,7 @@
 // by the player; main thread.
 #pragma once
 #include "hmi/player/keypad.h"
-#include "hmi/player/navigation.h"
+#include "hmi/station/navigation.h"
 #include "hmi/view/panel_view.h"
 
 class QLabel;

@@ -3,7 +3,8 @@
 #include "hmi/model/errors.h"
 #include "hmi/model/property_literals.h"
 #include "hmi/model/walk.h"
-#include "hmi/view/containers.h"
+#include "hmi/view/controls/containers.h"
+#include "hmi/view/element_factory.h"
 #include "projects/storage/project_file.h"
 
 #include <QDir>
@@ -64,7 +65,7 @@ public:
 
 private:
     Result<void> panelPictures(const NamedPanel& named) {
-        PanelScene scene;
+        PanelScene scene{makeElementView};
         AlarmBook book;
         book.setFile(m_project.alarms);
         scene.setDesigning(true);

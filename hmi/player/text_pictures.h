@@ -1,7 +1,7 @@
 // Pictures for translators: where each text of the operators is seen. One file per text and panel: the surroundings of
 // the element with a frame around it. Functions; main thread (fonts).
 #pragma once
-#include "hmi/player/panel_project.h"
+#include "hmi/station/panel_project.h"
 
 namespace plc::hmi {
 

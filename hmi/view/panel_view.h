@@ -1,7 +1,8 @@
 // A panel as a widget: it scales the scene into its area, asks it for changes 30 times a second, paints only those, and
 // hands presses on. Owned by its Qt parent; main thread.
 #pragma once
-#include "hmi/view/panel_scene.h"
+#include "hmi/view/element_factory.h"
+#include "hmi/view/scene/panel_scene.h"
 
 #include <QElapsedTimer>
 #include <QTimer>
@@ -45,7 +46,7 @@ protected:
 private:
     QPointF origin() const;
     void letGo();
-    PanelScene m_scene;
+    PanelScene m_scene{makeElementView};
     QTimer m_timer;
     QElapsedTimer m_clock;
     PanelFit m_fit = PanelFit::Whole;

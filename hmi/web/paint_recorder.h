@@ -1,7 +1,7 @@
 // A paint device that writes down what is painted as drawing commands for a browser's canvas. One piece per element;
 // two recordings of an element differ in the commands that changed. Owned by a PanelStream; main thread.
 #pragma once
-#include "hmi/view/glyph_sink.h"
+#include "hmi/view/paint/glyph_sink.h"
 #include "hmi/web/paint_bytes.h"
 #include "hmi/web/paint_store.h"
 #include "hmi/web/shared_views.h"

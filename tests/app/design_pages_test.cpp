@@ -1,8 +1,8 @@
 // Panels in the studio's window: opened from the tree, drawn, undone, live, saved, and what is wrong with them in the
 // list of problems.
-#include "app/live_views.h"
-#include "app/problems_view.h"
-#include "app/project_tree.h"
+#include "app/panels/live_views.h"
+#include "app/project/problems_view.h"
+#include "app/project/project_tree.h"
 #include "hmi/designer/panel_designer.h"
 #include "hmi/player/panel_player.h"
 #include "tests/app/studio_fixture.h"

@@ -1,13 +1,13 @@
 // Files of the operator side that other programs change: taken when nothing is unsaved here, asked about when something
 // is, never written over unknowingly; new ones appear; what cannot be read opens as text and is a problem.
-#include "app/disk_change.h"
-#include "app/live_views.h"
-#include "app/merge_dialog.h"
-#include "app/panel_files.h"
-#include "app/problems_view.h"
-#include "app/project_tree.h"
-#include "app/text_page.h"
-#include "hmi/designer/design_canvas.h"
+#include "app/pages/disk_change.h"
+#include "app/pages/merge_dialog.h"
+#include "app/panels/live_views.h"
+#include "app/panels/panel_files.h"
+#include "app/panels/text_page.h"
+#include "app/project/problems_view.h"
+#include "app/project/project_tree.h"
+#include "hmi/designer/canvas/design_canvas.h"
 #include "hmi/designer/panel_designer.h"
 #include "tests/app/studio_fixture.h"
 

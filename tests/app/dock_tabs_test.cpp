@@ -1,7 +1,7 @@
 // The tabs of docks on a small screen: nothing is cut, each dock is a click away, and the View menu finds those in the
 // back.
-#include "app/dock_tabs.h"
-#include "app/translation.h"
+#include "app/frame/dock_tabs.h"
+#include "app/settings/translation.h"
 #include "tests/app/studio_fixture.h"
 
 #include <QAction>

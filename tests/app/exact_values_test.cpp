@@ -1,6 +1,6 @@
 // Exact values in the text of the scan that is shown, and the walk through it, forwards and backwards.
-#include "app/inside_views.h"
-#include "app/live_views.h"
+#include "app/online/inside_views.h"
+#include "app/panels/live_views.h"
 #include "tests/app/idle_chart.h"
 #include "tests/app/studio_fixture.h"
 #include "tests/support/two_axes.h"

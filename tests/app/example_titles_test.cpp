@@ -1,7 +1,7 @@
 // The start page speaks the language of the studio: each example's title and its sentence are translated and fit.
-#include "app/example_titles.h"
-#include "app/start_page.h"
-#include "app/translation.h"
+#include "app/settings/translation.h"
+#include "app/start/example_titles.h"
+#include "app/start/start_page.h"
 #include "tests/app/studio_fixture.h"
 
 #include <QFontMetrics>
@@ -33,14 +33,15 @@ TEST(ExampleTitles, AreInEveryLanguage) {
         ASSERT_TRUE(texts.load(":/translations/stepwise_" + language + ".qm"));
         for (const QString& title : all)
             EXPECT_FALSE(texts.translate("Examples", title.toUtf8().constData()).isEmpty())
-                << language.toStdString() << ": “" << title.toStdString() << "”; list it in app/example_titles.cpp";
+                << language.toStdString() << ": “" << title.toStdString()
+                << "”; list it in app/start/example_titles.cpp";
     }
 }
 
 TEST(ExampleTitles, HaveASentenceInEveryLanguage) {
     for (const QString& title : titles()) {
         const QString english = exampleSummary(title);
-        EXPECT_FALSE(english.isEmpty()) << "“" << title.toStdString() << "”: write it in app/example_titles.cpp";
+        EXPECT_FALSE(english.isEmpty()) << "“" << title.toStdString() << "”: write it in app/start/example_titles.cpp";
         for (const QString& language : translatedLanguages()) {
             if (language == "en") continue;
             installTranslation(*qApp, language);

@@ -1,6 +1,6 @@
 // File > Import and File > Export: the preview shows files and report before anything is written, refusals stay in the
 // dialog, and what was imported opens.
-#include "app/exchange_dialogs.h"
+#include "app/exchange/exchange_dialogs.h"
 #include "projects/storage/project_file.h"
 #include "tests/app/studio_fixture.h"
 

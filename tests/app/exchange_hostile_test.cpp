@@ -1,7 +1,7 @@
 // File > Import by mouse and keys, with what a bad day brings: archives named .xml, entities, depth, other encodings,
 // nothing at all, folders that are taken, a source that is gone, a cancelled reading or writing. The dialog says what
 // is wrong, and nothing is written.
-#include "app/exchange_dialogs.h"
+#include "app/exchange/exchange_dialogs.h"
 #include "editor/kit/long_task.h"
 #include "projects/storage/project_file.h"
 #include "tests/app/studio_fixture.h"

@@ -1,6 +1,6 @@
 // F1 on a problem: its page, from the list of problems and from the text.
-#include "app/explanation_dialog.h"
-#include "app/problems_view.h"
+#include "app/project/explanation_dialog.h"
+#include "app/project/problems_view.h"
 #include "tests/app/studio_fixture.h"
 
 #include <QTextBrowser>

@@ -1,8 +1,8 @@
 // An example says what to press: its README is beside it, in sight with its panel; and the tour is about the project at
 // hand and above what it speaks of.
-#include "app/guide_view.h"
-#include "app/start_page.h"
-#include "app/tour.h"
+#include "app/start/guide_view.h"
+#include "app/start/start_page.h"
+#include "app/start/tour.h"
 #include "tests/app/studio_fixture.h"
 
 #include <QDockWidget>

@@ -1,6 +1,6 @@
 // What stays: shortcuts, texts after a crash and after a change from outside, and the whole arrangement of a project
 // that is opened again.
-#include "app/settings_dialog.h"
+#include "app/settings/settings_dialog.h"
 #include "editor/debug/watch_view.h"
 #include "tests/app/studio_fixture.h"
 

@@ -6,7 +6,7 @@
 
 #include "editor/trace/trace_setup.h"
 #include "editor/workspace/workspace.h"
-#include "hmi/player/panel_project.h"
+#include "hmi/station/panel_project.h"
 #include "projects/session/session.h"
 #include "projects/storage/project_file.h"
 

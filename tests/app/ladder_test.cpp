@@ -1,6 +1,6 @@
 // The ladder diagram beside its text, with real keys and clicks: what is drawn, edits as minimal text edits, one undo
 // history, power flow while it runs, and the way of a new user to a motor that holds itself.
-#include "app/new_project.h"
+#include "app/project/new_project.h"
 #include "tests/app/studio_fixture.h"
 
 #include <QAction>

@@ -1,6 +1,6 @@
 // The studio's language changes while the controller runs: the window is another one, everything in it goes on.
-#include "app/live_views.h"
-#include "app/translation.h"
+#include "app/panels/live_views.h"
+#include "app/settings/translation.h"
 #include "editor/debug/debug_views.h"
 #include "editor/debug/watch_view.h"
 #include "hmi/designer/panel_designer.h"

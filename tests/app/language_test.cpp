@@ -1,6 +1,6 @@
 // Every action, menu and dock of the real window speaks the languages of the studio.
 #include "app/main_window.h"
-#include "app/translation.h"
+#include "app/settings/translation.h"
 #include "editor/kit/translation_tag.h"
 #include "tests/app/studio_fixture.h"
 

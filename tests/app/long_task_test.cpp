@@ -1,7 +1,7 @@
 // What takes long shows how far it got and can be cancelled: search and replace in all files, export of samples, both
 // builds, recordings, the tests.
-#include "app/live_views.h"
-#include "app/search_view.h"
+#include "app/panels/live_views.h"
+#include "app/project/search_view.h"
 #include "editor/kit/long_task.h"
 #include "editor/plot/plot_export.h"
 #include "tests/app/studio_fixture.h"

@@ -1,6 +1,6 @@
 // Every window without a mouse and without a picture: a letter of its own for every entry of a menu, a name and a role
 // for the screen reader.
-#include "app/translation.h"
+#include "app/settings/translation.h"
 #include "tests/app/all_windows.h"
 
 #include <QAbstractScrollArea>

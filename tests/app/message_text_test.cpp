@@ -1,6 +1,6 @@
 // What runtime and projects say in English reads German and Danish in the window, on the panel and in the log.
-#include "app/live_views.h"
-#include "app/translation.h"
+#include "app/panels/live_views.h"
+#include "app/settings/translation.h"
 #include "editor/debug/debug_views.h"
 #include "editor/debug/watch_view.h"
 #include "editor/kit/errors.h"

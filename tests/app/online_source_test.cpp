@@ -1,7 +1,7 @@
 // The source of a block while it runs: whose values stand beside it, values beside declarations, writing and forcing
 // from the text; the watch with several lists and a format per row.
-#include "app/instance_bar.h"
-#include "app/project_tree.h"
+#include "app/pages/instance_bar.h"
+#include "app/project/project_tree.h"
 #include "editor/debug/debug_views.h"
 #include "editor/debug/watch_view.h"
 #include "tests/app/studio_fixture.h"

@@ -1,6 +1,6 @@
 // The operator panel in the studio's dock: its alarm history outlives the window, and a recording from a file is the
 // past of the panel, too.
-#include "app/live_views.h"
+#include "app/panels/live_views.h"
 #include "hmi/player/panel_player.h"
 #include "tests/app/studio_fixture.h"
 

@@ -1,7 +1,7 @@
 // Uses of a name beyond the program's text: panels and alarms are counted, searched and shown before a rename.
-#include "app/live_views.h"
-#include "app/rename_dialog.h"
-#include "app/search_view.h"
+#include "app/panels/live_views.h"
+#include "app/project/rename_dialog.h"
+#include "app/project/search_view.h"
 #include "hmi/designer/panel_designer.h"
 #include "tests/app/studio_fixture.h"
 

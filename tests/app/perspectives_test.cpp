@@ -1,8 +1,8 @@
 // Room for the work: the editor alone, arrangements for editing, debugging and drawing, a window of 1024 × 700; and
 // small things of the window one meets every day.
-#include "app/perspectives.h"
-#include "app/project_tree.h"
-#include "app/translation.h"
+#include "app/frame/perspectives.h"
+#include "app/project/project_tree.h"
+#include "app/settings/translation.h"
 #include "tests/app/studio_fixture.h"
 #include "tests/support/settle.h"
 

@@ -1,11 +1,11 @@
 // What an engineer does with units, files and texts in a day and expects to be able to take back: rename and replace
 // over several files, deletion with what refers to it, split view, columns, declarations as a table, files of other
 // editors, examples.
-#include "app/live_views.h"
-#include "app/new_project.h"
-#include "app/project_tree.h"
-#include "app/search_view.h"
-#include "app/start_page.h"
+#include "app/panels/live_views.h"
+#include "app/project/new_project.h"
+#include "app/project/project_tree.h"
+#include "app/project/search_view.h"
+#include "app/start/start_page.h"
 #include "tests/app/studio_fixture.h"
 #include "tests/support/settle.h"
 

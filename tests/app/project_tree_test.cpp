@@ -1,9 +1,9 @@
 // The project tree with real events: variables that are dragged, files that are renamed and deleted with what refers to
 // them.
-#include "app/live_views.h"
-#include "app/project_tree.h"
-#include "app/rename_dialog.h"
-#include "app/search_view.h"
+#include "app/panels/live_views.h"
+#include "app/project/project_tree.h"
+#include "app/project/rename_dialog.h"
+#include "app/project/search_view.h"
 #include "editor/debug/watch_view.h"
 #include "editor/kit/variable_picker.h"
 #include "tests/app/studio_fixture.h"

@@ -5,8 +5,8 @@
 #include "tests/app/studio_fixture.h"
 #include "tests/support/paths.h"
 
-#include "app/live_views.h"
-#include "app/settings_dialog.h"
+#include "app/panels/live_views.h"
+#include "app/settings/settings_dialog.h"
 #include "editor/kit/theme.h"
 #include "hmi/designer/panel_designer.h"
 

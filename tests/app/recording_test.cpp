@@ -1,5 +1,5 @@
 // A recording from a file in the place of the controller: slider, values in the text and watch move to it, and back.
-#include "app/live_views.h"
+#include "app/panels/live_views.h"
 #include "tests/app/studio_fixture.h"
 
 #include <QAction>

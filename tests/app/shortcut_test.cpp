@@ -1,15 +1,15 @@
 // Every shortcut does what the menu says, wherever the focus is: one of the place itself wins over the window's, both
 // over what a widget would do with the key.
-#include "app/live_views.h"
-#include "app/problems_view.h"
-#include "app/project_tree.h"
-#include "app/search_view.h"
+#include "app/panels/live_views.h"
+#include "app/project/problems_view.h"
+#include "app/project/project_tree.h"
+#include "app/project/search_view.h"
 #include "editor/debug/debug_views.h"
 #include "editor/debug/watch_view.h"
-#include "hmi/designer/alarm_editor.h"
-#include "hmi/designer/outline.h"
+#include "hmi/designer/canvas/outline.h"
+#include "hmi/designer/editors/alarm_editor.h"
+#include "hmi/designer/editors/text_editor.h"
 #include "hmi/designer/panel_designer.h"
-#include "hmi/designer/text_editor.h"
 #include "tests/app/studio_fixture.h"
 
 #include <QAction>

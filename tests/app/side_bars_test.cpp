@@ -1,7 +1,7 @@
 // Docks that hide themselves: the pin, the button at the edge, sliding out over the documents, and what brings them
 // back to their place; kept with the project.
-#include "app/perspectives.h"
-#include "app/side_bars.h"
+#include "app/frame/perspectives.h"
+#include "app/frame/side_bars.h"
 #include "editor/debug/watch_view.h"
 #include "editor/text/st_editor.h"
 #include "tests/app/studio_fixture.h"

@@ -1,7 +1,7 @@
 // Texts that are not the program's own sources: tests, which the editor knows as well as the program; libraries; files
 // that are read-only on disk. And both sides of a split, the list of completions, the sections of the table.
-#include "app/editor_tabs.h"
-#include "app/project_tree.h"
+#include "app/pages/editor_tabs.h"
+#include "app/project/project_tree.h"
 #include "runtime/diagnostics/diagnostic.h"
 #include "tests/app/studio_fixture.h"
 

@@ -1,5 +1,5 @@
 // Two files of the project side by side: both are edited, and there is one text of each.
-#include "app/st_page.h"
+#include "app/pages/st_page.h"
 #include "tests/app/studio_fixture.h"
 
 namespace plc::app {

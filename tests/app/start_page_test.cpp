@@ -1,10 +1,10 @@
 // What someone sees who starts the studio for the first time: a loop with its trace and its panel, a tour that says
 // what to press, and a start page on which every machine has a picture.
-#include "app/live_views.h"
 #include "app/main_window.h"
-#include "app/settings.h"
-#include "app/start_page.h"
-#include "app/tour.h"
+#include "app/panels/live_views.h"
+#include "app/settings/settings.h"
+#include "app/start/start_page.h"
+#include "app/start/tour.h"
 #include "hmi/player/panel_player.h"
 #include "tests/support/paths.h"
 

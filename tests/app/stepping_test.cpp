@@ -1,6 +1,6 @@
 // Halting and stepping as a commissioning engineer does it: into calls of every kind, with the call path and the mark
 // of the line in step; breakpoints on any line, in texts that were edited since; resets wherever the controller stands.
-#include "app/live_views.h"
+#include "app/panels/live_views.h"
 #include "editor/debug/debug_views.h"
 #include "editor/debug/watch_view.h"
 #include "tests/app/studio_fixture.h"

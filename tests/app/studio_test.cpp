@@ -1,9 +1,9 @@
 #include "tests/app/studio_fixture.h"
 
-#include "app/live_views.h"
-#include "app/problems_view.h"
-#include "app/project_tree.h"
-#include "app/search_view.h"
+#include "app/panels/live_views.h"
+#include "app/project/problems_view.h"
+#include "app/project/project_tree.h"
+#include "app/project/search_view.h"
 #include "editor/debug/debug_views.h"
 #include "editor/debug/watch_view.h"
 #include "editor/kit/variable_picker.h"

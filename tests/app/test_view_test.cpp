@@ -1,7 +1,7 @@
 // The view of the project's tests: what passed and failed, one or the failed ones run again, from a failure to its line
 // and to the recording of it.
-#include "app/live_views.h"
-#include "app/test_view.h"
+#include "app/panels/live_views.h"
+#include "app/testing/test_view.h"
 #include "tests/app/studio_fixture.h"
 
 #include <QAction>

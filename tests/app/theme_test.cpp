@@ -1,5 +1,5 @@
 // The themes of the studio: chosen in the menu, kept, and in each of them every window can be read.
-#include "app/st_page.h"
+#include "app/pages/st_page.h"
 #include "editor/kit/contrast.h"
 #include "editor/kit/theme.h"
 #include "tests/app/all_windows.h"

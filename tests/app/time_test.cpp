@@ -1,6 +1,6 @@
 // The time that the window shows: the plot comes back to the present with everything else, each project has its own,
 // and status line, log and slider agree.
-#include "app/live_views.h"
+#include "app/panels/live_views.h"
 #include "editor/debug/debug_views.h"
 #include "editor/plot/plot_scale.h"
 #include "editor/plot/plot_view.h"

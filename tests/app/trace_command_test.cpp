@@ -1,5 +1,5 @@
 // `stepwise trace` as its user types it: files written, texts printed, wrong words refused.
-#include "app/cli/command.h"
+#include "app/cli/command_line.h"
 #include "tests/support/paths.h"
 
 #include "projects/session/session.h"

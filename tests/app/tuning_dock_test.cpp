@@ -1,6 +1,6 @@
 // The tuning dock as one works with it: find the steps, look at the model, move the sliders, write the parameters in
 // one scan, take them back.
-#include "app/live_views.h"
+#include "app/panels/live_views.h"
 #include "editor/kit/theme.h"
 #include "editor/plot/figure_view.h"
 #include "editor/tuning/tuning_view.h"

@@ -1,6 +1,6 @@
 // Typing as one means it: a new document has the keyboard, an END_… is not written twice, Enter in the watch line takes
 // the name that was begun.
-#include "app/new_project.h"
+#include "app/project/new_project.h"
 #include "editor/debug/watch_view.h"
 #include "editor/kit/expression_edit.h"
 #include "hmi/designer/panel_designer.h"

@@ -1,6 +1,6 @@
 // The watch as one works with it: every type in every format, long arrays, parts that come with an online change,
 // prepared values by the mouse, errors that say why; the log that is filtered and copied.
-#include "app/live_views.h"
+#include "app/panels/live_views.h"
 #include "editor/debug/debug_views.h"
 #include "editor/debug/watch_view.h"
 #include "hmi/designer/panel_designer.h"

@@ -1,9 +1,9 @@
 // What if?: from a past scan on with other values, drawn over what happened; and what tests and recordings cover, in
 // the margin.
-#include "app/inside_views.h"
-#include "app/live_views.h"
-#include "app/test_view.h"
-#include "app/what_if_dialog.h"
+#include "app/online/inside_views.h"
+#include "app/online/what_if_dialog.h"
+#include "app/panels/live_views.h"
+#include "app/testing/test_view.h"
 #include "editor/graph/chart_view.h"
 #include "tests/app/idle_chart.h"
 #include "tests/app/studio_fixture.h"

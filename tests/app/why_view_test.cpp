@@ -1,8 +1,8 @@
 // Why a value is as it is, asked where it is seen: text, watch, tree, trace and panel; one click on the answer goes to
 // the place and to the scan.
-#include "app/inside_views.h"
-#include "app/live_views.h"
-#include "app/project_tree.h"
+#include "app/online/inside_views.h"
+#include "app/panels/live_views.h"
+#include "app/project/project_tree.h"
 #include "editor/debug/watch_view.h"
 #include "hmi/player/panel_player.h"
 #include "hmi/player/panel_why.h"

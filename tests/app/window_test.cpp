@@ -1,6 +1,6 @@
 // The window itself: names for those who do not see it, shortcuts that clash, speed, docks, the palette over
 // everything.
-#include "app/settings_dialog.h"
+#include "app/settings/settings_dialog.h"
 #include "editor/kit/command_palette.h"
 #include "tests/app/studio_fixture.h"
 
@@ -53,7 +53,7 @@ QStringList nameless(QWidget& window) {
 TEST_F(StudioTest, EverythingThatTakesInputHasANameToBeSpoken) {
     for (QDockWidget* dock : window->findChildren<QDockWidget*>()) window->showDock(dock->objectName());
     EXPECT_EQ(nameless(*window).join("\n").toStdString(), "");
-    SettingsDialog settings(window->settings(), window->allActions(), window.get());
+    SettingsDialog settings(window->settings(), window->allActions(), defaultShortcuts(), window.get());
     settings.show();
     EXPECT_EQ(nameless(settings).join("\n").toStdString(), "");
 }
@@ -63,7 +63,7 @@ TEST_F(StudioTest, AShortcutThatClashesIsTakenFromTheOtherAction) {
     QAction* step = window->action("run.stepOver");
     const QKeySequence keys = step->shortcut();
     {
-        SettingsDialog dialog(window->settings(), window->allActions(), window.get());
+        SettingsDialog dialog(window->settings(), window->allActions(), defaultShortcuts(), window.get());
         dialog.show();
         auto* table = dialog.findChild<QTableWidget*>();
         const auto edit = [&](QAction* action) {
@@ -83,7 +83,7 @@ TEST_F(StudioTest, AShortcutThatClashesIsTakenFromTheOtherAction) {
     EXPECT_EQ(again.action("run.build")->shortcut(), keys) << "kept";
     EXPECT_TRUE(again.action("run.stepOver")->shortcut().isEmpty());
     {
-        SettingsDialog dialog(window->settings(), window->allActions(), window.get());
+        SettingsDialog dialog(window->settings(), window->allActions(), defaultShortcuts(), window.get());
         for (QAbstractButton* each : dialog.findChildren<QAbstractButton*>())
             if (each->text() == "Restore Defaults") each->click();
         dialog.accept();

@@ -1,6 +1,6 @@
 // Writing and forcing from the text with the right button and the keyboard, in a program and in the source of a block
 // with a chosen instance; the events come from the window system, so that what a click does first is done here, too.
-#include "app/instance_bar.h"
+#include "app/pages/instance_bar.h"
 #include "editor/debug/debug_views.h"
 #include "tests/app/studio_fixture.h"
 

@@ -1,10 +1,10 @@
 // What the engineer waits for in the real window, on a project of 10,000 lines: start, open, keystroke to diagnostics,
 // completion, rename; and what the window costs while a program runs at 1 ms with online values, watch and trace in
 // sight. Needs no display: QT_QPA_PLATFORM=offscreen bench_studio [LINES [SECONDS]]
-#include "app/editor_tabs.h"
-#include "app/live_views.h"
 #include "app/main_window.h"
-#include "app/settings.h"
+#include "app/pages/editor_tabs.h"
+#include "app/panels/live_views.h"
+#include "app/settings/settings.h"
 #include "editor/debug/watch_view.h"
 #include "editor/kit/theme.h"
 #include "runtime/compiler/jit/jit.h"

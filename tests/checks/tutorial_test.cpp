@@ -66,8 +66,8 @@ TEST(Tutorial, TheGermanPageNamesWhatTheGermanStudioShows) {
 
 TEST(Tutorial, ItsCommandsAreThoseOfTheProgram) {
     std::string commands;
-    for (const auto& entry : std::filesystem::directory_iterator(plc::sourceDir() + "/app/cli"))
-        commands += contentOf(entry.path());
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(plc::sourceDir() + "/app/cli"))
+        if (entry.is_regular_file()) commands += contentOf(entry.path());
     for (const std::string& line : blockLines(page("tutorial.de.md"))) {
         if (!line.starts_with("stepwise ")) continue;
         std::istringstream words(line.substr(9));

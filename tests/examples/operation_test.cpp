@@ -3,8 +3,8 @@
 #include "tests/examples/example_names.h"
 #include "tests/examples/shown.h"
 
-#include "app/cli/command.h"
-#include "app/cli/timed_write.h"
+#include "app/cli/command_line.h"
+#include "app/cli/run/timed_write.h"
 #include "hmi/player/panel_commands.h"
 #include "projects/storage/project_file.h"
 #include "projects/testing/test_run.h"

@@ -4,8 +4,8 @@
 
 #include "hmi/model/faceplate.h"
 #include "hmi/model/walk.h"
-#include "hmi/player/panel_project.h"
-#include "hmi/player/plc_values.h"
+#include "hmi/station/panel_project.h"
+#include "hmi/station/plc_values.h"
 #include "projects/session/session.h"
 
 #include <map>

@@ -5,9 +5,10 @@
 #include "editor/trace/run_recording.h"
 #include "editor/trace/trace_setup.h"
 #include "hmi/alarms/alarm_file.h"
+#include "hmi/check/panel_check.h"
 #include "hmi/texts/text_table.h"
-#include "hmi/view/panel_check.h"
-#include "hmi/view/panel_scene.h"
+#include "hmi/view/element_factory.h"
+#include "hmi/view/scene/panel_scene.h"
 #include "projects/storage/project_file.h"
 #include "runtime/controller/retain.h"
 
@@ -65,7 +66,7 @@ void readPanel(const std::string& bytes) {
         (void)panel->childrenOf(element.id());
         (void)element.rect();
     }
-    hmi::PanelScene scene;
+    hmi::PanelScene scene{hmi::makeElementView};
     hmi::HeldValues values;
     scene.setValues(&values);
     scene.setPanel(*panel);

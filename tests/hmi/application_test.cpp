@@ -5,7 +5,7 @@
 #include "hmi/player/alarm_sheet.h"
 #include "hmi/player/keypad.h"
 #include "hmi/player/pop_up.h"
-#include "hmi/view/recipe_view.h"
+#include "hmi/view/lists/recipe_view.h"
 #include "running.h"
 #include "tests/support/settle.h"
 

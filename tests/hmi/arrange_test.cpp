@@ -1,6 +1,6 @@
 // What the designer does to several elements, as edits: each undone gives the file back byte for byte.
-#include "hmi/designer/arrange.h"
-#include "hmi/designer/snapping.h"
+#include "hmi/designer/canvas/snapping.h"
+#include "hmi/designer/context/arrange.h"
 #include "running.h"
 
 namespace plc::hmi {

@@ -1,10 +1,10 @@
 // Every word of panel files that the designer offers has a title of its own, which is translated.
-#include "hmi/designer/choice_titles.h"
+#include "hmi/designer/sheet/choice_titles.h"
 
 #include "editor/kit/texts.h"
 #include "hmi/model/descriptor.h"
-#include "hmi/view/panel_theme.h"
-#include "hmi/view/symbol_art.h"
+#include "hmi/view/paint/panel_theme.h"
+#include "hmi/view/paint/symbol_art.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // The editors of recipes and of users: what is typed is kept, refused or undone byte for byte, and saved.
 #include "design_studio.h"
 
-#include "hmi/designer/people_editor.h"
-#include "hmi/designer/recipe_editor.h"
+#include "hmi/designer/editors/people_editor.h"
+#include "hmi/designer/editors/recipe_editor.h"
 #include "hmi/people/password.h"
 #include "projects/storage/project_file.h"
 

@@ -1,7 +1,7 @@
 // What makes binding and arranging quick: variables dropped on elements and on the property sheet, colours as swatches,
 // only the properties that say something, an outline that can be read, one of several by a click, paste in place.
 #include "design_studio.h"
-#include "hmi/designer/outline.h"
+#include "hmi/designer/canvas/outline.h"
 
 #include <QComboBox>
 

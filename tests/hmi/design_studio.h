@@ -1,6 +1,6 @@
 // A project with one panel that is open in the designer, and real events for it. Shared by the designer's tests.
 #pragma once
-#include "hmi/designer/palette.h"
+#include "hmi/designer/canvas/palette.h"
 #include "hmi/designer/panel_designer.h"
 #include "running.h"
 

@@ -1,12 +1,12 @@
 // The designer with real events: a panel from nothing, run, pressed, seen, in another language; and what the designer
 // does on the way: texts get keys, variables become elements, everything is undone.
 #include "design_studio.h"
-#include "hmi/designer/alarm_editor.h"
-#include "hmi/designer/outline.h"
-#include "hmi/designer/palette.h"
+#include "hmi/designer/canvas/outline.h"
+#include "hmi/designer/canvas/palette.h"
+#include "hmi/designer/editors/alarm_editor.h"
+#include "hmi/designer/editors/text_editor.h"
 #include "hmi/designer/panel_designer.h"
-#include "hmi/designer/records_dialog.h"
-#include "hmi/designer/text_editor.h"
+#include "hmi/designer/sheet/records_dialog.h"
 
 #include "editor/kit/variable_picker.h"
 #include "tests/support/settle.h"

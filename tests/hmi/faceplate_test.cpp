@@ -1,9 +1,10 @@
 // Faceplates: one panel with parameters, placed for every element of an array; edited once, checked by the front end,
 // operated on a running controller, undone byte for byte.
 #include "hmi/designer/array_arrangement_dialog.h"
-#include "hmi/designer/palette.h"
+#include "hmi/designer/canvas/palette.h"
 #include "hmi/designer/panel_designer.h"
-#include "hmi/view/faceplate_view.h"
+#include "hmi/view/element_factory.h"
+#include "hmi/view/scene/faceplate_view.h"
 #include "running.h"
 #include "tests/support/settle.h"
 
@@ -133,7 +134,7 @@ TEST(Faceplate, IsDrawnScaledAtItsPlaceAndFollowsItsOwnGate) {
     Plant plant(
         R"({"id": "g", "kind": "faceplate", "rect": [100, 50, 80, 120], "panel": "gate", "arguments": {"gate": "Main.gates[7]"}})");
     HeldValues values;
-    PanelScene scene;
+    PanelScene scene{makeElementView};
     scene.setFaceplates(plant.project.panelLookup());
     scene.setValues(&values);
     scene.setPanel(plant.project.find(QStringLiteral("main"))->panel);
@@ -159,7 +160,7 @@ TEST(Faceplate, MayBeNestedButNotContainItself) {
             "elements": [{"id": "x", "kind": "faceplate", "rect": [0, 0, 40, 60], "panel": "gate", "arguments": {"gate": "$a"}},
                          {"id": "y", "kind": "faceplate", "rect": [60, 0, 40, 60], "panel": "gate", "arguments": {"gate": "$b"}}]})")});
     EXPECT_EQ(plant.findings(), "");
-    PanelScene scene;
+    PanelScene scene{makeElementView};
     HeldValues values;
     scene.setValues(&values);
     scene.setFaceplates(plant.project.panelLookup());
@@ -252,7 +253,7 @@ TEST(FaceplateCheck, ReadyFaceplatesFitTheBlocksOfTheLibraries) {
             for (const char* theme : {"light", "dark"}) {
                 Panel panel = withArguments(ready.panel, {{"title", "Title"}, {"unit", "bar"}});
                 panel.set("theme", theme);
-                PanelScene scene;
+                PanelScene scene{makeElementView};
                 scene.setDesigning(true);
                 scene.setPanel(panel);
                 scene.picture(2).save(

@@ -2,7 +2,8 @@
 // digits by choice, and the language that was chosen last.
 #include "hmi/player/keypad.h"
 #include "hmi/player/keypad_letters.h"
-#include "hmi/view/arrays.h"
+#include "hmi/view/controls/arrays.h"
+#include "hmi/view/element_factory.h"
 #include "tests/hmi/running.h"
 
 #include <QPushButton>
@@ -39,7 +40,7 @@ TEST(OperatorLanguage, TheFirstColumnOfATableIsWhereReadingBegins) {
     const Panel panel = panelOf(R"({"id":"t","kind":"table","rect":[0,0,400,200],"count":2,
                                     "columns":[{"title":"A","value":""},{"title":"B","value":""}]})");
     const auto leftOfFirst = [&](const char* tag) {
-        PanelScene scene;
+        PanelScene scene{makeElementView};
         scene.setLanguage(QLatin1String(tag));
         scene.setPanel(panel);
         std::vector<TextBox> boxes;

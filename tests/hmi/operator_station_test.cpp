@@ -3,7 +3,7 @@
 #include "running.h"
 
 #include "hmi/people/password.h"
-#include "hmi/player/operator_station.h"
+#include "hmi/station/operator_station.h"
 
 #include <QApplication>
 #include <QSignalSpy>

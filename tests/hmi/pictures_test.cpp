@@ -1,6 +1,6 @@
 // Pictures of the designer at work and of the check that finds a text too long, for the documentation
 // (docs/pictures/panel.sh): the project with five languages, opened, run and drawn. STEPWISE_PICTURES names the folder.
-#include "hmi/designer/outline.h"
+#include "hmi/designer/canvas/outline.h"
 #include "hmi/designer/panel_designer.h"
 #include "running.h"
 #include "tests/support/paths.h"

@@ -1,5 +1,5 @@
 // Bars and charts held against what their values were while the controller ran.
-#include "hmi/player/range_check.h"
+#include "hmi/station/range_check.h"
 #include "tests/hmi/running.h"
 
 namespace plc::hmi {

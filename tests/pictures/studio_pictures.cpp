@@ -1,12 +1,12 @@
 // Makes docs/pictures: drives the real window on the shipped examples and saves what it shows, light and dark. Run by
 // docs/make_pictures.sh under Xvfb; with a second argument only those of "start", "loop", "chart" or "inside".
-#include "app/editor_tabs.h"
-#include "app/inside_views.h"
-#include "app/live_views.h"
 #include "app/main_window.h"
-#include "app/problems_view.h"
-#include "app/settings.h"
-#include "app/start_page.h"
+#include "app/online/inside_views.h"
+#include "app/pages/editor_tabs.h"
+#include "app/panels/live_views.h"
+#include "app/project/problems_view.h"
+#include "app/settings/settings.h"
+#include "app/start/start_page.h"
 #include "editor/debug/debug_views.h"
 #include "editor/debug/watch_view.h"
 #include "editor/graph/chart_view.h"

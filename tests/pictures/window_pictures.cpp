@@ -1,7 +1,7 @@
 // Pictures of every window and dialog in every language, and what is cut in them. With STEPWISE_PICTURES=FOLDER a
 // picture of each is saved there (docs/pictures/languages.sh); STEPWISE_THEME=light|dark|contrast and
 // STEPWISE_WINDOW=1024x700 say of what.
-#include "app/translation.h"
+#include "app/settings/translation.h"
 #include "editor/kit/theme.h"
 #include "runtime/compiler/jit/jit.h"
 #include "runtime/controller/controller.h"

@@ -263,6 +263,14 @@ private:
     // intrinsics.cpp
     Value* intrinsic(const tree::Expr& expr);
     Value* intrinsicByHelper(const tree::Expr& expr);
+    Value* operandAs(const tree::Expr& expr, size_t which);
+    Value* square(const tree::Expr& expr);
+    Value* selected(const tree::Expr& expr);
+    Value* limited(const tree::Expr& expr);
+    Value* sum(const tree::Expr& expr);
+    Value* firstCharacter(const tree::Expr& expr);
+    Value* isFinite(const tree::Expr& expr);
+    Value* swappedBytes(const tree::Expr& expr);
     Value* mathCall(const char* single, const char* wide, std::initializer_list<Value*> operands);
     Value* mathFunction(const tree::Expr& expr);
     Value* wholeNumber(const tree::Expr& expr, llvm::Intrinsic::ID round);

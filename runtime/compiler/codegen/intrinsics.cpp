@@ -238,6 +238,58 @@ llvm::Value* FunctionEmitter::intrinsicByHelper(const Expr& expr) {
     return b.CreateTrunc(result, m.scalarType(expr.type));
 }
 
+/// In the type of the result.
+llvm::Value* FunctionEmitter::operandAs(const Expr& expr, size_t which) {
+    return convert(scalar(*expr.operands[which]), expr.operands[which]->type, expr.type);
+}
+
+llvm::Value* FunctionEmitter::square(const Expr& expr) {
+    Value* x = operandAs(expr, 0);
+    return x->getType()->isFloatingPointTy() ? b.CreateFMul(x, x) : b.CreateMul(x, x);
+}
+
+llvm::Value* FunctionEmitter::selected(const Expr& expr) {
+    Value* g = scalar(*expr.operands[0]);
+    Value* no = operandAs(expr, 1);
+    Value* yes = operandAs(expr, 2);
+    return b.CreateSelect(g, yes, no);
+}
+
+/// MIN(MAX(IN, MN), MX): with MN > MX the upper limit wins (table 27).
+llvm::Value* FunctionEmitter::limited(const Expr& expr) {
+    Value* mn = operandAs(expr, 0);
+    Value* in = operandAs(expr, 1);
+    Value* mx = operandAs(expr, 2);
+    return better(mx, better(mn, in, expr.type, true), expr.type, false);
+}
+
+/// A date and a time of day, both counted in nanoseconds.
+llvm::Value* FunctionEmitter::sum(const Expr& expr) {
+    Value* date = scalar(*expr.operands[0]); // operands from left to right
+    return b.CreateAdd(date, scalar(*expr.operands[1]));
+}
+
+/// A text where a character is wanted.
+llvm::Value* FunctionEmitter::firstCharacter(const Expr& expr) {
+    const Text made = text(expr);
+    return b.CreateZExtOrTrunc(b.CreateAlignedLoad(made.isWide ? m.i16 : m.i8, made.pointer, llvm::Align(1)),
+                               m.scalarType(expr.type));
+}
+
+llvm::Value* FunctionEmitter::isFinite(const Expr& expr) {
+    Value* x = scalar(*expr.operands[0]);
+    if (!x->getType()->isFloatingPointTy()) return b.getTrue();
+    return b.CreateFCmpOLT(b.CreateUnaryIntrinsic(llvm::Intrinsic::fabs, x),
+                           llvm::ConstantFP::getInfinity(x->getType()));
+}
+
+llvm::Value* FunctionEmitter::swappedBytes(const Expr& expr) {
+    Value* value = scalar(*expr.operands[0]);
+    if (value->getType()->isIntegerTy() && value->getType()->getIntegerBitWidth() >= 16)
+        value = b.CreateUnaryIntrinsic(llvm::Intrinsic::bswap, value);
+    return convert(value, expr.operands[0]->type, expr.type);
+}
+
 llvm::Value* FunctionEmitter::intrinsic(const Expr& expr) {
     Value* result = nullptr;
     bool hasOk = false;
@@ -261,11 +313,9 @@ llvm::Value* FunctionEmitter::intrinsic(const Expr& expr) {
     case Intrinsic::Frac:
         result = mathFunction(expr);
         break;
-    case Intrinsic::Square: {
-        Value* x = convert(scalar(*expr.operands[0]), expr.operands[0]->type, expr.type);
-        result = x->getType()->isFloatingPointTy() ? b.CreateFMul(x, x) : b.CreateMul(x, x);
+    case Intrinsic::Square:
+        result = square(expr);
         break;
-    }
     case Intrinsic::Trunc:
     case Intrinsic::TruncReal:
         result = wholeNumber(expr, llvm::Intrinsic::trunc);
@@ -285,30 +335,21 @@ llvm::Value* FunctionEmitter::intrinsic(const Expr& expr) {
     case Intrinsic::Ror:
         result = shift(expr);
         break;
-    case Intrinsic::Sel: {
-        Value* g = scalar(*expr.operands[0]);
-        Value* no = convert(scalar(*expr.operands[1]), expr.operands[1]->type, expr.type);
-        Value* yes = convert(scalar(*expr.operands[2]), expr.operands[2]->type, expr.type);
-        result = b.CreateSelect(g, yes, no);
+    case Intrinsic::Sel:
+        result = selected(expr);
         break;
-    }
     case Intrinsic::Max:
     case Intrinsic::Min:
         result = extreme(expr);
         break;
-    case Intrinsic::Limit: {
-        Value* mn = convert(scalar(*expr.operands[0]), expr.operands[0]->type, expr.type);
-        Value* in = convert(scalar(*expr.operands[1]), expr.operands[1]->type, expr.type);
-        Value* mx = convert(scalar(*expr.operands[2]), expr.operands[2]->type, expr.type);
-        // MIN(MAX(IN, MN), MX): with MN > MX the upper limit wins (table 27).
-        result = better(mx, better(mn, in, expr.type, true), expr.type, false);
+    case Intrinsic::Limit:
+        result = limited(expr);
         break;
-    }
     case Intrinsic::Mux:
         result = mux(expr);
         break;
     case Intrinsic::Move:
-        result = convert(scalar(*expr.operands[0]), expr.operands[0]->type, expr.type);
+        result = operandAs(expr, 0);
         break;
     case Intrinsic::Len:
     case Intrinsic::Find:
@@ -327,24 +368,19 @@ llvm::Value* FunctionEmitter::intrinsic(const Expr& expr) {
     case Intrinsic::ToUpper:
     case Intrinsic::ToLower:
     case Intrinsic::Trim:
-    case Intrinsic::CharOf: { // a text where a character is wanted
-        const Text made = text(expr);
-        result = b.CreateZExtOrTrunc(b.CreateAlignedLoad(made.isWide ? m.i16 : m.i8, made.pointer, llvm::Align(1)),
-                                     m.scalarType(expr.type));
+    case Intrinsic::CharOf:
+        result = firstCharacter(expr);
         hasOk = true;
         break;
-    }
     case Intrinsic::MulDuration:
         result = durationTimes(expr, false);
         break;
     case Intrinsic::DivDuration:
         result = durationTimes(expr, true);
         break;
-    case Intrinsic::ConcatDateTod: {
-        Value* date = scalar(*expr.operands[0]);
-        result = b.CreateAdd(date, scalar(*expr.operands[1]));
+    case Intrinsic::ConcatDateTod:
+        result = sum(expr);
         break;
-    }
     case Intrinsic::ConcatDate:
     case Intrinsic::ConcatTod:
     case Intrinsic::ConcatDt:
@@ -360,26 +396,15 @@ llvm::Value* FunctionEmitter::intrinsic(const Expr& expr) {
     case Intrinsic::IsValidBcd:
         result = intrinsicByHelper(expr);
         break;
-    case Intrinsic::IsValid: {
-        Value* x = scalar(*expr.operands[0]);
-        if (!x->getType()->isFloatingPointTy()) {
-            result = b.getTrue();
-            break;
-        }
-        result = b.CreateFCmpOLT(b.CreateUnaryIntrinsic(llvm::Intrinsic::fabs, x),
-                                 llvm::ConstantFP::getInfinity(x->getType()));
+    case Intrinsic::IsValid:
+        result = isFinite(expr);
         break;
-    }
     case Intrinsic::SameBits:
         result = sameBits(expr);
         break;
-    case Intrinsic::SwapBytes: {
-        Value* value = scalar(*expr.operands[0]);
-        if (value->getType()->isIntegerTy() && value->getType()->getIntegerBitWidth() >= 16)
-            value = b.CreateUnaryIntrinsic(llvm::Intrinsic::bswap, value);
-        result = convert(value, expr.operands[0]->type, expr.type);
+    case Intrinsic::SwapBytes:
+        result = swappedBytes(expr);
         break;
-    }
     }
     // ENO of what cannot fail.
     if (!hasOk) storeOk(expr, b.getTrue());

@@ -1,6 +1,6 @@
 // A folder of its own and a command called with words, its output kept: what every test of the command line needs.
 #pragma once
-#include "app/cli/command.h"
+#include "app/cli/command_line.h"
 
 #include <QTemporaryDir>
 

@@ -1,6 +1,6 @@
 // `stepwise convert`: prints the file in the other language, or writes it; says what has no equivalent; wrong use is
 // told as such.
-#include "app/cli/command.h"
+#include "app/cli/command_line.h"
 
 #include <QTemporaryDir>
 

@@ -1,6 +1,6 @@
 // `stepwise ladder`: draws a unit in characters and as SVG, as the unit prefers or as it is asked, and measures how
 // much of a project has a picture; wrong use is reported as such.
-#include "app/cli/command.h"
+#include "app/cli/command_line.h"
 
 #include <QTemporaryDir>
 

@@ -1,6 +1,6 @@
 // Values that enter and leave on the command line: what --set takes and refuses (with a remedy), what a CSV and the
 // report show, files named twice or damaged, and the example of every command's help.
-#include "app/cli/arguments.h"
+#include "app/cli/kit/arguments.h"
 #include "tests/app/cli/command_fixture.h"
 #include "tests/support/paths.h"
 

@@ -1,5 +1,5 @@
 // `stepwise test`: a line per project, filter, the three formats, coverage, what a failing assertion says, and COMPARE.
-#include "app/cli/command.h"
+#include "app/cli/command_line.h"
 #include "tests/support/paths.h"
 
 #include <QDir>

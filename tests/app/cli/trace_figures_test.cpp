@@ -1,5 +1,5 @@
 // `stepwise trace` beyond curves over time: XY, spectrum, response, runs, tables, remarks; and what it refuses.
-#include "app/cli/command.h"
+#include "app/cli/command_line.h"
 #include "tests/support/paths.h"
 
 #include <QFile>

@@ -1,6 +1,7 @@
 // The studio at a controller that another process serves: its values, writes, the time slider, the line that is cut.
-#include "app/attach_dialog.h"
-#include "app/attachment.h"
+#include "app/online/attach_dialog.h"
+#include "app/online/attachment.h"
+#include "app/window_commands.h"
 #include "tests/app/studio_fixture.h"
 #include "tests/support/paths.h"
 
@@ -42,7 +43,7 @@ protected:
         QFile file(folder.filePath("state/attach-code"));
         return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()).trimmed() : QString();
     }
-    Attachment& attachment() { return Attachment::of(*window); }
+    Attachment& attachment() { return attachmentOf(*window); }
     void attach() {
         ASSERT_TRUE(attachment().attach({QUrl(url), code(), {}, {}}));
         ASSERT_TRUE(waitFor([&] { return attachment().isAttached(); }, 60'000));

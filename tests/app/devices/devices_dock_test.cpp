@@ -1,8 +1,8 @@
 // The devices dock as one works with it: describe a device, correct what the problem list says, connect it to the
 // running program, see its values, disconnect. The other side is a second engine that is the server.
-#include "app/devices_view.h"
-#include "app/problems_view.h"
-#include "app/project_tree.h"
+#include "app/online/devices_view.h"
+#include "app/project/problems_view.h"
+#include "app/project/project_tree.h"
 #include "projects/devices/engine.h"
 #include "tests/app/studio_fixture.h"
 #include "tests/support/settle.h"

@@ -1,5 +1,5 @@
 // The check of panels and texts: each rule with a project that breaks it, and one that does not.
-#include "hmi/view/panel_check.h"
+#include "hmi/check/panel_check.h"
 #include "runtime/base/messages.h"
 
 #include <QStringList>

@@ -13,7 +13,7 @@ QImage drawn(const Element& element, ValueSource* values, bool designing = false
     panel.set("size", Json::array({900, 600}));
     panel.elements().push_back(element);
     static const TextCatalog texts = galleryTexts();
-    PanelScene scene;
+    PanelScene scene{makeElementView};
     scene.setTexts(&texts);
     scene.setDesigning(designing);
     scene.setValues(values);
@@ -24,7 +24,7 @@ QImage drawn(const Element& element, ValueSource* values, bool designing = false
 QImage empty() {
     Panel panel;
     panel.set("size", Json::array({900, 600}));
-    PanelScene scene;
+    PanelScene scene{makeElementView};
     scene.setPanel(panel);
     return scene.picture();
 }
@@ -35,7 +35,7 @@ Element made(const ElementDescriptor& kind) {
 
 TEST(EveryKind, IsDrawnWithItsDefaultsInEveryTheme) {
     for (const char* theme : {"light", "dark", "contrast"}) {
-        PanelScene scene;
+        PanelScene scene{makeElementView};
         const TextCatalog texts = galleryTexts();
         scene.setTexts(&texts);
         scene.setDesigning(true);
@@ -98,7 +98,7 @@ TEST(EveryKind, IsSavedAndLoadedByteForByteWithEveryPropertySet) {
         EXPECT_EQ(loaded->write(), text) << kind.key;
         EXPECT_EQ(loaded->elements().front().kind(), kind.kind);
         EXPECT_EQ(loaded->elements().front().fields(), element.fields());
-        PanelScene scene; // odd values must not harm
+        PanelScene scene{makeElementView}; // odd values must not harm
         scene.setPanel(*loaded);
         scene.picture();
     }
@@ -208,7 +208,7 @@ TEST(Appearance, MovesAndRotatesByExpressionAndRepaintsBothPlaces) {
     element.set("moveX", "X");
     Panel panel;
     panel.elements().push_back(element);
-    PanelScene scene;
+    PanelScene scene{makeElementView};
     scene.setValues(&values);
     scene.setPanel(panel);
     scene.picture();
@@ -229,7 +229,7 @@ TEST(Containers, ATabShowsOnlyTheElementsOfItsPage) {
         lamp.set("page", page);
         panel.elements().push_back(lamp);
     }
-    PanelScene scene;
+    PanelScene scene{makeElementView};
     scene.setPanel(panel);
     scene.refresh(0);
     EXPECT_TRUE(scene.isShown(*scene.view(QStringLiteral("lamp0"))));

@@ -1,6 +1,7 @@
 // A panel with every element kind in a grid, and values for what they are bound to. Shared by the view tests.
 #pragma once
-#include "hmi/view/panel_scene.h"
+#include "hmi/view/element_factory.h"
+#include "hmi/view/scene/panel_scene.h"
 
 namespace plc::hmi {
 

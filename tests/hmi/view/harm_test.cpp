@@ -1,7 +1,8 @@
 // What a panel file from anywhere can do to the studio: numbers beyond every bound, pictures that unpack or draw
 // without end, and pictures that are not the project's.
-#include "hmi/view/panel_check.h"
+#include "hmi/check/panel_check.h"
 
+#include "hmi/view/element_factory.h"
 #include <QElapsedTimer>
 #include <QImage>
 #include <QProcess>
@@ -56,7 +57,7 @@ TEST(HarmfulPanel, NumbersBeyondTheirRangeAreReportedAndDrawnWithTheNearestThatI
         QElapsedTimer clock;
         clock.start();
         EXPECT_EQ(findings(input), row.finding) << row.element;
-        PanelScene scene;
+        PanelScene scene{makeElementView};
         scene.setDesigning(true);
         scene.setPanel(input.panels[0].panel);
         EXPECT_FALSE(scene.picture().isNull());

@@ -1,5 +1,5 @@
 // Operating a panel with real mouse events: what is asked for, in which order, and what is repainted.
-#include "hmi/view/arrays.h"
+#include "hmi/model/array_index.h"
 #include "hmi/view/panel_view.h"
 #include "tests/support/settle.h"
 

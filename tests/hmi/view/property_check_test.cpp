@@ -1,6 +1,6 @@
 // The check of what properties say: each rule with an element that breaks it and one that does not.
+#include "hmi/check/panel_check.h"
 #include "hmi/model/errors.h"
-#include "hmi/view/panel_check.h"
 
 #include <gtest/gtest.h>
 

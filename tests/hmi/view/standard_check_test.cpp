@@ -1,7 +1,7 @@
 // The check against ISA-101 and ISA-18.2: each rule with a panel that keeps it and one that breaks it, the project's
 // settings, and the edits that correct what was found.
-#include "hmi/view/colour_sight.h"
-#include "hmi/view/standard_check.h"
+#include "hmi/check/standard_check.h"
+#include "hmi/view/paint/colour_sight.h"
 
 #include <gtest/gtest.h>
 

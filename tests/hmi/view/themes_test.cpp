@@ -1,7 +1,8 @@
 // Themes of a project: read, shown, checked; states of symbols and movement: each seen, the same at the same moment.
-#include "hmi/view/panel_check.h"
-#include "hmi/view/panel_scene.h"
-#include "hmi/view/standard_check.h"
+#include "hmi/check/panel_check.h"
+#include "hmi/check/standard_check.h"
+#include "hmi/view/element_factory.h"
+#include "hmi/view/scene/panel_scene.h"
 #include "runtime/base/messages.h"
 
 #include <gtest/gtest.h>
@@ -39,7 +40,7 @@ TEST(PanelThemes, AFileNamesItsBaseAndWhatIsOther) {
 TEST(PanelThemes, APanelIsShownInATheProjectsThemeAndInAnotherOnRequest) {
     PanelThemes themes;
     themes.set(QStringLiteral("night"), *PanelTheme::parse(R"({"base":"dark","colors":{"background":"#102030"}})", {}));
-    PanelScene scene;
+    PanelScene scene{makeElementView};
     scene.setThemes(themes);
     Panel panel = panelOf("");
     panel.set("theme", "night");
@@ -97,7 +98,7 @@ TEST(PanelThemes, AThemeThatIsNotThereIsAFinding) {
 }
 
 TEST(PanelThemes, AButtonAsksForATheme) {
-    PanelScene scene;
+    PanelScene scene{makeElementView};
     scene.setPanel(
         panelOf(R"({"id":"b","kind":"button","rect":[0,0,128,56],"text":"x","action":"theme","theme":"dark"})"));
     QString asked;
@@ -112,7 +113,7 @@ TEST(PanelThemes, AButtonAsksForATheme) {
 /// Pictures of one element at some moments, with what is true.
 struct Shown {
     HeldValues values;
-    PanelScene scene;
+    PanelScene scene{makeElementView};
     Shown(const std::string& element, const QStringList& isTrue) {
         for (const char* name : {"run", "closed", "transit", "manual", "service", "fault", "warning"})
             values.set(QLatin1String(name), Value::ofBool(isTrue.contains(QLatin1String(name))));
@@ -180,7 +181,7 @@ TEST(Movement, WithLessMovementNothingMovesAndTheFlowStillHasADirection) {
         EXPECT_NE(shown.at(0), still.at(0)) << element;
     }
     HeldValues values;
-    PanelScene scene;
+    PanelScene scene{makeElementView};
     scene.setReducedMotion(true);
     scene.setValues(&values);
     scene.setPanel(panelOf(R"({"id":"p","kind":"pipe","rect":[10,10,180,60],"thickness":16,"flow":"q"})"));

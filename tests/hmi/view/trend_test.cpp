@@ -1,7 +1,8 @@
 // What a panel's trend draws: every peak, nothing where nothing is known, held values with upright jumps, and axes in
 // the operator's language.
-#include "hmi/view/panel_scene.h"
+#include "hmi/view/scene/panel_scene.h"
 
+#include "hmi/view/element_factory.h"
 #include <gtest/gtest.h>
 
 namespace plc::hmi {
@@ -10,7 +11,7 @@ namespace {
 struct Trend {
     HeldValues values;
     TextCatalog texts;
-    PanelScene scene;
+    PanelScene scene{makeElementView};
     std::string extra;
 
     QImage draw(std::vector<CurvePiece> pieces) {

@@ -1,0 +1,149 @@
+// What is dropped on the canvas of the panel designer: elements of the palette, variables of the project.
+#include "hmi/designer/canvas/design_canvas.h"
+
+#include "editor/kit/message_text.h"
+#include "editor/kit/variable_picker.h"
+#include "hmi/check/property_check.h"
+#include "hmi/designer/canvas/palette.h"
+#include "hmi/designer/context/applicable.h"
+#include "hmi/designer/context/arrange.h"
+#include "hmi/model/errors.h"
+#include "hmi/model/property_literals.h"
+#include "runtime/base/read_json.h"
+
+#include <QDragEnterEvent>
+#include <QMimeData>
+
+#include <cmath>
+
+namespace plc::hmi {
+
+void DesignCanvas::dragEnterEvent(QDragEnterEvent* event) {
+    if (event->mimeData()->hasFormat(kElementMime) || !droppedVariables(event->mimeData()).isEmpty())
+        event->acceptProposedAction();
+}
+
+/// Variables of the picker or the watch list, or words dragged out of the code that name variables.
+QStringList DesignCanvas::droppedVariables(const QMimeData* mime) const {
+    if (mime->hasFormat(kit::VariableMime)) return kit::variablesOf(mime);
+    QStringList out;
+    if (!mime->hasText() || mime->text().size() > 2000) return out;
+    for (const QString& line : kit::variablesOf(mime))
+        if (const std::optional<QString> path = m_context.variableNamed(line)) out += *path;
+    return out;
+}
+
+void DesignCanvas::dragMoveEvent(QDragMoveEvent* event) {
+    QSizeF size(140, 40);
+    if (event->mimeData()->hasFormat(kElementMime)) {
+        const Json list = readJson<Json>(event->mimeData()->data(kElementMime).toStdString()).value;
+        if (list.is_array() && !list.empty()) size = Element(list[0]).rect().size();
+    }
+    const QPointF at = toPanel(event->position());
+    QRectF rect(at - QPointF(size.width() / 2, size.height() / 2), size);
+    m_guides.clear();
+    if (m_snaps) {
+        const Snapped snapped = snapMove(rect, snapField({}));
+        rect.translate(snapped.offset);
+        m_guides = snapped.guides;
+    }
+    const bool isNew = event->modifiers() & Qt::ShiftModifier; // an element that operates
+    const QStringList variables = isNew ? QStringList() : droppedVariables(event->mimeData());
+    if (const ElementId bound = bindingUnder(at, variables).first; !bound.isEmpty()) {
+        rect = m_document.panel().find(bound)->rect(); // that is what the drop changes
+        m_guides.clear();
+    }
+    m_dropRect = rect;
+    viewport()->update();
+    event->acceptProposedAction();
+}
+
+std::pair<ElementId, std::string> DesignCanvas::bindingUnder(QPointF at, const QStringList& variables) const {
+    const ElementId id = variables.size() == 1 ? elementAt(at, true) : ElementId();
+    const Element* element = m_document.panel().find(id);
+    if (!element || element->isSet("locked"_flag)) return {};
+    for (const PropertyDescriptor* property : mainBindings(*element)) {
+        Found place;
+        place.property = property->key;
+        place.hint = property->hint;
+        if (m_context
+                .checkBinding(variables.front(), wantedType(*element, place), property->type == PropertyType::Target)
+                .isEmpty())
+            return {id, std::string(property->key)};
+    }
+    return {};
+}
+
+void DesignCanvas::dragLeaveEvent(QDragLeaveEvent*) {
+    m_dropRect.reset();
+    m_guides.clear();
+    viewport()->update();
+}
+
+void DesignCanvas::dropEvent(QDropEvent* event) {
+    const QStringList variables = droppedVariables(event->mimeData());
+    const bool isNew = event->modifiers() & Qt::ShiftModifier;
+    const auto [bound, property] = bindingUnder(toPanel(event->position()), isNew ? QStringList() : variables);
+    const QPointF at = m_dropRect ? m_dropRect->center() : toPanel(event->position());
+    m_dropRect.reset();
+    m_guides.clear();
+    if (event->mimeData()->hasFormat(kElementMime)) {
+        const Json list = readJson<Json>(event->mimeData()->data(kElementMime).toStdString()).value;
+        if (list.is_array()) insertElements(list, at);
+    } else if (!bound.isEmpty()) {
+        m_document.perform(tr("Bind"),
+                           hmi::setProperty(m_document.panel(), bound, property, toUtf8(variables.front())));
+        m_selection.set({bound});
+    } else {
+        insertVariables(variables, at, event->modifiers() & Qt::ShiftModifier);
+    }
+    event->acceptProposedAction();
+    setFocus();
+}
+
+void DesignCanvas::insertElements(const Json& elements, QPointF at) {
+    const PanelLookup panels = m_context.project().panelLookup();
+    for (const Json& fields : elements) {
+        if (!fields.is_object() || Element(fields).kind() != ElementKind::Faceplate) continue;
+        const QString placed = Element(fields).text("panel"_text);
+        const hmi::Panel* panel = panels(placed);
+        if (panel && (placed == m_panelName || placesPanel(*panel, m_panelName, panels))) {
+            emit refused(kit::messageText(errors::FaceplateContainsItself(toUtf8(placed))));
+            return;
+        }
+    }
+    const QRectF bounds = boundsOf(elements);
+    QPointF corner = at - QPointF(bounds.width() / 2, bounds.height() / 2);
+    corner = QPointF(std::round(corner.x()), std::round(corner.y()));
+    if (m_snaps) corner += snapMove(QRectF(corner, bounds.size()), snapField({})).offset;
+    Json placed = elements;
+    int page = 0;
+    const ElementId tab = tabAt(at, &page);
+    for (Json& fields : placed) {
+        if (!fields.is_object() || tab.isEmpty() || fields.contains("parent")) continue;
+        Element element{fields};
+        element.set("parent"_field, toUtf8(tab));
+        if (page) element.set("page"_field, page);
+        fields = element.fields();
+    }
+    ElementIds added;
+    const Edit edit = pasted(m_document.panel(), placed, corner, &added);
+    m_document.perform(tr("Insert"), withCells(edit, added, at));
+    m_selection.set(added);
+}
+
+void DesignCanvas::insertVariables(const QStringList& paths, QPointF at, bool operates) {
+    Json list = Json::array();
+    double y = 0;
+    int number = 0;
+    for (const QString& path : paths)
+        for (Element& element : elementsForVariable(path, m_context, operates)) {
+            element.setField("id", "new" + std::to_string(++number), 0);
+            element.set("rect"_field, rectToJson(element.rect().translated(0, y)));
+            y += element.rect().height() + 12;
+            list.push_back(element.fields());
+        }
+    if (!list.empty()) insertElements(list, at);
+}
+
+} // namespace plc::hmi

@@ -1,0 +1,475 @@
+#include "hmi/designer/context/design_context.h"
+
+#include "editor/kit/edit_history.h"
+#include "editor/kit/message_text.h"
+#include "hmi/designer/context/arrange.h"
+#include "hmi/model/property_literals.h"
+#include "hmi/model/walk.h"
+#include "hmi/station/plc_convert.h"
+
+namespace plc::hmi {
+
+DesignContext::DesignContext(PanelProject& project, QObject* parent)
+    : QObject(parent), m_project(project),
+      m_language(project.texts.settings().languages.value(0, QStringLiteral("en"))) {}
+
+void DesignContext::setChecked(driver::Checked checked) {
+    m_checked = std::move(checked);
+    emit programChanged();
+}
+
+void DesignContext::setRun(session::Run* run) {
+    m_run = run;
+    emit programChanged();
+}
+
+void DesignContext::setRecording(std::shared_ptr<const session::Run> recording) {
+    if (!recording && !m_recording) return;
+    m_recording = std::move(recording);
+    m_position.reset();
+    emit recordingChanged();
+}
+
+void DesignContext::setPosition(std::optional<history::Position> position) {
+    if (position == m_position) return;
+    m_position = position;
+    emit positionChanged();
+}
+
+void DesignContext::setLanguage(const QString& tag) {
+    if (tag == m_language || tag.isEmpty()) return;
+    m_language = tag;
+    emit languageChanged();
+}
+
+QString DesignContext::shownText(const QString& reference) const {
+    if (!isTextKey(reference)) return reference;
+    const QString key = keyOf(reference);
+    if (!m_project.texts.table().contains(key)) return reference;
+    const QString own = m_project.texts.table().text(key, m_language);
+    return own.isEmpty() ? m_project.texts.text(reference, m_language) : own;
+}
+
+QString DesignContext::storeText(const QString& present, const QString& typed, const QString& panel, QUndoStack& undo) {
+    if (typed.isEmpty() || typed.startsWith(u'@')) return typed;
+    int letters = 0;
+    for (const QChar c : typed) letters += c.isLetter();
+    // Signs and units need no translation; a project with one language and no table needs no keys.
+    if (letters < 2 || (m_project.texts.settings().languages.size() < 2 && !m_project.hasTexts)) return typed;
+    const TextTable& before = m_project.texts.table();
+    QString key;
+    if (isTextKey(present) && before.contains(keyOf(present)))
+        key = keyOf(present); // the text of its key is changed
+    else
+        key = before.keyOfText(m_language, typed); // a text that is there is used again
+    if (key.isEmpty()) key = before.newKeyFor(panel, typed);
+    if (before.text(key, m_language) == typed) return u'@' + key;
+    // Only this text comes and goes: the rest of the table may have come from disk meanwhile.
+    const bool wasThere = before.contains(key);
+    const auto put = [this, key, tag = m_language](const QString& text) {
+        TextTable table = m_project.texts.table();
+        table.setText(key, tag, text);
+        setTable(std::move(table));
+    };
+    const auto takeBack = [this, key, wasThere, put, old = before.text(key, m_language)] {
+        if (wasThere) return put(old);
+        TextTable table = m_project.texts.table();
+        table.removeKey(key);
+        setTable(std::move(table));
+    };
+    undo.push(new kit::ClosureCommand(
+        tr("Text"), [put, typed] { put(typed); }, takeBack));
+    return u'@' + key;
+}
+
+/// A language that gets a column is one of the operator's from then on; one that loses its column no more.
+void DesignContext::setTable(TextTable table) {
+    LanguageSettings settings = m_project.texts.settings();
+    const QStringList before = m_project.texts.table().tags(), after = table.tags();
+    for (const QString& tag : after)
+        if (!before.contains(tag) && !settings.languages.contains(tag)) settings.languages += tag;
+    for (const QString& tag : before)
+        if (!after.contains(tag) && settings.languages.size() > 1) settings.languages.removeAll(tag);
+    if (settings.languages != m_project.texts.settings().languages) m_project.texts.setSettings(settings);
+    m_project.texts.setTable(std::move(table));
+    m_project.hasTexts = true;
+    m_textsChanged = true;
+    emit textsChanged();
+}
+
+void DesignContext::setAlarms(AlarmFile alarms) {
+    m_project.alarms = std::move(alarms);
+    m_project.hasAlarms = true;
+    m_alarmsChanged = true;
+    emit alarmsChanged();
+}
+
+void DesignContext::setRecipes(RecipeFile recipes) {
+    m_project.recipes = std::move(recipes);
+    m_recipesChanged = true;
+    emit recipesChanged();
+}
+
+void DesignContext::setPeople(PeopleFile people) {
+    m_project.people = std::move(people);
+    m_peopleChanged = true;
+    emit peopleChanged();
+}
+
+Result<void> DesignContext::save() {
+    if (m_textsChanged)
+        if (auto saved = saveTexts(m_project); !saved) return saved;
+    m_textsChanged = false;
+    if (m_alarmsChanged)
+        if (auto saved = saveAlarms(m_project); !saved) return saved;
+    m_alarmsChanged = false;
+    if (m_recipesChanged)
+        if (auto saved = saveRecipes(m_project, m_project.recipes); !saved) return saved;
+    m_recipesChanged = false;
+    if (m_peopleChanged)
+        if (auto saved = savePeople(m_project); !saved) return saved;
+    m_peopleChanged = false;
+    while (!m_changedPanels.isEmpty()) { // one that is refused stays changed
+        if (const NamedPanel* panel = m_project.find(m_changedPanels.front()))
+            if (auto saved = hmi::savePanel(m_project, *panel); !saved) return saved;
+        m_changedPanels.removeFirst();
+    }
+    emit saved();
+    return {};
+}
+
+Result<void> DesignContext::savePanel(const QString& name) {
+    const NamedPanel* panel = m_project.find(name);
+    if (!panel) return {};
+    if (auto saved = hmi::savePanel(m_project, *panel); !saved) return saved;
+    m_changedPanels.removeAll(name);
+    if (PanelDocument* open = m_documents.value(name)) open->setClean();
+    return {};
+}
+
+void DesignContext::setPanel(const QString& name, const Panel& panel) {
+    NamedPanel* known = m_project.find(name);
+    if (!known) return;
+    known->panel = panel;
+    PanelDocument* open = m_documents.value(name);
+    if (open) {
+        open->reset(panel);
+        open->undoStack().resetClean();
+    } else if (!m_changedPanels.contains(name)) {
+        m_changedPanels += name;
+    }
+    emit panelEdited(name);
+}
+
+void DesignContext::panelReplaced(const QString& name) {
+    m_changedPanels.removeAll(name);
+    const NamedPanel* panel = m_project.find(name);
+    if (PanelDocument* open = m_documents.value(name); open && panel) open->reset(panel->panel);
+    emit panelEdited(name);
+}
+
+void DesignContext::textsReplaced() {
+    m_textsChanged = false;
+    emit textsTaken();
+    emit textsChanged();
+}
+
+void DesignContext::alarmsReplaced() {
+    m_alarmsChanged = false;
+    emit alarmsTaken();
+    emit alarmsChanged();
+}
+
+void DesignContext::recipesReplaced() {
+    m_recipesChanged = false;
+    emit recipesTaken();
+    emit recipesChanged();
+}
+
+void DesignContext::peopleReplaced() {
+    m_peopleChanged = false;
+    emit peopleTaken();
+    emit peopleChanged();
+}
+
+bool DesignContext::isPanelChanged(const QString& name) const {
+    const PanelDocument* open = m_documents.value(name);
+    return m_changedPanels.contains(name) || (open && !open->isClean());
+}
+
+void DesignContext::openDocument(const QString& panel, PanelDocument* document) { m_documents.insert(panel, document); }
+
+void DesignContext::closeDocument(const PanelDocument* document) {
+    for (const QString& name : m_documents.keys(const_cast<PanelDocument*>(document))) m_documents.remove(name);
+}
+
+void DesignContext::rewritePanel(NamedPanel& panel, const QString& title, const Edit& change) {
+    if (PanelDocument* open = m_documents.value(panel.name)) return open->perform(title, change);
+    applyTo(panel.panel, change);
+    if (!m_changedPanels.contains(panel.name)) m_changedPanels += panel.name;
+    emit panelEdited(panel.name);
+}
+
+const Panel& DesignContext::latest(const NamedPanel& panel) const {
+    const PanelDocument* open = m_documents.value(panel.name);
+    return open ? open->panel() : panel.panel;
+}
+
+bool DesignContext::rewritePanels(const QString& title, const std::function<Edit(const Panel&)>& edit) {
+    bool any = false;
+    for (NamedPanel& panel : m_project.panels) {
+        const Edit change = edit(latest(panel));
+        if (change.isEmpty()) continue;
+        any = true;
+        rewritePanel(panel, title, change);
+    }
+    return any;
+}
+
+DesignContext::NamesInPanels DesignContext::namesToRename(std::string_view key,
+                                                          const std::function<QString(const QString&)>& renamed) const {
+    NamesInPanels out;
+    for (const NamedPanel& panel : m_project.panels)
+        for (const Element& element : latest(panel).elements()) {
+            const QString before = element.text(key);
+            if (before.isEmpty()) continue;
+            if (const QString after = renamed(before); after != before)
+                out.push_back({panel.name, element.id(), std::string(key), before, after});
+        }
+    return out;
+}
+
+void DesignContext::putNames(const QString& title, const NamesInPanels& names, Names which) {
+    for (NamedPanel& panel : m_project.panels) {
+        EditList list;
+        for (const NameInPanel& one : names)
+            if (one.panel == panel.name)
+                list.edits.push_back(hmi::setProperty(latest(panel), one.element, one.key,
+                                                      toUtf8(which == Names::After ? one.after : one.before)));
+        if (!list.edits.empty()) rewritePanel(panel, title, {list});
+    }
+}
+
+QUndoCommand* DesignContext::newEdit(const QString& title, std::function<void()> forward, std::function<void()> back,
+                                     const NamesInPanels& names) {
+    const auto both = [this, title, names](const std::function<void()>& change, Names which) {
+        change();
+        putNames(title, names, which);
+    };
+    return new kit::ClosureCommand(
+        title, [both, forward = std::move(forward)] { both(forward, Names::After); },
+        [both, back = std::move(back)] { both(back, Names::Before); });
+}
+
+bool DesignContext::renameVariable(const QString& from, const QString& to) {
+    bool any =
+        rewritePanels(tr("Rename %1").arg(from), [&](const Panel& panel) { return renamedVariable(panel, from, to); });
+    AlarmFile alarms = m_project.alarms;
+    const std::string before = alarms.write();
+    for (Properties& row : alarms.rows()) {
+        for (const char* key : {"condition", "inhibit"})
+            if (row.has(key)) row.set(key, toUtf8(withRenamedPath(row.text(key), from, to)));
+        if (!row.has("values"_field) || !row.at("values"_field).is_object()) continue;
+        Json values = row.at("values"_field);
+        for (Json& expression : values)
+            if (expression.is_string()) expression = toUtf8(withRenamedPath(toQString(expression), from, to));
+        row.set("values"_field, values);
+    }
+    if (alarms.write() != before) {
+        setAlarms(std::move(alarms));
+        any = true;
+    }
+    return any;
+}
+
+std::vector<DesignContext::VariableUse> DesignContext::usesOfVariable(const QString& path) const {
+    std::vector<VariableUse> out;
+    const auto names = [&](const QString& expression) {
+        return withRenamedPath(expression, path, QStringLiteral("_")) != expression;
+    };
+    const auto look = [&](const QString& file, const Properties& properties, const ElementId& id) {
+        forEachBinding(properties, [&](const Found& found) {
+            if (names(found.text))
+                out.push_back({file, id, found.place(), found.text, found.place().startsWith(QLatin1String("target"))});
+        });
+    };
+    for (const NamedPanel& panel : m_project.panels) {
+        const QString file = m_project.placeOf(m_project.panelPath(panel.name));
+        look(file, panel.panel, {});
+        for (const Element& element : panel.panel.elements()) look(file, element, element.id());
+    }
+    for (const Properties& row : m_project.alarms.rows())
+        for (const char* key : {"condition", "inhibit"})
+            if (names(row.text(key)))
+                out.push_back({m_project.placeOf(m_project.alarmsPath()), row.text("id"_text), QString::fromLatin1(key),
+                               row.text(key), false});
+    return out;
+}
+
+std::optional<ValueFacts> DesignContext::factsOf(const QString& path) const {
+    if (!m_checked.analysis) return {};
+    const auto compiled = driver::compileExpression(m_checked, path.toStdString());
+    if (!compiled) return {};
+    return hmi::factsOf(compiled->types(), compiled->type(), compiled->place().has_value());
+}
+
+std::optional<QString> DesignContext::variableNamed(const QString& words) const {
+    const QString name = words.trimmed();
+    const auto isVariable = [&](const QString& path) {
+        const std::optional<ValueFacts> facts = factsOf(path);
+        return facts && facts->writable;
+    };
+    if (name.isEmpty() || name.size() > 200 || !m_checked.analysis) return {};
+    if (isVariable(name)) return name;
+    QStringList found;
+    for (const sema::SymbolKind kind : {sema::SymbolKind::Program, sema::SymbolKind::GlobalList})
+        for (const sema::Symbol& symbol : m_checked.analysis->symbols) {
+            if (symbol.kind != kind) continue;
+            const QString path = QString::fromStdString(symbol.name) + u'.' + name;
+            if (!found.contains(path, Qt::CaseInsensitive) && isVariable(path)) found += path;
+        }
+    if (found.size() != 1) return {}; // several are called so: which one is not for us to guess
+    return found.front();
+}
+
+QString DesignContext::checkBinding(const QString& expression, std::string_view wanted, bool isTarget) const {
+    if (!parameterNames(expression).isEmpty()) return {}; // by what it is given: checked with the panel
+    return m_checked.analysis && !expression.trimmed().isEmpty()
+               ? kit::messageText(hmi::checkBinding(m_checked, expression, wanted, isTarget))
+               : QString();
+}
+
+CheckInput DesignContext::checkInput() const {
+    CheckInput input = m_project.checkInput();
+    askProgram(input, m_checked);
+    return input;
+}
+
+QStringList DesignContext::usersOf(const QString& key) const {
+    QStringList out;
+    const auto look = [&](const QString& owner, const Properties& properties, const QString& id) {
+        forEachText(properties, [&](const Found& found) {
+            if (found.text == u'@' + key)
+                out += owner + QStringLiteral(": ") + (id.isEmpty() ? QString() : id + u'.') + found.place();
+        });
+        forEachTextList(properties, [&](const Found& found) {
+            const QString prefix = (isTextKey(found.text) ? keyOf(found.text) : found.text) + u'.';
+            if (key.startsWith(prefix) && !key.mid(prefix.size()).contains(u'.'))
+                out += owner + QStringLiteral(": ") + id + u'.' + found.place();
+        });
+    };
+    for (const NamedPanel& panel : m_project.panels) {
+        look(panel.name, panel.panel, {});
+        for (const Element& element : panel.panel.elements()) look(panel.name, element, element.id());
+    }
+    for (const Properties& alarm : m_project.alarms.rows()) look(tr("Alarms"), alarm, alarm.text("id"_text));
+    for (const Properties& one : m_project.alarms.classRows()) look(tr("Alarms"), one, one.text("name"_text));
+    return out;
+}
+
+namespace {
+
+Element madeFor(ElementKind kind, const char* property, const QString& path) {
+    Element element = Element::make(kind, QString(), QRectF(QPointF(), descriptorOf(kind).size));
+    element.set(property, toUtf8(path));
+    return element;
+}
+
+/// A table of an array of structures: a column per member that is a single value.
+Element tableFor(const QString& path, const expression::Expression& compiled, const types::Type& array) {
+    Element table = Element::make(ElementKind::ArrayTable, QString(),
+                                  QRectF(QPointF(), descriptorOf(ElementKind::ArrayTable).size));
+    Json columns = Json::array();
+    const types::TypeTable& types = compiled.types();
+    for (const types::Field& field : types[array.element].fields) {
+        if (types.isAggregate(field.type) || field.isPrivate || columns.size() >= 8) continue;
+        Json column = Json::object();
+        column["title"] = field.name;
+        column["value"] = toUtf8(path) + "[#]." + field.name;
+        if (types.family(field.type) == types::Family::Real) column["format"] = "%.2f";
+        columns.push_back(std::move(column));
+    }
+    table.set("columns"_field, columns);
+    return table;
+}
+
+std::optional<Element> arrayElementFor(const QString& path, const DesignContext& context, const ValueFacts& facts) {
+    const auto compiled = driver::compileExpression(context.checked(), path.toStdString());
+    if (!compiled || facts.arrayBounds.empty()) return {};
+    const types::TypeTable& types = compiled->types();
+    const types::Type& array = types[compiled->type()];
+    const auto [first, last] = facts.arrayBounds.front();
+    if (types.kind(array.element) == types::TypeKind::Struct || types.kind(array.element) == types::TypeKind::Block) {
+        Element table = tableFor(path, *compiled, array);
+        table.set("first"_field, first);
+        table.set("count"_field, last - first + 1);
+        return table;
+    }
+    if (types.family(array.element) == types::Family::Bool || facts.arrayBounds.size() > 1) {
+        Element grid = madeFor(ElementKind::CellGrid, "value", path);
+        const int count = last - first + 1;
+        const bool isTable = facts.arrayBounds.size() > 1;
+        const int columns = isTable ? facts.arrayBounds[1].second - facts.arrayBounds[1].first + 1
+                                    : std::min(count, count <= 10 ? count : 10);
+        grid.set("columns"_field, columns);
+        grid.set("rows"_field, isTable ? count : (count + columns - 1) / columns);
+        grid.set("first"_field, first);
+        return grid;
+    }
+    Element chart = madeFor(ElementKind::BarChart, "value", path);
+    chart.set("first"_field, first);
+    return chart;
+}
+
+} // namespace
+
+std::vector<Element> elementsForVariable(const QString& path, const DesignContext& context, bool operates) {
+    const std::optional<ValueFacts> known = context.factsOf(path);
+    const ValueFacts facts = known.value_or(ValueFacts());
+    const QString name = path.section(u'.', -1);
+    Element element = madeFor(ElementKind::NumericDisplay, "value", path);
+    switch (facts.kind) {
+    case ValueKind::Bool:
+        element = operates ? madeFor(ElementKind::Switch, "target", path) : madeFor(ElementKind::Lamp, "value", path);
+        break;
+    case ValueKind::Integer:
+    case ValueKind::Unsigned:
+        if (!facts.enumValues.empty()) {
+            element = operates ? madeFor(ElementKind::ComboBox, "target", path)
+                               : madeFor(ElementKind::MultiState, "value", path);
+            break;
+        }
+        element = operates ? madeFor(ElementKind::NumericEntry, "target", path) : element;
+        element.set("format"_field, "%d");
+        break;
+    case ValueKind::Real:
+        element = operates ? madeFor(ElementKind::NumericEntry, "target", path) : element;
+        break;
+    case ValueKind::Text:
+        element = operates ? madeFor(ElementKind::TextEntry, "target", path) : element;
+        if (!operates) element.set("rect"_field, rectToJson(QRectF(0, 0, 200, 40)));
+        break;
+    case ValueKind::Time:
+        if (operates) {
+            element = madeFor(ElementKind::NumericEntry, "target", path);
+            element.set("unit"_field, "s");
+        } else {
+            element.set("format"_field, "");
+        }
+        break;
+    case ValueKind::Date:
+    case ValueKind::DateTime:
+    case ValueKind::TimeOfDay:
+        element = madeFor(ElementKind::DateTime, "value", path);
+        break;
+    case ValueKind::Array:
+        if (auto array = arrayElementFor(path, context, facts)) element = std::move(*array);
+        break;
+    case ValueKind::None:
+        break;
+    }
+    element.set("name"_field, toUtf8(name));
+    return {element};
+}
+
+} // namespace plc::hmi
