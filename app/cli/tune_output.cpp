@@ -316,7 +316,7 @@ std::array<waveform::Chart, 2> bodeOf(const TuneReport& report) {
 }
 
 waveform::Chart residualChart(const TuneReport& report) {
-    waveform::Chart chart{"What the model leaves", "time [s]", report.measuredName, {}, false};
+    waveform::Chart chart{"Residuals of the model", "time [s]", report.measuredName, {}, false};
     for (size_t i = 0; i < report.study.used.size(); ++i) {
         const tuning::Excerpt& excerpt = report.study.excerpts[i];
         const std::vector<double>& model = report.best().simulated[i];
