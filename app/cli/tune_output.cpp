@@ -134,7 +134,7 @@ std::vector<const loops::CallConstant*> constantsOf(const TuneReport& report, co
 
 std::string chosenText(const TuneReport& report) {
     const RuleAnswer* answer = report.answer();
-    if (!answer) return "\nThe rule " + std::string(title(report.rule)) + " has no answer for this process.\n";
+    if (!answer) return "\nThe rule " + std::string(title(report.rule)) + " does not apply to this process.\n";
     std::string out = "\n" + std::string(title(answer->rule)) + ": " + gainsText(answer->assessment.gains) + "\n  " +
                       robustnessWords(answer->assessment).english() + "\n  " +
                       overshootWords(answer->assessment).english() + "\n";
