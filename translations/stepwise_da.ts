@@ -73,7 +73,7 @@
     </message>
     <message>
         <source>{0} and {1} both listen on port {2}; change one of the ports</source>
-        <translation>{0} og {1} lytter begge på port {2}; giv den ene en anden port</translation>
+        <translation>{0} og {1} lytter begge på port {2}; skift den ene port</translation>
     </message>
     <message>
         <source>Ports below 1024 require special privileges; use a port such as 1502</source>
@@ -169,11 +169,11 @@
     </message>
     <message>
         <source>{0} cannot be read; its first line must be the password</source>
-        <translation>{0} kan ikke læses; dens første linje indeholder adgangskoden</translation>
+        <translation>{0} kan ikke læses; dens første linje skal være adgangskoden</translation>
     </message>
     <message>
         <source>{0} cannot be read; it must contain the certificates of the authority (PEM)</source>
-        <translation>{0} kan ikke læses; den indeholder udstederens certifikater (PEM)</translation>
+        <translation>{0} kan ikke læses; den skal indeholde udstederens certifikater (PEM)</translation>
     </message>
     <message>
         <source>no response within {0} ms; check the cable, the address and the unit number</source>
@@ -209,7 +209,7 @@
     </message>
     <message>
         <source>it is busy; the request will be repeated</source>
-        <translation>den er optaget; den spørges igen</translation>
+        <translation>den er optaget; forespørgslen gentages</translation>
     </message>
     <message>
         <source>the gateway cannot reach it; check the unit number and the cable after the gateway</source>
@@ -1973,7 +1973,7 @@
     </message>
     <message>
         <source>No text says what this does; add one, or place one next to it</source>
-        <translation>Intet fortæller, hvad dette gør; giv det en tekst, eller sæt en ved siden af</translation>
+        <translation>Ingen tekst fortæller, hvad dette gør; tilføj en, eller sæt en ved siden af</translation>
     </message>
     <message>
         <source>{0} is between {1} and {2} in the recording, so the range from {3} to {4} cuts it off</source>
@@ -2109,7 +2109,7 @@
     </message>
     <message>
         <source>The rule stays on until a reason for switching it off is given</source>
-        <translation>Reglen forbliver slået til, indtil en tekst siger, hvorfor den er slået fra</translation>
+        <translation>Reglen forbliver slået til, indtil der er angivet en grund til at slå den fra</translation>
     </message>
     <message>
         <source>The value must be a list of texts in quotes</source>
@@ -2125,11 +2125,11 @@
     </message>
     <message>
         <source>The colour {0} is always visible, whatever the state; use {1}</source>
-        <translation>Farven {0} ses hele tiden, uanset hvad der sker; brug {1}</translation>
+        <translation>Farven {0} ses altid, uanset tilstanden; brug {1}</translation>
     </message>
     <message>
         <source>{0} is an alarm colour, but it is visible in normal operation; use {1}</source>
-        <translation>{0} er en alarmfarve, men den ses, når alt er normalt; brug {1}</translation>
+        <translation>{0} er en alarmfarve, men den ses i normal drift; brug {1}</translation>
     </message>
     <message>
         <source>Only the hue distinguishes {0} from {1}; choose a brighter one, or add a text or blinking</source>
@@ -2137,7 +2137,7 @@
     </message>
     <message>
         <source>No text says what the lamp means; give it a label, or place a text next to it</source>
-        <translation>Intet fortæller, hvad lampen betyder; giv den en etiket, eller anbring en tekst ved siden af</translation>
+        <translation>Ingen tekst fortæller, hvad lampen betyder; giv den en etiket, eller anbring en tekst ved siden af</translation>
     </message>
     <message>
         <source>{0} on {1} has a contrast of {2} to 1 in the theme {3}; {4} to 1 is needed; choose another colour</source>
@@ -2157,11 +2157,11 @@
     </message>
     <message>
         <source>{0} x {1} px is too small for a finger next to other controls; {2} px are needed in both directions</source>
-        <translation>{0} × {1} px er for lidt til en finger ved siden af naboerne; der kræves {2} px i begge retninger</translation>
+        <translation>{0} × {1} px er for lidt til en finger ved siden af andre betjeningselementer; der kræves {2} px i begge retninger</translation>
     </message>
     <message>
         <source>The panel shows {0} values and controls; the maximum for its size is {1}; move some to another panel</source>
-        <translation>Panelet viser {0} ting at læse eller trykke på; ved dets størrelse kan {1} overskues; flyt nogle til et andet panel</translation>
+        <translation>Panelet viser {0} værdier og betjeningselementer; det højeste antal for dets størrelse er {1}; flyt nogle til et andet panel</translation>
     </message>
     <message>
         <source>The panel {0} is {1} presses away from the start panel; {2} should do</source>
@@ -6147,7 +6147,7 @@
     </message>
     <message>
         <source>The rule {0} does not apply to this process; choose another one</source>
-        <translation>Reglen {0} har intet svar for denne proces; vælg en anden</translation>
+        <translation>Reglen {0} gælder ikke for denne proces; vælg en anden</translation>
     </message>
     <message>
         <source>Unstable: the oscillation would grow. Do not use these settings.</source>
@@ -6418,7 +6418,7 @@
     </message>
     <message>
         <source>{0} needs a closing parenthesis at the end; it must enclose the whole expression</source>
-        <translation>{0} kræver en afsluttende parentes til sidst; den omslutter hele udtrykket</translation>
+        <translation>{0} kræver en afsluttende parentes til sidst; den skal omslutte hele udtrykket</translation>
     </message>
     <message>
         <source>{0} needs a time above 0 as its second argument, for example {1}</source>
@@ -7192,7 +7192,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Stepwise was closed without saving. Unsaved changes to %1 were kept. Restore them?</source>
-        <translation>Studiet blev lukket uden at gemme. Ændringer i %1, der ikke er gemt, er bevaret. Skal de gendannes?</translation>
+        <translation>Stepwise blev lukket uden at gemme. Ændringer i %1, der ikke er gemt, er bevaret. Skal de gendannes?</translation>
     </message>
     <message>
         <source>Go to Line</source>
@@ -7343,7 +7343,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Ctrl+Shift+P finds every command. The start page has more machines to play with.</source>
-        <translation>Ctrl+Shift+P finder alle kommandoer. Startsiden har flere maskiner at lege med.</translation>
+        <translation>Ctrl+Skift+P finder alle kommandoer. Startsiden har flere maskiner at lege med.</translation>
     </message>
     <message>
         <source>Texts</source>
@@ -9442,7 +9442,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Previous (Shift+Enter)</source>
-        <translation>Forrige (Shift+Enter)</translation>
+        <translation>Forrige (Skift+Enter)</translation>
     </message>
     <message>
         <source>Next (Enter)</source>
@@ -10332,7 +10332,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>The rule does not apply to this process; choose another rule.</source>
-        <translation>Reglen har intet svar for denne proces; vælg en anden regel.</translation>
+        <translation>Reglen gælder ikke for denne proces; vælg en anden regel.</translation>
     </message>
     <message>
         <source>any</source>
@@ -12195,7 +12195,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>Two cursors (Ctrl+click sets A, Shift+click sets B)</source>
-        <translation>To markører (Ctrl+klik sætter A, Shift+klik sætter B)</translation>
+        <translation>To markører (Ctrl+klik sætter A, Skift+klik sætter B)</translation>
     </message>
     <message>
         <source>Measure</source>

@@ -73,7 +73,7 @@
     </message>
     <message>
         <source>{0} and {1} both listen on port {2}; change one of the ports</source>
-        <translation>{0} und {1} verwenden beide den Port {2}; geben Sie einem einen anderen Port</translation>
+        <translation>{0} und {1} verwenden beide den Port {2}; ändern Sie einen der Ports</translation>
     </message>
     <message>
         <source>Ports below 1024 require special privileges; use a port such as 1502</source>
@@ -169,11 +169,11 @@
     </message>
     <message>
         <source>{0} cannot be read; its first line must be the password</source>
-        <translation>{0} kann nicht gelesen werden; die erste Zeile enthält das Passwort</translation>
+        <translation>{0} kann nicht gelesen werden; die erste Zeile muss das Passwort sein</translation>
     </message>
     <message>
         <source>{0} cannot be read; it must contain the certificates of the authority (PEM)</source>
-        <translation>{0} kann nicht gelesen werden; die Datei enthält die Zertifikate der Zertifizierungsstelle (PEM)</translation>
+        <translation>{0} kann nicht gelesen werden; die Datei muss die Zertifikate der Zertifizierungsstelle enthalten (PEM)</translation>
     </message>
     <message>
         <source>no response within {0} ms; check the cable, the address and the unit number</source>
@@ -209,11 +209,11 @@
     </message>
     <message>
         <source>it is busy; the request will be repeated</source>
-        <translation>es ist beschäftigt; es wird erneut abgefragt</translation>
+        <translation>es ist beschäftigt; die Anfrage wird wiederholt</translation>
     </message>
     <message>
         <source>the gateway cannot reach it; check the unit number and the cable after the gateway</source>
-        <translation>das Gateway erreicht es nicht; prüfen Sie die Gerätenummer und das Kabel dahinter</translation>
+        <translation>das Gateway erreicht es nicht; prüfen Sie die Gerätenummer und das Kabel hinter dem Gateway</translation>
     </message>
     <message>
         <source>cannot listen on {0}: {1}; choose another address or port</source>
@@ -1973,7 +1973,7 @@
     </message>
     <message>
         <source>No text says what this does; add one, or place one next to it</source>
-        <translation>Es ist nicht erkennbar, was das bewirkt; geben Sie ihm einen Text oder setzen Sie einen daneben</translation>
+        <translation>Kein Text sagt, was das bewirkt; fügen Sie einen hinzu oder setzen Sie einen daneben</translation>
     </message>
     <message>
         <source>{0} is between {1} and {2} in the recording, so the range from {3} to {4} cuts it off</source>
@@ -2109,7 +2109,7 @@
     </message>
     <message>
         <source>The rule stays on until a reason for switching it off is given</source>
-        <translation>Die Regel bleibt an, bis ein Text sagt, warum sie aus ist</translation>
+        <translation>Die Regel bleibt eingeschaltet, bis ein Grund für das Abschalten angegeben ist</translation>
     </message>
     <message>
         <source>The value must be a list of texts in quotes</source>
@@ -2125,11 +2125,11 @@
     </message>
     <message>
         <source>The colour {0} is always visible, whatever the state; use {1}</source>
-        <translation>Die Farbe {0} ist immer zu sehen, was auch geschieht; verwenden Sie {1}</translation>
+        <translation>Die Farbe {0} ist in jedem Zustand sichtbar; verwenden Sie {1}</translation>
     </message>
     <message>
         <source>{0} is an alarm colour, but it is visible in normal operation; use {1}</source>
-        <translation>{0} ist eine Alarmfarbe, ist aber zu sehen, wenn alles normal ist; verwenden Sie {1}</translation>
+        <translation>{0} ist eine Alarmfarbe, aber im Normalbetrieb sichtbar; verwenden Sie {1}</translation>
     </message>
     <message>
         <source>Only the hue distinguishes {0} from {1}; choose a brighter one, or add a text or blinking</source>
@@ -2137,7 +2137,7 @@
     </message>
     <message>
         <source>No text says what the lamp means; give it a label, or place a text next to it</source>
-        <translation>Es ist nicht erkennbar, was die Lampe bedeutet; geben Sie ihr eine Beschriftung oder stellen Sie einen Text daneben</translation>
+        <translation>Kein Text sagt, was die Lampe bedeutet; geben Sie ihr eine Beschriftung oder setzen Sie einen Text daneben</translation>
     </message>
     <message>
         <source>{0} on {1} has a contrast of {2} to 1 in the theme {3}; {4} to 1 is needed; choose another colour</source>
@@ -2153,15 +2153,15 @@
     </message>
     <message>
         <source>The faceplate is so small here that only {0} px remain for a finger; {1} px are needed</source>
-        <translation>Das Faceplate ist hier so klein, dass ein Finger nur {0} px zum Drücken findet; nötig sind {1} px</translation>
+        <translation>Das Faceplate ist hier so klein, dass für einen Finger nur {0} px bleiben; nötig sind {1} px</translation>
     </message>
     <message>
         <source>{0} x {1} px is too small for a finger next to other controls; {2} px are needed in both directions</source>
-        <translation>{0} × {1} px sind neben den Nachbarn zu klein für einen Finger; nötig sind {2} px in beiden Richtungen</translation>
+        <translation>{0} × {1} px sind neben anderen Bedienelementen zu klein für einen Finger; nötig sind {2} px in beiden Richtungen</translation>
     </message>
     <message>
         <source>The panel shows {0} values and controls; the maximum for its size is {1}; move some to another panel</source>
-        <translation>Auf dem Panel werden {0} Dinge zum Lesen oder Drücken angezeigt; bei seiner Größe lassen sich {1} überblicken; verschieben Sie einige auf ein anderes Panel</translation>
+        <translation>Auf dem Panel werden {0} Werte und Bedienelemente angezeigt; das Maximum für seine Größe ist {1}; verschieben Sie einige auf ein anderes Panel</translation>
     </message>
     <message>
         <source>The panel {0} is {1} presses away from the start panel; {2} should do</source>
@@ -3271,7 +3271,7 @@
     </message>
     <message>
         <source>The address {0} starts at a byte that tools counting in words cannot address; move it to a multiple of its size</source>
-        <translation>Die Adresse {0} beginnt an einem Byte, das andere Werkzeuge, die in Wörtern zählen, nicht benennen können; verschieben Sie sie auf ein Vielfaches ihrer Größe</translation>
+        <translation>Die Adresse {0} beginnt an einem Byte, das Werkzeuge mit Wortzählung nicht adressieren können; verschieben Sie sie auf ein Vielfaches ihrer Größe</translation>
     </message>
     <message>
         <source>{0} accesses the system outside the controller; it is declared here with its inputs and outputs but does nothing</source>
@@ -6147,7 +6147,7 @@
     </message>
     <message>
         <source>The rule {0} does not apply to this process; choose another one</source>
-        <translation>Die Regel {0} hat für diese Strecke keine Lösung; wählen Sie eine andere</translation>
+        <translation>Die Regel {0} ist für diese Strecke nicht anwendbar; wählen Sie eine andere</translation>
     </message>
     <message>
         <source>Unstable: the oscillation would grow. Do not use these settings.</source>
@@ -6418,7 +6418,7 @@
     </message>
     <message>
         <source>{0} needs a closing parenthesis at the end; it must enclose the whole expression</source>
-        <translation>{0} braucht am Ende eine schließende Klammer; sie umschließt den ganzen Ausdruck</translation>
+        <translation>{0} braucht am Ende eine schließende Klammer; sie muss den ganzen Ausdruck umschließen</translation>
     </message>
     <message>
         <source>{0} needs a time above 0 as its second argument, for example {1}</source>
@@ -7192,7 +7192,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Stepwise was closed without saving. Unsaved changes to %1 were kept. Restore them?</source>
-        <translation>Das Studio wurde beendet, ohne zu speichern. Ungespeicherte Änderungen an %1 sind erhalten. Wiederherstellen?</translation>
+        <translation>Stepwise wurde beendet, ohne zu speichern. Ungespeicherte Änderungen an %1 sind erhalten. Wiederherstellen?</translation>
     </message>
     <message>
         <source>Go to Line</source>
@@ -10332,7 +10332,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>The rule does not apply to this process; choose another rule.</source>
-        <translation>Die Regel hat für diese Strecke keine Lösung; wählen Sie eine andere Regel.</translation>
+        <translation>Die Regel ist für diese Strecke nicht anwendbar; wählen Sie eine andere Regel.</translation>
     </message>
     <message>
         <source>any</source>

@@ -73,7 +73,7 @@
     </message>
     <message>
         <source>{0} and {1} both listen on port {2}; change one of the ports</source>
-        <translation>{0} y {1} escuchan ambos en el puerto {2}; asigne otro puerto a uno</translation>
+        <translation>{0} y {1} escuchan ambos en el puerto {2}; cambie uno de los puertos</translation>
     </message>
     <message>
         <source>Ports below 1024 require special privileges; use a port such as 1502</source>
@@ -169,11 +169,11 @@
     </message>
     <message>
         <source>{0} cannot be read; its first line must be the password</source>
-        <translation>{0} no se puede leer; contiene la contraseña en su primera línea</translation>
+        <translation>{0} no se puede leer; su primera línea debe ser la contraseña</translation>
     </message>
     <message>
         <source>{0} cannot be read; it must contain the certificates of the authority (PEM)</source>
-        <translation>{0} no se puede leer; contiene los certificados de la autoridad (PEM)</translation>
+        <translation>{0} no se puede leer; debe contener los certificados de la autoridad (PEM)</translation>
     </message>
     <message>
         <source>no response within {0} ms; check the cable, the address and the unit number</source>
@@ -209,7 +209,7 @@
     </message>
     <message>
         <source>it is busy; the request will be repeated</source>
-        <translation>está ocupado; se le preguntará de nuevo</translation>
+        <translation>está ocupado; se repetirá la petición</translation>
     </message>
     <message>
         <source>the gateway cannot reach it; check the unit number and the cable after the gateway</source>
@@ -1973,7 +1973,7 @@
     </message>
     <message>
         <source>No text says what this does; add one, or place one next to it</source>
-        <translation>Nada indica para qué sirve esto; dele un texto o coloque uno al lado</translation>
+        <translation>Ningún texto indica para qué sirve esto; añada uno o coloque uno al lado</translation>
     </message>
     <message>
         <source>{0} is between {1} and {2} in the recording, so the range from {3} to {4} cuts it off</source>
@@ -2109,7 +2109,7 @@
     </message>
     <message>
         <source>The rule stays on until a reason for switching it off is given</source>
-        <translation>La regla sigue activa hasta que un texto diga por qué está desactivada</translation>
+        <translation>La regla sigue activa hasta que se indique un motivo para desactivarla</translation>
     </message>
     <message>
         <source>The value must be a list of texts in quotes</source>
@@ -2125,11 +2125,11 @@
     </message>
     <message>
         <source>The colour {0} is always visible, whatever the state; use {1}</source>
-        <translation>El color {0} se ve siempre, pase lo que pase; use {1}</translation>
+        <translation>El color {0} se ve siempre, sea cual sea el estado; use {1}</translation>
     </message>
     <message>
         <source>{0} is an alarm colour, but it is visible in normal operation; use {1}</source>
-        <translation>{0} es un color de alarma, pero se ve cuando todo es normal; use {1}</translation>
+        <translation>{0} es un color de alarma, pero se ve en funcionamiento normal; use {1}</translation>
     </message>
     <message>
         <source>Only the hue distinguishes {0} from {1}; choose a brighter one, or add a text or blinking</source>
@@ -2137,7 +2137,7 @@
     </message>
     <message>
         <source>No text says what the lamp means; give it a label, or place a text next to it</source>
-        <translation>Nada indica qué significa el piloto; póngale un rótulo o coloque un texto al lado</translation>
+        <translation>Ningún texto indica qué significa el piloto; póngale un rótulo o coloque un texto al lado</translation>
     </message>
     <message>
         <source>{0} on {1} has a contrast of {2} to 1 in the theme {3}; {4} to 1 is needed; choose another colour</source>
@@ -2153,15 +2153,15 @@
     </message>
     <message>
         <source>The faceplate is so small here that only {0} px remain for a finger; {1} px are needed</source>
-        <translation>El faceplate es tan pequeño aquí que un dedo solo encuentra {0}&#xa0;px que pulsar; se necesitan {1}&#xa0;px</translation>
+        <translation>El faceplate es tan pequeño aquí que solo quedan {0} px para un dedo; se necesitan {1} px</translation>
     </message>
     <message>
         <source>{0} x {1} px is too small for a finger next to other controls; {2} px are needed in both directions</source>
-        <translation>{0} × {1}&#xa0;px son demasiado pequeños para un dedo junto a sus vecinos; se necesitan {2}&#xa0;px en ambas direcciones</translation>
+        <translation>{0} × {1} px son demasiado pequeños para un dedo junto a otros controles; se necesitan {2} px en ambas direcciones</translation>
     </message>
     <message>
         <source>The panel shows {0} values and controls; the maximum for its size is {1}; move some to another panel</source>
-        <translation>El panel muestra {0} cosas que leer o pulsar; con su tamaño se abarcan {1}; pase algunas a otro panel</translation>
+        <translation>El panel muestra {0} valores y controles; el máximo para su tamaño es {1}; pase algunos a otro panel</translation>
     </message>
     <message>
         <source>The panel {0} is {1} presses away from the start panel; {2} should do</source>
@@ -3271,7 +3271,7 @@
     </message>
     <message>
         <source>The address {0} starts at a byte that tools counting in words cannot address; move it to a multiple of its size</source>
-        <translation>La dirección {0} empieza en un byte que otras herramientas, que cuentan en palabras, no pueden nombrar; muévala a un múltiplo de su tamaño</translation>
+        <translation>La dirección {0} empieza en un byte que las herramientas que cuentan en palabras no pueden direccionar; muévala a un múltiplo de su tamaño</translation>
     </message>
     <message>
         <source>{0} accesses the system outside the controller; it is declared here with its inputs and outputs but does nothing</source>
@@ -3723,7 +3723,7 @@
     </message>
     <message>
         <source>Kind</source>
-        <translation>Clase</translation>
+        <translation>Tipo</translation>
     </message>
     <message>
         <source>Group</source>
@@ -6135,7 +6135,7 @@
     </message>
     <message>
         <source>There is no step or disturbance in the recording; change the set point or the output once and record the response</source>
-        <translation>No hay ningún escalón ni perturbación en la grabación; cambie una vez la consigna o la salida a mano y grábelo</translation>
+        <translation>No hay ningún escalón ni perturbación en la grabación; cambie una vez la consigna o la salida y grabe la respuesta</translation>
     </message>
     <message>
         <source>None of the {0} changes found is usable: {1}</source>
@@ -6147,7 +6147,7 @@
     </message>
     <message>
         <source>The rule {0} does not apply to this process; choose another one</source>
-        <translation>La regla {0} no tiene respuesta para este proceso; elija otra</translation>
+        <translation>La regla {0} no es aplicable a este proceso; elija otra</translation>
     </message>
     <message>
         <source>Unstable: the oscillation would grow. Do not use these settings.</source>
@@ -6359,7 +6359,7 @@
     </message>
     <message>
         <source>The recording has {0} {0:disturbance|disturbances}, but no step that a model can be made from; change the set point or the output once and record the response</source>
-        <translation>La grabación tiene {0} {0:perturbación|perturbaciones}, pero ningún escalón del que obtener un modelo; cambie una vez la consigna o la salida a mano y grábelo</translation>
+        <translation>La grabación tiene {0} {0:perturbación|perturbaciones}, pero ningún escalón del que obtener un modelo; cambie una vez la consigna o la salida y grabe la respuesta</translation>
     </message>
     <message>
         <source>Change {0} is a disturbance: its cause is not known, so no model can be made from it; choose a change of the set point or of the output</source>
@@ -6418,7 +6418,7 @@
     </message>
     <message>
         <source>{0} needs a closing parenthesis at the end; it must enclose the whole expression</source>
-        <translation>{0} necesita un paréntesis de cierre al final; rodea toda la expresión</translation>
+        <translation>{0} necesita un paréntesis de cierre al final; debe rodear toda la expresión</translation>
     </message>
     <message>
         <source>{0} needs a time above 0 as its second argument, for example {1}</source>
@@ -7192,7 +7192,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Stepwise was closed without saving. Unsaved changes to %1 were kept. Restore them?</source>
-        <translation>El estudio terminó sin guardar. Se conservaron los cambios sin guardar de %1. ¿Restaurarlos?</translation>
+        <translation>Stepwise se cerró sin guardar. Se conservaron los cambios sin guardar de %1. ¿Restaurarlos?</translation>
     </message>
     <message>
         <source>Go to Line</source>
@@ -7303,7 +7303,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Structured Text with semantic highlighting. Errors are underlined as you type; Alt+Enter offers quick fixes; Ctrl+Space completes.</source>
-        <translation>Texto estructurado con resaltado semántico. Los errores se subrayan al escribir; Alt+Intro ofrece correcciones rápidas; Ctrl+Espacio completa.</translation>
+        <translation>Texto estructurado con resaltado semántico. Los errores se subrayan al escribir; Alt+Intro ofrece correcciones rápidas; Control+Espacio completa.</translation>
     </message>
     <message>
         <source>Run</source>
@@ -7343,7 +7343,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Ctrl+Shift+P finds every command. The start page has more machines to play with.</source>
-        <translation>Ctrl+Mayús+P encuentra cualquier comando. La página de inicio tiene más máquinas para probar.</translation>
+        <translation>Control+Mayúsculas+P encuentra cualquier comando. La página de inicio tiene más máquinas para probar.</translation>
     </message>
     <message>
         <source>Texts</source>
@@ -7479,7 +7479,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Toggle Comment (Ctrl+/)</source>
-        <translation>Comentar o descomentar (Ctrl+/)</translation>
+        <translation>Comentar o descomentar (Control+/)</translation>
     </message>
     <message>
         <source>Duplicate</source>
@@ -7910,7 +7910,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume from Here” continues from there.</source>
-        <translation>Arrastre el control de tiempo o pulse Ctrl+Alt+Izquierda: el código, los gráficos y el panel muestran el pasado. «Reanudar desde aquí» sigue desde ese punto.</translation>
+        <translation>Arrastre el control de tiempo o pulse Control+Alt+Izquierda: el código, los gráficos y el panel muestran el pasado. «Reanudar desde aquí» sigue desde ese punto.</translation>
     </message>
     <message>
         <source>Tuning</source>
@@ -8261,7 +8261,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Kind</source>
-        <translation>Clase</translation>
+        <translation>Tipo</translation>
     </message>
     <message>
         <source>Name</source>
@@ -9442,7 +9442,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Previous (Shift+Enter)</source>
-        <translation>Anterior (Mayús+Intro)</translation>
+        <translation>Anterior (Mayúsculas+Intro)</translation>
     </message>
     <message>
         <source>Next (Enter)</source>
@@ -9545,27 +9545,27 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Insert a rung below (Ctrl+T)</source>
-        <translation>Insertar un segmento debajo (Ctrl+T)</translation>
+        <translation>Insertar un segmento debajo (Control+T)</translation>
     </message>
     <message>
         <source>Insert a contact on the left (Ctrl+K)</source>
-        <translation>Insertar un contacto a la izquierda (Ctrl+K)</translation>
+        <translation>Insertar un contacto a la izquierda (Control+K)</translation>
     </message>
     <message>
         <source>Insert a contact on the right (Ctrl+D)</source>
-        <translation>Insertar un contacto a la derecha (Ctrl+D)</translation>
+        <translation>Insertar un contacto a la derecha (Control+D)</translation>
     </message>
     <message>
         <source>Insert a parallel contact (Ctrl+R)</source>
-        <translation>Insertar un contacto en paralelo (Ctrl+R)</translation>
+        <translation>Insertar un contacto en paralelo (Control+R)</translation>
     </message>
     <message>
         <source>Insert a coil (Ctrl+A)</source>
-        <translation>Insertar una bobina (Ctrl+A)</translation>
+        <translation>Insertar una bobina (Control+A)</translation>
     </message>
     <message>
         <source>Insert a function block (Ctrl+B)</source>
-        <translation>Insertar un bloque de función (Ctrl+B)</translation>
+        <translation>Insertar un bloque de función (Control+B)</translation>
     </message>
     <message>
         <source>Edit (F2)</source>
@@ -10332,7 +10332,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>The rule does not apply to this process; choose another rule.</source>
-        <translation>La regla no tiene respuesta para este proceso; elija otra regla.</translation>
+        <translation>La regla no es aplicable a este proceso; elija otra regla.</translation>
     </message>
     <message>
         <source>any</source>
@@ -11734,7 +11734,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <source>%1
 Click selects, Ctrl+click shows or hides.</source>
         <translation>%1
-Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
+Un clic selecciona, Control+clic muestra u oculta.</translation>
     </message>
 </context>
 <context>
@@ -12084,11 +12084,11 @@ Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
     </message>
     <message>
         <source>Previous change of the variable (Ctrl+Left)</source>
-        <translation>Cambio anterior de la variable (Ctrl+Izquierda)</translation>
+        <translation>Cambio anterior de la variable (Control+Izquierda)</translation>
     </message>
     <message>
         <source>Next change of the variable (Ctrl+Right)</source>
-        <translation>Cambio siguiente de la variable (Ctrl+Derecha)</translation>
+        <translation>Cambio siguiente de la variable (Control+Derecha)</translation>
     </message>
     <message>
         <source>Resume the controller from this scan</source>
@@ -12195,7 +12195,7 @@ Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
     </message>
     <message>
         <source>Two cursors (Ctrl+click sets A, Shift+click sets B)</source>
-        <translation>Dos cursores (Ctrl+clic pone A, Mayús+clic pone B)</translation>
+        <translation>Dos cursores (Control+clic pone A, Mayúsculas+clic pone B)</translation>
     </message>
     <message>
         <source>Measure</source>

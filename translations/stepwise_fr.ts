@@ -73,7 +73,7 @@
     </message>
     <message>
         <source>{0} and {1} both listen on port {2}; change one of the ports</source>
-        <translation>{0} et {1} écoutent tous deux sur le port {2}&#x202f;; donnez un autre port à l’un d’eux</translation>
+        <translation>{0} et {1} écoutent tous deux sur le port {2}&#x202f;; changez l’un d’eux</translation>
     </message>
     <message>
         <source>Ports below 1024 require special privileges; use a port such as 1502</source>
@@ -169,11 +169,11 @@
     </message>
     <message>
         <source>{0} cannot be read; its first line must be the password</source>
-        <translation>{0} ne peut pas être lu&#x202f;; sa première ligne contient le mot de passe</translation>
+        <translation>{0} ne peut pas être lu&#x202f;; sa première ligne doit être le mot de passe</translation>
     </message>
     <message>
         <source>{0} cannot be read; it must contain the certificates of the authority (PEM)</source>
-        <translation>{0} ne peut pas être lu&#x202f;; il contient les certificats de l’autorité (PEM)</translation>
+        <translation>{0} ne peut pas être lu&#x202f;; il doit contenir les certificats de l’autorité (PEM)</translation>
     </message>
     <message>
         <source>no response within {0} ms; check the cable, the address and the unit number</source>
@@ -209,7 +209,7 @@
     </message>
     <message>
         <source>it is busy; the request will be repeated</source>
-        <translation>il est occupé&#x202f;; il sera interrogé de nouveau</translation>
+        <translation>il est occupé&#x202f;; la requête sera répétée</translation>
     </message>
     <message>
         <source>the gateway cannot reach it; check the unit number and the cable after the gateway</source>
@@ -1973,7 +1973,7 @@
     </message>
     <message>
         <source>No text says what this does; add one, or place one next to it</source>
-        <translation>Rien n’indique à quoi cela sert&#x202f;; donnez-lui un texte, ou placez-en un à côté</translation>
+        <translation>Aucun texte n’indique à quoi cela sert&#x202f;; ajoutez-en un, ou placez-en un à côté</translation>
     </message>
     <message>
         <source>{0} is between {1} and {2} in the recording, so the range from {3} to {4} cuts it off</source>
@@ -2109,7 +2109,7 @@
     </message>
     <message>
         <source>The rule stays on until a reason for switching it off is given</source>
-        <translation>La règle reste active tant qu’un texte ne dit pas pourquoi elle est désactivée</translation>
+        <translation>La règle reste active tant qu’aucune raison de la désactiver n’est donnée</translation>
     </message>
     <message>
         <source>The value must be a list of texts in quotes</source>
@@ -2125,11 +2125,11 @@
     </message>
     <message>
         <source>The colour {0} is always visible, whatever the state; use {1}</source>
-        <translation>La couleur {0} est visible en permanence, quoi qu’il arrive&#x202f;; utilisez {1}</translation>
+        <translation>La couleur {0} est toujours visible, quel que soit l’état&#x202f;; utilisez {1}</translation>
     </message>
     <message>
         <source>{0} is an alarm colour, but it is visible in normal operation; use {1}</source>
-        <translation>{0} est une couleur d’alarme, mais elle est visible quand tout est normal&#x202f;; utilisez {1}</translation>
+        <translation>{0} est une couleur d’alarme, mais elle est visible en fonctionnement normal&#x202f;; utilisez {1}</translation>
     </message>
     <message>
         <source>Only the hue distinguishes {0} from {1}; choose a brighter one, or add a text or blinking</source>
@@ -2137,7 +2137,7 @@
     </message>
     <message>
         <source>No text says what the lamp means; give it a label, or place a text next to it</source>
-        <translation>Rien n’indique ce que signifie le voyant&#x202f;; donnez-lui un libellé ou placez un texte à côté</translation>
+        <translation>Aucun texte n’indique ce que signifie le voyant&#x202f;; donnez-lui un libellé ou placez un texte à côté</translation>
     </message>
     <message>
         <source>{0} on {1} has a contrast of {2} to 1 in the theme {3}; {4} to 1 is needed; choose another colour</source>
@@ -2153,15 +2153,15 @@
     </message>
     <message>
         <source>The faceplate is so small here that only {0} px remain for a finger; {1} px are needed</source>
-        <translation>La vue d’objet est si petite ici qu’un doigt ne trouve que {0}&#xa0;px où appuyer&#x202f;; il faut {1}&#xa0;px</translation>
+        <translation>La vue d’objet est si petite ici qu’il ne reste que {0} px pour un doigt&#x202f;; il faut {1} px</translation>
     </message>
     <message>
         <source>{0} x {1} px is too small for a finger next to other controls; {2} px are needed in both directions</source>
-        <translation>{0} × {1}&#xa0;px sont trop petits pour un doigt à côté des éléments voisins&#x202f;; il faut {2}&#xa0;px dans les deux sens</translation>
+        <translation>{0} × {1} px sont trop petits pour un doigt à côté d’autres commandes&#x202f;; il faut {2} px dans les deux sens</translation>
     </message>
     <message>
         <source>The panel shows {0} values and controls; the maximum for its size is {1}; move some to another panel</source>
-        <translation>La vue affiche {0} éléments à lire ou à toucher&#x202f;; à sa taille, on en embrasse {1}&#x202f;; déplacez-en vers une autre vue</translation>
+        <translation>La vue affiche {0} valeurs et commandes&#x202f;; le maximum pour sa taille est {1}&#x202f;; déplacez-en vers une autre vue</translation>
     </message>
     <message>
         <source>The panel {0} is {1} presses away from the start panel; {2} should do</source>
@@ -6147,7 +6147,7 @@
     </message>
     <message>
         <source>The rule {0} does not apply to this process; choose another one</source>
-        <translation>La règle {0} n’a pas de réponse pour ce procédé&#x202f;; choisissez-en une autre</translation>
+        <translation>La règle {0} ne s’applique pas à ce procédé&#x202f;; choisissez-en une autre</translation>
     </message>
     <message>
         <source>Unstable: the oscillation would grow. Do not use these settings.</source>
@@ -6359,7 +6359,7 @@
     </message>
     <message>
         <source>The recording has {0} {0:disturbance|disturbances}, but no step that a model can be made from; change the set point or the output once and record the response</source>
-        <translation>L’enregistrement contient {0} {0:perturbation|perturbations}, mais aucun échelon dont on puisse tirer un modèle&#x202f;; changez une fois la consigne ou la sortie à la main et enregistrez-le</translation>
+        <translation>L’enregistrement contient {0} {0:perturbation|perturbations}, mais aucun échelon dont on puisse tirer un modèle&#x202f;; changez une fois la consigne ou la sortie et enregistrez la réponse</translation>
     </message>
     <message>
         <source>Change {0} is a disturbance: its cause is not known, so no model can be made from it; choose a change of the set point or of the output</source>
@@ -6418,7 +6418,7 @@
     </message>
     <message>
         <source>{0} needs a closing parenthesis at the end; it must enclose the whole expression</source>
-        <translation>{0} demande une parenthèse fermante à la fin&#x202f;; elle entoure toute l’expression</translation>
+        <translation>{0} demande une parenthèse fermante à la fin&#x202f;; elle doit entourer toute l’expression</translation>
     </message>
     <message>
         <source>{0} needs a time above 0 as its second argument, for example {1}</source>
@@ -7192,7 +7192,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>Stepwise was closed without saving. Unsaved changes to %1 were kept. Restore them?</source>
-        <translation>Le studio s’est terminé sans enregistrer. Les modifications non enregistrées de %1 ont été conservées. Les restaurer&#x202f;?</translation>
+        <translation>Stepwise a été fermé sans enregistrer. Les modifications non enregistrées de %1 ont été conservées. Les restaurer&#x202f;?</translation>
     </message>
     <message>
         <source>Go to Line</source>
@@ -10332,7 +10332,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, N
     </message>
     <message>
         <source>The rule does not apply to this process; choose another rule.</source>
-        <translation>La règle n’a pas de réponse pour ce procédé&#x202f;; choisissez une autre règle.</translation>
+        <translation>La règle ne s’applique pas à ce procédé&#x202f;; choisissez une autre règle.</translation>
     </message>
     <message>
         <source>any</source>

@@ -73,7 +73,7 @@
     </message>
     <message>
         <source>{0} and {1} both listen on port {2}; change one of the ports</source>
-        <translation>{0} 和 {1} 都监听端口 {2}；请为其中一个改用其他端口</translation>
+        <translation>{0} 和 {1} 都监听端口 {2}；请更改其中一个端口</translation>
     </message>
     <message>
         <source>Ports below 1024 require special privileges; use a port such as 1502</source>
@@ -169,15 +169,15 @@
     </message>
     <message>
         <source>{0} cannot be read; its first line must be the password</source>
-        <translation>无法读取 {0}；其第一行是密码</translation>
+        <translation>无法读取 {0}；其第一行必须是密码</translation>
     </message>
     <message>
         <source>{0} cannot be read; it must contain the certificates of the authority (PEM)</source>
-        <translation>无法读取 {0}；其中包含证书颁发机构的证书 (PEM)</translation>
+        <translation>无法读取 {0}；其中必须包含证书颁发机构的证书 (PEM)</translation>
     </message>
     <message>
         <source>no response within {0} ms; check the cable, the address and the unit number</source>
-        <translation>{0} ms 内没有应答；请检查电缆、地址和单元号</translation>
+        <translation>{0} ms 内没有应答；请检查电缆、地址和站号</translation>
     </message>
     <message>
         <source>the connection ended: {0}</source>
@@ -185,7 +185,7 @@
     </message>
     <message>
         <source>the response does not match the request; check baud rate, parity and unit number</source>
-        <translation>应答与请求不匹配；请检查波特率、校验和单元号</translation>
+        <translation>应答与请求不匹配；请检查波特率、奇偶校验和站号</translation>
     </message>
     <message>
         <source>the device rejects {0} {1}: {2}</source>
@@ -209,11 +209,11 @@
     </message>
     <message>
         <source>it is busy; the request will be repeated</source>
-        <translation>它正忙；将再次查询</translation>
+        <translation>它正忙；将重复请求</translation>
     </message>
     <message>
         <source>the gateway cannot reach it; check the unit number and the cable after the gateway</source>
-        <translation>网关无法访问它；请检查单元号及其后的电缆</translation>
+        <translation>网关无法访问它；请检查站号及网关之后的电缆</translation>
     </message>
     <message>
         <source>cannot listen on {0}: {1}; choose another address or port</source>
@@ -1973,7 +1973,7 @@
     </message>
     <message>
         <source>No text says what this does; add one, or place one next to it</source>
-        <translation>没有任何内容说明其作用；请为其设置文本，或在旁边放置文本</translation>
+        <translation>没有文本说明其作用；请添加文本，或在旁边放置文本</translation>
     </message>
     <message>
         <source>{0} is between {1} and {2} in the recording, so the range from {3} to {4} cuts it off</source>
@@ -2125,11 +2125,11 @@
     </message>
     <message>
         <source>The colour {0} is always visible, whatever the state; use {1}</source>
-        <translation>颜色 {0} 无论发生什么都一直可见；请使用 {1}</translation>
+        <translation>颜色 {0} 无论何种状态都始终可见；请使用 {1}</translation>
     </message>
     <message>
         <source>{0} is an alarm colour, but it is visible in normal operation; use {1}</source>
-        <translation>{0} 是报警颜色，但在一切正常时也可见；请使用 {1}</translation>
+        <translation>{0} 是报警颜色，但在正常运行时也可见；请使用 {1}</translation>
     </message>
     <message>
         <source>Only the hue distinguishes {0} from {1}; choose a brighter one, or add a text or blinking</source>
@@ -2137,7 +2137,7 @@
     </message>
     <message>
         <source>No text says what the lamp means; give it a label, or place a text next to it</source>
-        <translation>没有说明该指示灯的含义；请为其添加标签，或在旁边放置文本</translation>
+        <translation>没有文本说明该指示灯的含义；请为其添加标签，或在旁边放置文本</translation>
     </message>
     <message>
         <source>{0} on {1} has a contrast of {2} to 1 in the theme {3}; {4} to 1 is needed; choose another colour</source>
@@ -2153,7 +2153,7 @@
     </message>
     <message>
         <source>The faceplate is so small here that only {0} px remain for a finger; {1} px are needed</source>
-        <translation>此处面板组件太小，手指只有 {0} px 可按；需要 {1} px</translation>
+        <translation>此处面板组件太小，只剩 {0} px 供手指按下；需要 {1} px</translation>
     </message>
     <message>
         <source>{0} x {1} px is too small for a finger next to other controls; {2} px are needed in both directions</source>
@@ -2161,7 +2161,7 @@
     </message>
     <message>
         <source>The panel shows {0} values and controls; the maximum for its size is {1}; move some to another panel</source>
-        <translation>画面显示了 {0} 项要读取或按下的内容；按其大小，可接受 {1} 项；请将一部分移到其他画面</translation>
+        <translation>画面显示了 {0} 个值和控件；按其大小，最多为 {1} 个；请将一部分移到其他画面</translation>
     </message>
     <message>
         <source>The panel {0} is {1} presses away from the start panel; {2} should do</source>
@@ -6416,7 +6416,7 @@
     </message>
     <message>
         <source>{0} needs a closing parenthesis at the end; it must enclose the whole expression</source>
-        <translation>{0} 末尾需要右括号；括号包围整个表达式</translation>
+        <translation>{0} 末尾需要右括号；括号必须包围整个表达式</translation>
     </message>
     <message>
         <source>{0} needs a time above 0 as its second argument, for example {1}</source>
